@@ -18,7 +18,7 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.sharing import make_once
+from tests.support.sharing import make_once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
@@ -60,7 +60,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     """
     if "qapp" not in getattr(item, "fixturenames", ()):
         return (yield)
-    from tests.leaked_resources import find_leaks
+    from tests.support.leaked_resources import find_leaks
 
     gc.disable()
     gc.freeze()

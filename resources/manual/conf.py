@@ -41,7 +41,7 @@ myst_url_schemes = {
 }
 nitpicky = True
 smartquotes_action = "q"  # dashes and dots stay as the program says them
-exclude_patterns = ["tables/*"]  # included in pages; tests/manual_tables.py writes them
+exclude_patterns = ["tables/*"]  # included in pages; tests/documents/manual_tables.py writes them
 highlight_language = "none"
 html_theme = "furo"
 html_static_path = ["_static"]
@@ -76,7 +76,7 @@ def _display(translator: Any, node: nodes.math_block) -> None:
 
 
 class Typed(SphinxRole):
-    """What is to be typed as it stands; `tests/tutorial_steps.py` types it."""
+    """What is to be typed as it stands; `tests/support/tutorial_steps.py` types it."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         """Shown as letters of a typewriter."""

@@ -16,7 +16,7 @@ from lispac.adjustment.solve.banded_cholesky import (
     forward_substitution,
 )
 from lispac.survey.georeferencing import Mounting
-from tests.surveys import disturbed, planar_survey
+from tests.support.surveys import disturbed, planar_survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.208, -1.245, 0.149]))
 START = Mounting(TRUTH.lever_arm, np.zeros(3))

@@ -16,7 +16,7 @@ from lispac.project import LineSource, Settings
 from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.project.projects import create_project
-from tests.input_file_samples import LEVER, write_long_line, write_survey
+from tests.support.input_file_samples import LEVER, write_long_line, write_survey
 
 SIZES = [1_000_000, 10_000_000]
 if more := os.environ.get("LISPAC_AUDIT_POINTS"):

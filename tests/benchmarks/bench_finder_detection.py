@@ -15,9 +15,9 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.targets.flat_patches import find_flat_patches
 from lispac.targets.plane_detection import COARSE_VOXEL_SIDE, detect_planes
 from lispac.targets.plane_finder import FinderSettings, find_plane
-from tests.finder_scenes import precision_and_recall
-from tests.test_finder_sites import scenery
-from tests.test_simulation import placed
+from tests.simulation.test_simulation import placed
+from tests.support.finder_scenes import precision_and_recall
+from tests.targets.test_finder_sites import scenery
 
 
 def test_the_target_around_a_seed() -> None:

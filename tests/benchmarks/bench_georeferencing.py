@@ -29,8 +29,8 @@ from lispac.workflow.importing.file_reading import local_trajectory
 from lispac.workflow.importing.line_import import import_lines, open_stored_line
 from lispac.workflow.output.cloud_export import write_cloud
 from lispac.workflow.output.georeferencing import stored_chunks
-from tests.cloud_files import sweep, track
-from tests.test_georeferencing import survey
+from tests.support.cloud_files import sweep, track
+from tests.survey.test_georeferencing import survey
 
 SIZES = [int(float(n)) for n in os.environ.get("LISPAC_BENCHMARK_POINTS", "1e6,1e7").split(",")]
 CHUNK = 1_000_000

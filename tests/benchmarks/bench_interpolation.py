@@ -16,7 +16,7 @@ import pytest
 from lispac.io.trajectory.sbet import read_sbet
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from tests.test_states_between import DURATION, linear, sbet
+from tests.survey.test_states_between import DURATION, linear, sbet
 
 RATES = (10.0, 50.0, 200.0)
 POINTS = 2_000_000

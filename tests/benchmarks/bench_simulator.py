@@ -16,7 +16,7 @@ from lispac.simulation.scene import Rectangle, Scene, tilted_rectangle
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
 from lispac.workflow.planning.simulated_setup import read_simulation
-from tests.test_meshes import as_mesh
+from tests.simulation.test_meshes import as_mesh
 
 COUNT = 1_000_000
 MOUNTING = Mounting(np.array([-0.24, 0.06, 2.17]), np.radians([0.3, -1.1, 0.4]), 0.01, 0.002)

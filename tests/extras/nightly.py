@@ -358,7 +358,8 @@ def _bare(code: str) -> str:
 
 
 def _files(tests: Sequence[str]) -> list[str]:
-    return [f"tests/test_{each}.py" for each in tests]
+    found = {path.stem: path for path in CHECKOUT.glob("tests/*/test_*.py")}
+    return [str(found[f"test_{each}"].relative_to(CHECKOUT)) for each in tests]
 
 
 def _settings(package: str, tests: Sequence[str]) -> str:

@@ -30,7 +30,7 @@ from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
-from tests.sharing import make_once
+from tests.support.sharing import make_once
 
 PICKED_NAMES = ("T1", "T2", "V1")
 WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tests.french_catalogue import FRENCH
+from tests.support.french_catalogue import FRENCH
 
 FRENCH_TEXTS = {*FRENCH.values()}
 _PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")

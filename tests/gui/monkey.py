@@ -34,7 +34,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMessageBo
 from lispac.report.pdf import write_pdf
 from tests.gui.monkey_hands import Doing, Hands
 from tests.gui.pulse import Draws, Pulse, resident_mb, timed_viewport
-from tests.report_sample import sample_content, sample_project
+from tests.support.report_sample import sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0

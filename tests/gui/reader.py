@@ -33,7 +33,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.window.main_window import MainWindow
-from tests.tutorial_steps import Step
+from tests.support.tutorial_steps import Step
 
 BEAT_MS = 30
 PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0

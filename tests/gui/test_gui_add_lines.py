@@ -15,10 +15,10 @@ from lispac.gui.features.open_project.import_survey.import_dialog import AddLine
 from lispac.gui.window.dialogs import Dialogs
 from lispac.project import LineSource, Project
 from lispac.workflow.project.projects import open_project, save_project, with_lines_added
-from tests.error_codes import has_code
 from tests.gui.import_support import drop, shifted
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
-from tests.message_codes import is_shown
+from tests.support.error_codes import has_code
+from tests.support.message_codes import is_shown
 
 
 @pytest.fixture

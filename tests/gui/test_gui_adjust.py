@@ -29,7 +29,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
-from tests.message_codes import codes, is_shown
+from tests.support.message_codes import codes, is_shown
 
 
 @pytest.fixture

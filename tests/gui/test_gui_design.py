@@ -23,7 +23,7 @@ from tests.gui.design_support import (
     wait_for_plan,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 
 def test_the_window_starts_with_the_thesis_plan_and_its_predicted_sigmas(

@@ -15,6 +15,7 @@ from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
 from lispac.workflow.planning.plan_comparison import compare_with_plan
+from tests.design.test_campaign import PORT
 from tests.gui.design_support import (
     NoModifier,
     mouse_move,
@@ -23,8 +24,7 @@ from tests.gui.design_support import (
     wait_until_designed,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
-from tests.message_codes import is_shown
-from tests.test_campaign import PORT
+from tests.support.message_codes import is_shown
 
 SLOW_PULSE_RATE = 4000.0
 """Low pulse rate, Hz, with which a simulated survey is adjusted quickly."""

@@ -12,8 +12,8 @@ from lispac.gui.features.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, L
 from lispac.gui.features.design.search import LimitsForm, parse_numbers
 from lispac.gui.features.design.system import SystemPanel
 from lispac.gui.features.design.workspace import Workspace
-from tests.error_codes import has_code
-from tests.message_codes import is_shown
+from tests.support.error_codes import has_code
+from tests.support.message_codes import is_shown
 
 FOOT = 0.3048
 """Metres, by definition."""

@@ -11,7 +11,7 @@ from lispac.gui.features.design.window import DesignWindow
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, wait_until_designed
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 SITE = """
 title = "Pier"

@@ -3,7 +3,7 @@
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import Driver, click, open_step, wait_until_idle
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 
 def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:

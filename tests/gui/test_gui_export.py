@@ -15,10 +15,10 @@ from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENT_TIT
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone
-from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
-from tests.message_codes import is_shown
-from tests.test_target_systems import ITRF, NAD83, on_map
+from tests.support.cloud_files import track
+from tests.support.message_codes import is_shown
+from tests.workflow.test_target_systems import ITRF, NAD83, on_map
 
 Shift = Control.__class__.ShiftModifier
 

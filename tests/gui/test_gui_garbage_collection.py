@@ -27,7 +27,7 @@ from lispac.gui.app.garbage_collection import (
     collect_all,
 )  # fmt: skip
 from tests.gui.support import WAIT_MS
-from tests.leaked_resources import find_leaks
+from tests.support.leaked_resources import find_leaks
 
 
 class Cycle:

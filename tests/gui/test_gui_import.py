@@ -21,7 +21,7 @@ from lispac.messages import Action
 from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
 from tests.gui.support import WAIT_MS, Demo, Key, Left
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 # -- files in --------------------------------------------------------------------------------------
 

@@ -8,8 +8,8 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication
 
 from lispac import caches
+from tests.documents.manual_tables import folder, tables
 from tests.gui.support import Control, Driver, Key, open_step, press
-from tests.manual_tables import folder, tables
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,7 @@ def test_the_manual_is_opened_in_the_language_of_the_window(
 def test_the_tables_of_the_manual_agree_with_window_and_readers(
     qapp: QApplication, spoken: str
 ) -> None:
-    """Update the tables after a change of fields or options: python -m tests.manual_tables."""
+    """The tables are up to date; `tests.documents.manual_tables` writes them."""
     kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
     made = tables(spoken)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

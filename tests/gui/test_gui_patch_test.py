@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 ROLL, PITCH, YAW = range(3)
 

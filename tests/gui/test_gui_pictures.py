@@ -17,7 +17,7 @@ from lispac.gui.features.pick_targets.sightings_table import EDITED_SYMBOL
 from lispac.gui.viewport.base import PointColouring
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
-from tests.view_scenes import scene
+from tests.support.view_scenes import scene
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 

@@ -9,7 +9,7 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
 

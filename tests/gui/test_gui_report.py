@@ -23,7 +23,7 @@ from lispac.identity import FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import answer_next_dialog
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 REPORT_STEP = 4
 """Index of the step of the workflow."""

@@ -17,9 +17,9 @@ from lispac.io.project.project_file import (
     read_unsaved,
     write_unsaved,
 )
-from tests.concurrent_commands import pool, run
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
+from tests.support.concurrent_commands import pool, run
 
 
 @pytest.fixture

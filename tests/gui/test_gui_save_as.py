@@ -21,7 +21,7 @@ from lispac.workflow.project.project_copy import save_project_as
 from lispac.workflow.project.projects import open_project, save_project
 from lispac.workflow.project.survey import load_survey
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
-from tests.message_codes import codes
+from tests.support.message_codes import codes
 
 Shift = Control.__class__.ShiftModifier
 

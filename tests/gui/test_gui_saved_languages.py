@@ -16,9 +16,9 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.workflow.project.projects import save_project
-from tests.french_catalogue import FRENCH
 from tests.gui.french_support import english, pieces, texts
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, wait_until_idle
+from tests.support.french_catalogue import FRENCH
 
 LEVER_ARM_ERROR = 0.1
 """Error of the lever arm, m, which leads to many warnings about the estimate."""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 from lispac.gui.features.export.dialogs import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
 from tests.gui.test_gui_seed_coordinates import answer_next_dialog
-from tests.script_runs import run, same_part
+from tests.support.script_runs import run, same_part
 
 Answer = Callable[[QWidget], None]
 

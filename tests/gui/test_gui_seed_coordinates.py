@@ -12,7 +12,7 @@ from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDia
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""

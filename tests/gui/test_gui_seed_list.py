@@ -23,7 +23,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
 from tests.gui.test_gui_seed_coordinates import answer_next_dialog
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -22,7 +22,7 @@ from lispac.project import Settings
 from lispac.workflow.planning.sensors import read_library, store_sensor
 from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
-from tests.message_codes import is_shown
+from tests.support.message_codes import is_shown
 
 OTHER_PREFERENCES = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip

@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QLabel
 from lispac.gui.appearance import units
 from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
-from tests.ball_survey import BallSurvey, make_ball_survey
 from tests.gui.support import Driver, click
+from tests.support.ball_survey import BallSurvey, make_ball_survey
 
 
 @pytest.fixture(scope="module")

@@ -21,8 +21,8 @@ from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from tests.gui.support import WAIT_MS, Driver, in_front
-from tests.report_sample import sample_project
-from tests.static_scans import tripod_scan
+from tests.support.report_sample import sample_project
+from tests.support.static_scans import tripod_scan
 
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")

@@ -18,10 +18,10 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from lispac.language import gettext
 from lispac.workflow.project.projects import open_project
-from tests.french_catalogue import FRENCH
 from tests.gui.reader import Reader, StepError
 from tests.gui.support import WAIT_MS
-from tests.tutorial_steps import Step, page, steps_of
+from tests.support.french_catalogue import FRENCH
+from tests.support.tutorial_steps import Step, page, steps_of
 
 REPORTS = {"en": "boresight.pdf", "fr": "etalonnage.pdf"}
 

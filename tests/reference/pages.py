@@ -8,8 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.public_names import trees
 from tests.reference.resolving import script_names
+from tests.support.public_names import trees
 
 HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parents[1]

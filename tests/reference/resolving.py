@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import lispac
-from tests.public_names import trees
+from tests.support.public_names import trees
 
 FOREIGN = (
     "NDArray", "abc", "argparse", "collections", "concurrent", "contextlib", "datetime", "enum",

@@ -1,0 +1,153 @@
+"""Tests of the commands for the design of a site: predict, scenarios, design, compare-plan."""
+
+import csv
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.design.objective import PlanObjective
+from lispac.design.plan_search import DesignResult, ReductionStep
+from lispac.design.prediction import predict
+from lispac.design.site import Site
+from lispac.io.config.plan_file import read_plan
+from lispac.message_texts import message_text
+from lispac.messages import error, note
+from lispac.project import Project
+from lispac.workflow.planning.plan_checks import write_design
+from lispac.workflow.project.survey import Survey
+from tests.cli.test_cli import answer, refused, run
+from tests.support.command_errors import command_error
+from tests.support.narrow_site import narrow_site
+
+PORT = Path(__file__).parents[1] / "data" / "port-plan.toml"
+QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
+
+
+def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    """Output of a command that succeeds."""
+    code, out, err = run(capsys, *words)
+    assert code == 0, err
+    return out
+
+
+def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
+    found = answer(capsys, "predict", PORT)
+    assert found["determined"]
+    assert len(found["points"]) == 12
+    assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
+    assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
+    said = printed_by(capsys, "predict", PORT)
+    assert "Least precisely determined: pitch" in said
+    assert "correlation roll-pitch" in said
+
+
+def test_undetermined_plans_are_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    text = PORT.read_text()
+    one_way = tmp_path / "one-way.toml"
+    one_way.write_text(text.replace("inclination_deg = 45\n", ""))
+    assert message_text(note("plan_survey.one_orientation")) in printed_by(
+        capsys, "predict", one_way
+    )
+    one_line = tmp_path / "one-line.toml"
+    one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
+    found = answer(capsys, "predict", one_line)
+    assert found["sigma_deg"] is None
+    assert found["messages"] == [message_text(note("design.undetermined"))]
+    missing = command_error("predict", tmp_path / "none.toml")
+    assert missing.message == error(
+        "file.not_found", file=str(tmp_path / "none.toml"), kind=note("file.kind_plan")
+    )
+
+
+def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    said = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
+    assert "all six" in said
+    assert "not determined" in said
+    with (folder / "scenarios.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 2 * (11 + 4)
+    assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
+    # The scenarios of the thesis have their own boards, wherever the wall of the plan is
+    assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0
+    found = answer(capsys, "scenarios", PORT, "--only", "distance")
+    assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
+
+
+def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    site, folder = tmp_path / "site.toml", tmp_path / "out"
+    site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [2, 8]"}))
+    found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
+    assert found["exact"]
+    assert found["plans_evaluated"] == 28 * 27
+    assert {path.name for path in folder.iterdir()} == {
+        "plan.toml", "field-plan.pdf", "front.svg", "front.csv",
+    }  # fmt: skip
+    again = answer(capsys, "predict", folder / "plan.toml")
+    assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
+    assert answer(capsys, "design", site, "--workers", 2) == found
+    said = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
+    assert "smallest standard deviation of yaw" in said
+    assert "all that are possible" in said
+    assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
+    plan = read_plan(PORT).plan
+    name = '=1+1, "a"'
+    plan = plan.with_targets([replace(plan.targets[0], name=name), *plan.targets[1:]])
+    design = DesignResult(
+        plan, predict(plan), 1e-3, True, 1, (), (ReductionStep(plan, 45.0, 1e-3),)
+    )
+    write_design(tmp_path, "Port", Site((0.0, -15.0, 0.0), 270.0), design, PlanObjective())
+    with (tmp_path / "front.csv").open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert row["targets"] == f"'{name} T2"
+    assert row["lines"] == "6"
+    assert [each.name for each in read_plan(tmp_path / "plan.toml").plan.targets] == [name, "T2"]
+
+
+def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    site = tmp_path / "site.toml"
+    site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
+    assert "longer than the 5.0 minutes available" in refused(capsys, "design", site)
+
+
+def test_replay_of_the_built_in_survey(
+    calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
+    folder = tmp_path / "port"
+    shutil.copytree(calibrated[0].folder, folder)
+    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
+    stated, predicted = (
+        np.array(found["obtained_sigma_deg"]),
+        np.array(found["surveyed_with_form_error_sigma_deg"]),
+    )
+    assert stated == pytest.approx(predicted, rel=0.05)
+    assert found["missing_lines"] == []
+    assert found["missing_targets"] == []
+    more = tmp_path / "more.toml"
+    further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
+    board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
+    more.write_text(PORT.read_text() + further + board)
+    said = printed_by(capsys, "compare-plan", folder, "--plan", more)
+    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
+    assert "Target T9 was not used." in said
+    assert said.count("With it the standard deviation of") == 2
+    far = tmp_path / "far.toml"
+    far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
+    off = answer(capsys, "compare-plan", folder, "--plan", far)
+    assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
+    assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
+    strange = tmp_path / "strange.toml"
+    text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
+    strange.write_text(text)
+    refusal = command_error("compare-plan", folder, "--plan", strange)
+    assert refusal.code == "plan_survey.no_target_measured"
+    assert read_plan(strange).plan.targets[0].name == "A"

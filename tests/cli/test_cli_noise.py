@@ -1,0 +1,109 @@
+"""Tests of the options for LiDAR noise and prior offsets, of projects and of plane files."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.project import Project
+from lispac.workflow.project import projects
+from tests.cli.test_cli import answer, new_words, run
+
+SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}
+WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
+
+
+@pytest.fixture(scope="module")
+def raw(demo_project: Project) -> Path:
+    return demo_project.folder / "raw"
+
+
+def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:
+    made = [word for word in new_words(folder, raw) if word not in ("--lidar-sigma", 0.0017)]
+    answer(capsys, *made, *words)
+    for name, seed in SEEDS.items():
+        answer(capsys, "pick", folder, "--seed", *seed, "--name", name)
+    return folder
+
+
+def angles(numbers: dict[str, Any], what: str = "boresight_deg") -> np.ndarray:
+    return np.array(list(numbers[what].values()))
+
+
+def test_noise_and_offsets_of_a_project(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
+    project = picked(capsys, raw, tmp_path / "quay", "--lidar-sigma-xyz", 0.003, 0.004, 0.005,
+                     "--longest-gap", 2.5)  # fmt: skip
+    stated = projects.open_project(project).settings
+    assert stated.lidar_sigma_xyz == (0.003, 0.004, 0.005)
+    assert stated.longest_gap == 2.5
+
+    def estimated(*words: object) -> dict[str, Any]:
+        return answer(capsys, "estimate", project, *WITHOUT_DIAGNOSTICS, *words)
+
+    axis = estimated("--lidar-sigma", 0.004)
+    settings = projects.open_project(project).settings
+    assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
+    alike = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
+    np.testing.assert_allclose(angles(alike), angles(axis), rtol=0, atol=1e-9)
+    # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
+    beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
+    settings = projects.open_project(project).settings
+    assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.06, 0.02))
+    assert beam["sigma_deg"]["pitch"] > 3 * axis["sigma_deg"]["pitch"]
+    estimated("--lidar-sigma", 0.004)
+    assert projects.open_project(project).settings.lidar_beam_sigma is None
+
+    # A rotation of the beams about the x axis of the scanner is a roll; the boresight absorbs it.
+    turned = estimated("--scan-angle-offset", 0.3)
+    assert turned["boresight_deg"]["roll"] == pytest.approx(
+        axis["boresight_deg"]["roll"] - 0.3, abs=0.01
+    )
+    longer = estimated("--scan-angle-offset", 0, "--range-offset", 0.05, "--latency", -0.02)
+    settings = projects.open_project(project).settings
+    assert (settings.range_offset, settings.latency) == (0.05, -0.02)
+    assert settings.scan_angle_offset_deg == 0
+    assert np.abs(angles(longer) - angles(axis)).max() > 0.01
+    # If the latency is estimated too, its wrong prior is detected.
+    found = estimated("--estimate", "latency")["parameters"][0]
+    assert found["prior"] == -0.02
+    assert abs(found["value"]) < 4 * found["sigma"] < 0.02
+    assert found["significant"]
+
+
+def test_noise_and_offsets_of_plane_files(
+    capsys: pytest.CaptureFixture[str], shared_data: Path
+) -> None:
+    folder = shared_data / "prototype/c"
+    words = ("estimate", "--planes", folder / "plane1.txt", folder / "plane2.txt",
+             "--lever-arm", 0, 0, 0, "--boresight", 0, 45, 0, "--pos-errors", "independent",
+             "--no-cross-checks")  # fmt: skip
+    axis = answer(capsys, *words, "--lidar-sigma", 0.0031)
+    alike = answer(capsys, *words, "--lidar-sigma-xyz", 0.0031, 0.0031, 0.0031)
+    np.testing.assert_array_equal(angles(alike), angles(axis))
+    beam = answer(capsys, *words, "--lidar-beam-sigma", 0.0031, 0.2)
+    assert (angles(beam, "sigma_deg") > angles(axis, "sigma_deg")).all()
+    longer = answer(capsys, *words, "--lidar-sigma", 0.0031, "--range-offset", 0.05)
+    assert np.abs(angles(longer) - angles(axis)).max() > 0.001
+    code, out, err = run(capsys, *words, "--latency", 0.01)
+    assert (code, out) == (2, "")
+    assert "--latency requires a project" in err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--lidar-sigma", 0.01, "--lidar-beam-sigma", 0.01, 0.1),
+        ("--lidar-beam-sigma", 0.01),
+        ("--lidar-sigma-xyz", 0.01, 0.01, 0),
+        ("--lidar-beam-sigma", 0.01, math.nan),
+        ("--latency", "soon"),
+    ],
+)
+def test_invalid_noise_options_are_refused(capsys: pytest.CaptureFixture[str], words: Any) -> None:
+    code, out, err = run(capsys, "estimate", "p", *words)
+    assert (code, out) == (2, "")
+    assert err

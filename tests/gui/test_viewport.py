@@ -1,0 +1,394 @@
+"""Tests of the 3D viewport with real OpenGL: drawing, picking and closing."""
+
+import gc
+import os
+import subprocess
+import sys
+import weakref
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui.viewport.base import (
+    SELECTED_COLOUR,
+    UNSELECTED_COLOUR,
+    Highlight,
+    Marker,
+    PickedPoint,
+    PointColouring,
+)
+from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.recording_viewport import RecordingViewport
+from tests.support.view_scenes import (
+    BLUE,
+    GREEN,
+    RED,
+    YELLOW,
+    array_of,
+    count,
+    picture,
+    pixel,
+    scene,
+    wall,
+)
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+NO_MODIFIER = Qt.KeyboardModifier.NoModifier
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])
+def test_ctrl_click_finds_the_line_and_the_point(viewport, qtbot, origin):
+    clouds, colours = scene(origin)
+    viewport.set_station(origin)
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    for line, index in (("red", 600), ("blue", 16000)):
+        point = clouds[line][index]
+        with qtbot.waitSignal(viewport.signals.seed_clicked, timeout=2000) as clicked:
+            QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, point))
+        picked = clicked.args[0]
+        assert isinstance(picked, PickedPoint)
+        assert picked.line == line
+        np.testing.assert_allclose(picked.position, point, rtol=0, atol=0.11)
+        # The exact coordinates of a point of the line
+        assert np.any(np.all(clouds[line] == picked.position, axis=1))
+
+
+def test_picture_agrees_with_the_projection(viewport):
+    clouds = {"dot": np.array([[2.0, 20.0, 1.0]]), "far": np.array([[-6.0, 30.0, 9.0]])}
+    viewport.show_clouds(clouds, {"dot": RED, "far": BLUE})
+    viewport.fit(wall(25.0, (-9.0, 9.0), (-4.0, 14.0)))  # away from the axes and the scale bar
+    viewport.set_point_size(5)
+    image = picture(viewport)
+    for line, colour in (("dot", RED), ("far", BLUE)):
+        rows, columns = np.nonzero(np.abs(image.astype(int) - colour).max(axis=2) <= 2)
+        x, y = viewport.to_pixels(clouds[line])[0]
+        assert len(rows) >= 9
+        assert columns.mean() + 0.5 == pytest.approx(x, abs=1.0)
+        assert rows.mean() + 0.5 == pytest.approx(y, abs=1.0)
+
+
+def test_ctrl_click_in_empty_space_is_a_miss_and_ctrl_drag_is_ignored(viewport, qtbot):
+    viewport.show_clouds(*scene())
+    told = []
+    viewport.signals.seed_clicked.connect(told.append)
+    viewport.signals.missed.connect(lambda: told.append("missed"))
+    QTest.mouseClick(viewport.canvas, LEFT, CTRL, QPoint(3, 3))
+    assert told == ["missed"]
+    told.clear()
+    start = pixel(viewport, (0.0, 15.0, 1.5))
+    before = viewport.camera
+    QTest.mousePress(viewport.canvas, LEFT, CTRL, start)
+    QTest.mouseMove(viewport.canvas, start + QPoint(40, 10))
+    QTest.mouseRelease(viewport.canvas, LEFT, CTRL, start + QPoint(40, 10))
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, start)
+    assert told == []
+    np.testing.assert_array_equal(viewport.camera.position, before.position)
+
+
+def test_a_hidden_line_is_not_drawn_or_picked_and_stays_hidden(viewport, qtbot):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    assert count(picture(viewport), RED) > 500
+    viewport.set_line_visible("red", False)
+    assert count(picture(viewport), RED) == 0
+    with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
+        QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (0.0, 15.0, 1.5)))
+    assert clicked.args[0].line == "blue"
+    viewport.show_clouds(clouds, colours)  # as when switching before and after
+    assert count(picture(viewport), RED) == 0
+    viewport.set_line_visible("red", True)
+    assert count(picture(viewport), RED) > 500
+
+
+def test_unchanged_scene_is_not_rendered_again(viewport, qtbot):
+    viewport.show_clouds(*scene())
+    viewport.view("front")
+    viewport.set_point_size(5)
+    before = viewport.picture()
+    rendered = viewport.canvas.frames
+    cover = QWidget(viewport.widget)  # as a menu does
+    cover.resize(viewport.widget.size())
+    cover.setAutoFillBackground(True)
+    cover.show()
+    qtbot.wait(50)
+    cover.hide()
+    viewport.canvas.repaint()
+    viewport.show_markers([Marker("T1", (0.0, 15.0, 1.5), YELLOW)])
+    qtbot.wait(50)
+    assert viewport.canvas.frames == rendered
+    viewport.show_markers([])
+    viewport.canvas.repaint()
+    shown = viewport.canvas.grabFramebuffer()
+    assert viewport.canvas.frames == rendered
+    hidden, seen = (count(each, RED) for each in (array_of(before), array_of(shown)))
+    assert hidden == seen > 500
+    viewport.set_line_visible("red", False)
+    shown = viewport.canvas.grabFramebuffer()
+    assert count(array_of(shown), RED) == 0
+    assert viewport.canvas.frames > rendered
+
+
+def test_camera_is_kept_between_before_and_after(viewport):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, QPoint(400, 300))
+    QTest.mouseMove(viewport.canvas, QPoint(460, 320))
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, QPoint(460, 320))
+    camera = viewport.camera
+    viewport.show_clouds({line: points + 0.3 for line, points in clouds.items()}, colours)
+    assert viewport.camera is camera
+
+
+def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    point = clouds["red"][600]
+    start = pixel(viewport, point)
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, start)
+    QTest.mouseMove(viewport.canvas, start + QPoint(80, 0))
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, start + QPoint(80, 0))
+    x, y = viewport.to_pixels(point[None])[0]
+    assert np.hypot(x - start.x(), y - start.y()) < 4.0
+    assert viewport.camera.axes[0, 2] == 0.0
+    assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
+
+
+def test_highlights_are_drawn_over_their_line_and_show_the_selection(viewport):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
+    far = clouds["blue"][clouds["blue"][:, 0] > 7.0]
+    viewport.show_highlights(
+        [Highlight(("T1", "red"), plate, YELLOW), Highlight(("T2", "blue"), far, GREEN)]
+    )
+    plain = picture(viewport)
+    assert count(plain, YELLOW) > 300
+    assert count(plain, GREEN) > 300
+    viewport.select(("T1", "red"))
+    one = picture(viewport)
+    assert count(one, YELLOW) == 0
+    assert count(one, SELECTED_COLOUR) > 1.1 * count(plain, YELLOW)
+    assert count(one, GREEN) == count(plain, GREEN)
+    viewport.select(("T1", "blue"))
+    other = picture(viewport)
+    assert count(other, YELLOW) == count(other, SELECTED_COLOUR) == 0
+    assert count(other, UNSELECTED_COLOUR) > 300
+    viewport.select(("T2", ""))
+    assert count(picture(viewport), GREEN) > 1.1 * count(plain, GREEN)
+    viewport.select(None)
+    viewport.show_highlights([])
+    assert count(picture(viewport), YELLOW) == 0
+
+
+def test_points_coloured_by_value_have_a_legend(viewport):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    plain = picture(viewport)
+    assert count(plain, RED) > 300
+    low, high = (12, 200, 90), (250, 60, 240)
+    shades = {
+        line: np.where(points[:, :1] < 0, [low], [high]).astype(np.uint8)
+        for line, points in clouds.items()
+    }
+    scale = np.array([low, high], np.uint8)
+    viewport.show_clouds(clouds, colours, PointColouring(shades, "Height (m)", "0", "12", scale))
+    shaded = picture(viewport)
+    assert count(shaded, RED) == count(shaded, BLUE) == 0
+    assert min(count(shaded, low), count(shaded, high)) > 300
+    assert (shaded[:60, :200] != plain[:60, :200]).any(axis=2).mean() > 0.5, "the legend"
+    viewport.show_clouds(clouds, colours)
+    np.testing.assert_array_equal(picture(viewport), plain)
+
+
+def test_markers_show_even_behind_a_wall(viewport):
+    viewport.show_clouds(*scene())
+    without = picture(viewport)
+    viewport.show_markers([Marker("T1", (0.0, 40.0, 1.0), YELLOW)])
+    shown = picture(viewport)
+    assert count(shown, YELLOW) > count(without, YELLOW) + 20
+
+
+def test_large_clouds_are_reduced_to_the_point_budget(shown):
+    view = shown(Budget(resting=4000, moving=500))
+    cloud = wall(25.0, (-9.0, 9.0), (0.0, 9.0))
+    view.show_clouds({"blue": cloud}, {"blue": BLUE})
+    part = cloud[(np.abs(cloud[:, 0]) < 1.0) & (cloud[:, 2] < 2.0)]
+    far = count(picture(view), BLUE)
+    view.fit(part)
+    near = picture(view)
+    assert 2000 < far <= 4 * 4000
+    # All points of a small part are drawn, although the budget is a quarter of the cloud.
+    assert count(near, BLUE) > 0.95 * 4 * len(part)
+
+
+def test_slow_frames_reduce_the_points_drawn_while_moving(shown):
+    view = shown(Budget(resting=4000, moving=2000))
+    view.show_clouds({"blue": wall(25.0, (-9.0, 9.0), (0.0, 9.0))}, {"blue": BLUE})
+
+    def drawn():
+        view.canvas.grabFramebuffer()
+        actors = view._renderer.GetActors()
+        return sum(
+            actor.GetMapper().GetInput().GetNumberOfPoints()
+            for actor in actors
+            if actor.GetVisibility()
+        )
+
+    def move():
+        view._navigator.mouse.rotated.emit(1.0, 0.0)
+        return drawn()
+
+    assert move() == 2000
+    view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
+    assert drawn() == 2 * 4000  # each point has a rim
+    view._times.slice = 1
+    view._detail_render_s = 1.0
+    assert move() == 250
+    view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
+    assert drawn() == 2 * 4000
+
+
+def test_empty_view_shows_instructions_again_after_clear(viewport):
+    empty = picture(viewport)
+    ink = int((empty.max(axis=2) < 120).sum())
+    assert ink > 50
+    viewport.show_clouds(*scene())
+    viewport.show_markers([Marker("T1", (0.0, 15.0, 1.0), YELLOW)])
+    viewport.clear()
+    cleared = picture(viewport)
+    np.testing.assert_array_equal(cleared, empty)
+
+
+def test_resizing_keeps_all_points_in_view(viewport, qtbot):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.widget.resize(420, 700)
+    qtbot.waitUntil(lambda: viewport.canvas.width() == 420)
+    pixels = viewport.to_pixels(np.concatenate(list(clouds.values())))
+    assert pixels.min() >= 0.0
+    assert np.all(pixels.max(axis=0) <= [420, 700])
+    with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
+        QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, clouds["red"][600]))
+    assert clicked.args[0].line == "red"
+
+
+def test_a_cross_shows_where_a_seed_would_be_set(viewport):
+    viewport.show_clouds(*scene())
+    viewport.canvas.setFocus()
+    QTest.keyPress(viewport.canvas, Qt.Key.Key_Control)
+    assert viewport.canvas.cursor().shape() == Qt.CursorShape.CrossCursor
+    QTest.keyRelease(viewport.canvas, Qt.Key.Key_Control)
+    assert viewport.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+
+
+def test_closing_twice_releases_all_objects(qtbot):
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
+
+    view = VtkViewport()
+    view.widget.resize(300, 200)
+    view.widget.show()
+    qtbot.waitExposed(view.widget)
+    view.show_clouds(*scene())
+    renderer = weakref.ref(view.canvas.ren_win)
+    alive = weakref.ref(view)
+    view.close()
+    view.close()
+    view.widget.resize(320, 240)  # a late event of a closing window
+    view.widget.close()
+    view.widget.deleteLater()
+    del view
+    qtbot.wait(50)
+    gc.collect()
+    assert alive() is None
+    assert renderer() is None
+
+
+SEPARATE_PROGRAM = """
+import sys
+import numpy as np
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMainWindow
+from lispac.gui.viewport.vtk_viewport import VtkViewport
+
+app = QApplication([])
+window = QMainWindow()
+view = VtkViewport(window)
+window.setCentralWidget(view.widget)
+window.resize(500, 400)
+window.show()
+QTest.qWaitForWindowExposed(window)
+n, u = np.meshgrid(np.arange(-3, 3, 0.1), np.arange(0, 3, 0.1))
+points = np.column_stack([n.ravel(), np.full(n.size, 20.0), u.ravel()])
+view.show_clouds({"a": points}, {"a": (200, 0, 0)})
+app.processEvents()
+picked = []
+view.signals.seed_clicked.connect(picked.append)
+x, y = view.to_pixels(points[[700]])[0]
+QTest.mouseClick(view.canvas, Qt.LeftButton, Qt.ControlModifier, QPoint(round(x), round(y)))
+error = np.abs(np.array(picked[0].position) - points[700]).max()
+print(view.canvas.devicePixelRatioF(), tuple(view.canvas.ren_win.GetSize()),
+      (view.canvas.width(), view.canvas.height()), error < 0.11)
+if "close" in sys.argv:
+    view.close()
+    window.close()
+"""
+
+
+@pytest.mark.parametrize("ending", ["close", "leave"])
+def test_high_resolution_screen_and_clean_exit(qapp, ending):
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        pytest.skip("OpenGL needs a screen, a virtual one will do")
+    root = Path(__file__).resolve().parents[2]
+    environment = {**os.environ, "QT_SCALE_FACTOR": "2", "PYTHONPATH": str(root)}
+    done = subprocess.run(
+        [sys.executable, "-c", SEPARATE_PROGRAM, ending],
+        env=environment, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split(" ", 1)[0] == "2.0"
+    assert "(1000, 800) (500, 400) True" in done.stdout
+    assert "ERR" not in done.stderr
+
+
+# The recording viewport
+
+
+def test_recording_viewport_records_calls_and_clicks(qtbot):
+    view = RecordingViewport()
+    qtbot.addWidget(view.widget)
+    clouds, colours = scene()
+    view.show_clouds(clouds, colours)
+    with qtbot.waitSignal(view.signals.seed_clicked) as clicked:
+        view.click("red", 5)
+    assert clicked.args[0] == PickedPoint("red", tuple(clouds["red"][5]))
+    with qtbot.waitSignal(view.signals.missed):
+        view.click_empty()
+    view.set_line_visible("red", False)
+    with pytest.raises(KeyError):
+        view.click("red", 5)
+    view.clear()
+    view.close()
+    assert [name for name, _ in view.calls] == ["show_clouds", "set_line_visible", "clear", "close"]
+
+
+def test_both_viewports_implement_the_protocol():
+    from lispac.gui.viewport.base import Viewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
+
+    asked = {name for name in vars(Viewport) if not name.startswith("_")}
+    for kind in (VtkViewport, RecordingViewport):
+        assert asked <= set(dir(kind))

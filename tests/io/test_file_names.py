@@ -1,0 +1,53 @@
+"""Tests of file names that are not UTF-8, and of terminals that cannot print a name."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.survey.line_source import printable
+from tests.support.input_file_samples import START, fan, write_line, write_survey
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+
+
+def lispac(*arguments: object, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-m", "lispac", *map(os.fsencode, map(str, arguments))],
+        capture_output=True, env={**os.environ, **environment}, check=False,
+    )  # fmt: skip
+
+
+def test_a_name_that_is_not_utf_8_is_shown_with_replacements() -> None:
+    assert printable(os.fsdecode(b"l\xff1.laz")) == "l\ufffd1.laz"
+    assert printable("Käi.laz") == "Käi.laz"
+    assert (
+        printable("a\ud800b\udfff.laz") == "a\ufffdb\ufffd.laz"
+    )  # halves of surrogate pairs, not bytes
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+def test_any_name_can_be_printed_on_any_terminal(tmp_path: Path, encoding: str) -> None:
+    folder = write_survey(tmp_path)
+    first = folder / os.fsdecode(b"l\xff\xe9.las")
+    write_line(folder / "plain.las", START + np.linspace(2, 12, 2000), fan(2000)).rename(first)
+    second = folder / "Käi.las"
+    write_line(second, START + np.linspace(15, 25, 2000), fan(2000))
+    project = tmp_path / "project"
+    environment = {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
+    for command in (
+        ["inspect", first],
+        ["new", project, first, second, "--trajectory", folder / "pos.sbet",
+         "--trajectory-accuracy", folder / "smrmsg.out", "--lever-arm", 0.2, -0.1, 1.5],
+        ["report", project, "--output", tmp_path / "report.json"],
+        ["report", project, "--output", tmp_path / "report.html"],
+        ["warnings", project],
+    ):  # fmt: skip
+        done = lispac(*command, **environment)
+        assert done.returncode == 0, done.stderr
+    lines = json.loads((tmp_path / "report.json").read_text())["lines"]
+    assert [line["name"] for line in lines] == ["l\ufffd\ufffd", "Käi"]

@@ -1,0 +1,352 @@
+"""Tests that the command line, the window and the report give the same warnings."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
+from lispac.adjustment.diagnostics.findings import exceedance_limit
+from lispac.adjustment.diagnostics.warnings import WARNING_RULES, result_warnings
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.result import (
+    CommonCoverage,
+    ContradictedParameter,
+    RadiusDiscrepancy,
+    UncontrolledObservations,
+)
+from lispac.cli.calibration.result_output import print_result, result_values
+from lispac.cli.messages import message_values
+from lispac.gui.features.estimate import result_texts
+from lispac.io.project.project_file import read_project, write_project
+from lispac.language import in_language, to_plain_text
+from lispac.message_texts import message_text
+from lispac.message_texts.former_codes import former_code
+from lispac.messages import Level, Message, note
+from lispac.project import Project
+from lispac.survey.georeferencing import Mounting
+from tests.support.report_sample import sample_content, sample_project
+
+
+def _steep(project: Project) -> Project:
+    assert project.result is not None
+    mounting = Mounting.with_nearest_axes(
+        project.result.mounting.lever_arm, np.radians([0.0, -90.0, 0.0])
+    )
+    return replace(project, result=replace(project.result, mounting=mounting))
+
+
+def _wide(project: Project) -> Project:
+    """Roll has a standard deviation of half a degree."""
+    assert project.result is not None
+    covariance = project.result.covariance_all.copy()
+    covariance[0] *= 30.0
+    covariance[:, 0] *= 30.0
+    return replace(project, result=replace(project.result, covariance_all=covariance))
+
+
+def _unseen(project: Project) -> Project:
+    turned = ParameterEstimate(
+        "scan_angle_offset", 0.0, 0.01, reason=note("parameter.kept_uncertain")
+    )
+    wide = _wide(project)
+    assert wide.result is not None
+    return replace(wide, result=replace(wide.result, parameters=(turned,)))
+
+
+def _unchecked(
+    kind: str, *, lines: int = 0, of_target: bool = False, angles: tuple[str, ...] = (),
+    size: float = 0.0,
+) -> Callable[[Project], Project]:  # fmt: skip
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        assert project.result.observability is not None
+        target = project.targets[0].name if of_target else ""
+        found = tuple(
+            UncontrolledObservations(kind, target, name, angles, size)
+            for name in [line.name for line in project.lines[:lines]] or [""]
+        )
+        seen = replace(project.result.observability, unchecked=found)
+        return replace(project, result=replace(project.result, observability=seen))
+
+    return change
+
+
+def _excluded(project: Project) -> Project:
+    assert project.result is not None
+    names = tuple(target.name for target in project.targets[:2])
+    return replace(project, result=replace(project.result, excluded_targets=names))
+
+
+def _cut(share: float) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        lines = tuple(line.name for line in project.lines[:2]) if share else ()
+        part = CommonCoverage(project.targets[0].name, share, lines)
+        return replace(project, result=replace(project.result, common_parts=(part,)))
+
+    return change
+
+
+def _radii(cause: str, value: float = 0.0) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        found = (RadiusDiscrepancy(project.targets[0].name, 0.17, 0.3, cause, value),)
+        return replace(project, result=replace(project.result, radius_discrepancies=found))
+
+    return change
+
+
+def _shorter(project: Project) -> Project:
+    assert project.result is not None
+    model = StochasticModel(position_time=30.0, attitude_time=60.0)
+    return replace(
+        project, result=replace(project.result, model=model, given_correlation_times=(300.0, 600.0))
+    )
+
+
+def _raised(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=with_raised_sigmas(project.result, np.array([1.0, 2.5, 1.02])))
+
+
+def _apart(project: Project) -> Project:
+    checks = project.cross_checks
+    assert checks is not None
+    sigmas, off = np.array([-0.2, 4.1, 1.0]), np.radians([0.0, -0.0512, 0.0])
+    odd = replace(checks.parts[1], significance=sigmas, difference=off)
+    parts = (checks.parts[0], odd, *checks.parts[2:])
+    return replace(project, cross_checks=replace(checks, parts=parts))
+
+
+def _badly_separated(project: Project) -> Project:
+    assert project.result is not None
+    covariance = project.result.covariance_all.copy()
+    covariance[0, 1] = covariance[1, 0] = -0.97 * np.sqrt(covariance[0, 0] * covariance[1, 1])
+    return replace(project, result=replace(project.result, covariance_all=covariance))
+
+
+def _model(**values: object) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        model = StochasticModel(**values)  # type: ignore[arg-type]
+        return replace(project, result=replace(project.result, model=model))
+
+    return change
+
+
+def _sighting(**values: object) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        first, *rest = project.result.reliability
+        odd = replace(first, **values)  # type: ignore[arg-type]
+        return replace(project, result=replace(project.result, reliability=(odd, *rest)))
+
+    return change
+
+
+def _line_gone(project: Project) -> Project:
+    assert project.result is not None
+    items = tuple(
+        replace(item, rejected=item.sighting.line == "L3") for item in project.result.reliability
+    )
+    return replace(project, result=replace(project.result, reliability=items))
+
+
+def _noise(*factors: float) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        noisy = tuple(
+            replace(target, noise=factor)
+            for target, factor in zip(project.result.targets, factors, strict=False)
+        )
+        return replace(project, result=replace(project.result, targets=noisy))
+
+    return change
+
+
+def _facing(count: int) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        first, second = project.result.targets
+        targets = (first, replace(second, plane=first.plane))[:count]
+        return replace(project, result=replace(project.result, targets=targets))
+
+    return change
+
+
+def _contradicted(project: Project) -> Project:
+    assert project.result is not None
+    sigma = project.result.sigma
+    found = ContradictedParameter("lever_x", -0.0951, 0.0041, sigma * [0.1, -14.2, 0.6], 0.0)
+    return replace(project, result=replace(project.result, contradictions=(found,)))
+
+
+def _bent(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=replace(project.result, surface=0.0071))
+
+
+def _displaced(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=replace(project.result, surface=1e-5, offset=0.0071))
+
+
+def _not_flat(project: Project) -> Project:
+    return _noise(1.0, 2.4)(_unchecked("line", lines=2)(project))
+
+
+CASES = [
+    ("contradicted_lever_x", True, _contradicted, "The given lever arm X disagrees with the data: "
+     "the best-fitting value, smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), would "
+     "change pitch by -"),
+    ("surfaces_differ", False, _bent, "differ between lines by 7.1 mm (1 sigma)"),
+    ("surfaces_displaced", False, _displaced, "displaced by 7.1 mm and tilted by 0.0 mm"),
+    ("large_sigma", True, _wide, "(1 sigma): roll 0.49 deg. Add targets"),
+    ("large_sigma_unseen", True, _unseen, "given values: scan-angle offset. Give"),
+    ("line_unchecked", True, _unchecked("line", lines=2), "any one of the lines L1 and L2 the"),
+    ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
+    ("targets_clustered", True, _unchecked("clustered", size=0.031), "over only 3 % of"),
+    ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
+                                        angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
+    ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
+    ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
+    ("target_parts", False, _cut(0.0), "may not be flat: T1"),
+    ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
+    ("radii_pitch_sign", True, _radii("pitch_sign"), "but agrees with the opposite sign of pitch"),
+    ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),
+    ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
+    ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
+    ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
+    ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 times its standard"
+     " deviation)"),
+    ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
+    ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
+    ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
+    ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
+    ("released", False, _sighting(rejected=True, shift=-0.0483, w=-9.34), "was rejected: "
+     "T1 on line L1 (displaced by 48.3 mm, test value w = -9.3)."),
+    ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "but is used: T1 on line "
+     "L1 (displaced by 20.0 mm, test value w = +5.5)."),
+    ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
+    ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
+    ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the given LiDAR noise: the "
+     "surface"),
+    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 indicate up to 2.4 times the given LiDAR "
+     "noise: the surfaces"),
+    ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
+    ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
+     "surface by 41.0 times the LiDAR noise"),
+    ("one_facing", True, _facing(2), "All targets are nearly parallel"),
+    ("one_target", True, _facing(1), "T1 is the only target"),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("warnings") / "harbour")
+
+
+@pytest.mark.parametrize(
+    ("code", "serious", "change", "words"), CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)]
+)
+def test_each_warning_is_the_same_everywhere(
+    capsys: pytest.CaptureFixture[str], project: Project, code: str, serious: bool,
+    change: Callable[[Project], Project], words: str,
+) -> None:  # fmt: skip
+    changed = change(project)
+    result, checks = changed.result, changed.cross_checks
+    assert result is not None
+    (found,) = [
+        each for each in result_warnings(result, checks) if each.code == f"adjustment.{code}"
+    ]
+    text = to_plain_text(message_text(found))
+    assert words in text
+    assert (found.level is Level.WARNING) == serious
+    assert text.isascii()
+    print_result(result, checks)
+    assert f"- {text}\n" in capsys.readouterr().out
+    told = message_values(found) | {"former_code": former_code(found)}
+    assert told["text"] == text
+    assert told in result_values(result, checks)["warnings"]
+    assert "are realistic" not in result_texts.fit_verdict(result, checks)
+    assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]
+
+
+@pytest.mark.parametrize("case", CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)])
+def test_warning_texts_are_in_the_current_language(
+    project: Project, case: tuple[str, bool, Callable[[Project], Project], str]
+) -> None:
+    code, _, change, _ = case
+    changed = change(project)
+    assert changed.result is not None
+    told = result_warnings(changed.result, changed.cross_checks)
+    (found,) = [each for each in told if each.code == f"adjustment.{code}"]
+    with in_language("fr"):
+        assert message_text(found) != message_text_in("en", found)
+
+
+def message_text_in(language: str, message: Message) -> str:
+    with in_language(language):
+        return message_text(message)
+
+
+def test_the_cases_trigger_every_rule(project: Project) -> None:
+    told = set()
+    results = [change(project) for _, _, change, _ in CASES]
+    assert project.result is not None
+    targetless = replace(project.result, messages=(note("targetless.with_targets", targets=2),))
+    for changed in (*results, replace(project, result=targetless)):
+        assert changed.result is not None
+        for rule in WARNING_RULES:
+            if any(rule(changed.result, changed.cross_checks)):
+                told.add(rule)
+    assert told == set(WARNING_RULES)
+
+
+def test_a_good_result_has_no_warning(
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
+) -> None:
+    result, checks = project.result, project.cross_checks
+    assert result is not None
+    assert result_warnings(result, checks) == ()
+    assert result_texts.fit_verdict(result, checks).endswith("The uncertainties are realistic.")
+    print_result(result, checks)
+    assert "Warnings and notes:" not in capsys.readouterr().out
+
+
+def test_a_given_and_estimated_value_does_not_explain_a_large_sigma(project: Project) -> None:
+    seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
+    wide = _wide(project).result
+    assert wide is not None
+    (large,) = result_warnings(replace(wide, parameters=(seen,)), None)
+    assert large.code == "adjustment.large_sigma"
+
+
+def test_serious_warnings_come_first(project: Project) -> None:
+    changed = _raised(_wide(project))
+    assert changed.result is not None
+    told = [each.level for each in result_warnings(changed.result, changed.cross_checks)]
+    assert told == [Level.WARNING, Level.NOTE]
+
+
+def test_warnings_are_the_same_after_saving(project: Project, tmp_path: Path) -> None:
+    saved = replace(_contradicted(project), folder=tmp_path)
+    write_project(saved)
+    opened = read_project(tmp_path)
+    assert opened.result is not None
+    assert saved.result is not None
+    assert result_warnings(opened.result, opened.cross_checks) == result_warnings(
+        saved.result, saved.cross_checks
+    )
+    (found,) = opened.result.contradictions
+    np.testing.assert_array_equal(found.angle_change, saved.result.contradictions[0].angle_change)
+
+
+@pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])
+def test_the_limit_of_random_outliers_follows_the_binomial_distribution(points: int) -> None:
+    assert exceedance_limit(points, 0.001) == stats.binom.isf(0.001, points, 0.001)

@@ -1,0 +1,431 @@
+"""Tests of the report's texts on parameters, reliability and cross-checks of the adjustment."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.result import AdjustmentResult, VarianceComponent
+from lispac.message_texts import message_text
+from lispac.messages import Level, error, note
+from lispac.project import Project
+from lispac.report import figures
+from lispac.report.content import ReportContent, report_content
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Bullets, Document, Paragraph, Table
+from lispac.report.json_report import json_text
+from lispac.report.options import ReportOptions
+from lispac.report.pdf import write_pdf
+from lispac.targets.sighting_quality import SightingQuality
+from tests.support.report_sample import MADE, sample_content, sample_project
+from tests.targets.test_quality import board, judged
+
+Changed = Callable[..., ReportContent]
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return sample_project(tmp_path_factory.mktemp("quality") / "harbour")
+
+
+@pytest.fixture
+def changed(project: Project) -> Changed:
+    """Return a function that makes the content of the sample with changed results."""
+
+    def content(**values: Any) -> ReportContent:
+        assert project.result is not None
+        return sample_content(replace(project, result=replace(project.result, **values)))
+
+    return content
+
+
+def _result(project: Project) -> AdjustmentResult:
+    assert project.result is not None
+    return project.result
+
+
+def _warning(content: ReportContent, code: str) -> Mapping[str, Any]:
+    """Return the parameters of the only warning with this code."""
+    found = [each.params for each in content.warnings if each.code == code]
+    assert len(found) == 1, (code, [caution.code for caution in content.warnings])
+    return found[0]
+
+
+def _tables(document: Document) -> dict[str, Table]:
+    blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
+    return {block.title: block for block in blocks if isinstance(block, Table)}
+
+
+def _words(document: Document, title: str) -> str:
+    section = next(section for section in document.sections if section.title == title)
+    said: list[str] = []
+    for block in section.blocks:
+        if isinstance(block, Paragraph):
+            said.append(block.text)
+        elif isinstance(block, Bullets):
+            said += block.items
+        elif isinstance(block, Table):
+            said += [cell for row in block.rows for cell in row]
+    return "\n".join(said)
+
+
+def _settings(content: ReportContent) -> dict[str, str]:
+    return dict(_tables(report_document(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
+
+
+def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
+    said = _settings(sample_content(project))
+    assert said["POS errors"].startswith("Correlated in time. All points of one sighting share")
+    assert said["Correlation times (position, attitude)"].startswith(
+        "300 s and 600 s: time over which a POS error persists"
+    )
+    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, estimated from the data")
+    assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
+    assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
+    first, second = _result(project).targets
+    noisy = changed(
+        targets=(first, replace(second, noise=1.42)),
+        model=StochasticModel(surface=0.0004, loss="tukey"),
+    )
+    said = _settings(noisy)
+    assert said["Estimated LiDAR noise"].startswith(
+        "T2: 1.4\u00a0times the given noise; the sigmas"
+    )
+    assert "T1" not in said["Estimated LiDAR noise"]
+    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, as given")
+    assert "beyond 4.7 standard deviations" in said["Outliers"]
+    assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
+    noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
+    assert (noisier["targets"], noisier["factor"]) == (("T2",), 2.4)
+
+
+@pytest.mark.parametrize(
+    ("stated", "shown"),
+    [
+        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg"),
+        ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
+    ],
+)
+def test_given_lidar_noise_is_reported(
+    project: Project, stated: dict[str, Any], shown: str
+) -> None:
+    other = replace(project, settings=replace(project.settings, **stated))
+    assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
+
+
+def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> None:
+    for content, word in (
+        (sample_content(project), "averaged"),
+        (sample_content(sample_project(tmp_path / "p", model="independent")), "thinned"),
+    ):
+        facts = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        assert facts["Point spacing"].startswith(word)
+
+
+def test_variance_components_are_reported_with_their_intervals(changed: Changed) -> None:
+    found = (
+        VarianceComponent("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
+        VarianceComponent("POS attitude", 1.3, 0.6, 2.9),
+    )
+    table = _tables(report_document(changed(components=found), {}))[
+        "Variance components: ratio of estimated to given sigmas"
+    ]
+    assert table.rows[0] == (
+        "LiDAR",
+        "0.82",
+        "0.78 to 0.87",
+        message_text(note("component.smaller")),
+    )
+    assert table.rows[1][2:] == ("0.60 to 2.90", message_text(note("component.larger")))
+    assert table.rows[2][2:] == (
+        "0.60 to 2.90",
+        message_text(note("component.as_given")),
+    )
+
+
+def test_extra_parameters_are_reported(project: Project, changed: Changed) -> None:
+    document = report_document(sample_content(project), {})
+    row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
+    assert row == (
+        "Lever arm X", "\u22120.1856\u00a0m", "not given", "\u22120.2017\u00a0m", "0.0048\u00a0m",
+        "\u22123.4", "significant",
+    )  # fmt: skip
+    first_page = [block.text for block in document.summary if isinstance(block, Paragraph)]
+    assert any("lever arm X \u22120.2017" in text for text in first_page)
+    late = ParameterEstimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    turned = ParameterEstimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
+    content = changed(parameters=(*_result(project).parameters, turned, late))
+    assert _warning(content, "report.parameter_not_significant") == {
+        "parameter": note("quantity.latency"), "change": note("change.ms", value=0.0011),
+    }  # fmt: skip
+    assert _warning(content, "report.parameter_not_seen") == {
+        "parameter": note("quantity.scan_angle_offset"), "reason": note("parameter.kept"),
+    }  # fmt: skip
+    rows = _tables(report_document(content, {}))[
+        "Parameters estimated together with the boresight"
+    ].rows
+    assert rows[1][-1] == "not estimated, given value used"
+    assert rows[2][2] == "2.00\u00a0ms"
+
+
+def test_heat_map_is_shown_only_with_extra_parameters(project: Project, tmp_path: Path) -> None:
+    def captions(content: ReportContent) -> list[str]:
+        blocks = report_document(content, {}).sections[0].blocks
+        return [block.caption for block in blocks if block.kind == "picture"]
+
+    assert captions(sample_content(project)) == ["Correlations of all estimated parameters."]
+    assert captions(sample_content(sample_project(tmp_path / "p", model="independent"))) == []
+
+
+def test_rejected_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
+    first, second, *rest = _result(project).reliability
+    gone = replace(first, rejected=True, shift=0.0483, w=9.34)
+    content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
+    assert _warning(content, "adjustment.released")["sightings"] == (
+        note("item.sighting_shifted", target="T1", line="L1", shift=0.0483, w=9.34),
+    )
+    (other,) = _warning(content, "adjustment.sighting_disagrees")["sightings"]
+    assert (other.params["target"], other.params["line"]) == ("T1", "L2")
+    rows = _tables(report_document(content, {}))["Agreement of the sightings"].rows
+    assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
+
+
+def test_sighting_without_a_check_has_no_numbers(project: Project, changed: Changed) -> None:
+    first, *rest = _result(project).reliability
+    document = report_document(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
+    row = _tables(document)["Agreement of the sightings"].rows[0]
+    assert row[2:8] == ("\u2013",) * 6
+    assert row[-1] == "not checked"
+    assert "Not checked by other data: T1 on line L1." in _words(
+        document, "Reliability of the sightings"
+    )
+
+
+def test_more_outliers_than_expected_by_chance_give_a_warning(
+    project: Project, changed: Changed
+) -> None:
+    reliability = _result(project).reliability
+    few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
+    codes = {caution.code for caution in changed(reliability=few).warnings}
+    assert not any(code.startswith("adjustment.strays") for code in codes)
+    many = (*reliability[:-1], replace(reliability[-1], outliers=60))
+    found = _warning(changed(reliability=many), "adjustment.strays_full_weight")
+    assert (found["count"], found["target"], found["line"]) == (60, "T2", "L6")
+
+
+def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
+    checks = project.cross_checks
+    assert checks is not None
+    plain = _tables(report_document(sample_content(project), {}))
+    rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
+    assert [row[0] for row in rows[-3:]] == [
+        "Without target T1", "Without target T2", "Second minus first half",
+    ]  # fmt: skip
+    assert rows[-3][-1] == "no result"
+    words = _words(report_document(sample_content(project), {}), "Cross-checks")
+    reason = message_text(error("adjustment.parallel_planes"))
+    assert f"Without target T1: {reason}" in words
+    assert "The jackknife standard deviation with one target omitted at a time requires" in words
+    sigma = np.array([-0.2, 4.1, 1.0])
+    odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
+    wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
+    content = sample_content(replace(project, cross_checks=wide))
+    (part,) = _warning(content, "adjustment.cross_check")["parts"]
+    assert (part.code, part.params["name"]) == ("item.without_line", "L2")
+    assert part.params["angle"] == note("quantity.pitch")
+    assert np.degrees(part.params["difference"]) == pytest.approx(0.0512)
+    assert part.params["ratio"] == pytest.approx(4.1)
+
+
+def test_failed_chi_square_is_a_warning_only_in_the_classical_model(
+    project: Project, changed: Changed
+) -> None:
+    test = replace(_result(project).chi_square, statistic=1e6)
+    for model, level, code in (
+        ("correlated", Level.NOTE, "report.chi_square_high"),
+        ("independent", Level.WARNING, "report.chi_square_high_classical"),
+    ):
+        content = changed(chi_square=test, model=StochasticModel(model))  # type: ignore[arg-type]
+        assert [
+            (c.level, c.code) for c in content.warnings if c.code.startswith("report.chi_square")
+        ] == [(level, code)]
+
+
+def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Changed) -> None:
+    first, second = _result(project).targets
+    ball = replace(second, sphere=True, plane=np.array([1.0, 2.0, 3.0, 0.1004]))
+    content = changed(targets=(first, ball))
+    targets = tuple(
+        replace(target, shape="sphere", sphere_radius=0.1) if target.name == "T2" else target
+        for target in project.targets
+    )
+    picked = sample_content(replace(project, targets=targets))
+    shown = _tables(report_document(content, {}))[
+        "Fit of each target to one surface, all lines together"
+    ]
+    assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
+    shown = _tables(report_document(picked, {}))[
+        "Targets and validation planes (coordinates of the seed in the local frame)"
+    ]
+    assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
+
+
+def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p", model="independent")
+    content = sample_content(replace(project, cross_checks=None))
+    document = report_document(content, {})
+    assert "Sightings are not tested: in this stochastic model" in _words(
+        document, "Reliability of the sightings"
+    )
+    roll = note("observability.no_main_line", angle=note("quantity.roll"))
+    assert message_text(roll) in _words(document, "Boresight and its uncertainty")
+    assert "not repeated with subsets" in _words(document, "Cross-checks")
+    data = json.loads(json_text(content))
+    assert {each["status"] for each in data["adjustment"]["sightings"]} == {"not tested"}
+    assert data["cross_checks"] is None
+    assert data["settings"]["surface_sigma_m"] is None
+    write_pdf(content, tmp_path / "thesis.pdf", {})
+
+
+def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> None:
+    content = sample_content(replace(project, result=None, cross_checks=None))
+    titles = {section.title for section in report_document(content, {}).sections}
+    assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
+    roughness = _settings(content)["Surface roughness (1 sigma)"]
+    assert roughness.startswith("to be estimated from the data")
+
+
+def test_pos_error_figure_marks_errors_beyond_the_prior(changed: Changed, project: Project) -> None:
+    first, *rest = _result(project).reliability
+    error = np.array([0.03, 0, 0, 0, 0, 0])
+    checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
+    assert checks is not None
+    (figure,) = figures.pos_error_figures_of(checks.sightings)
+    assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENT_TITLES)
+    red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
+    assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
+    assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
+
+
+def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    large = result.covariance_all.copy()
+    large[0, 0] = np.radians(0.5) ** 2
+    reason = note("parameter.kept_uncertain")
+    unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
+    content = changed(covariance_all=large, parameters=(unseen,))
+    (seen,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
+    assert "roll 0.50 deg" in message_text(seen)
+    assert "scan-angle offset" in message_text(seen)
+    assert not [c for c in changed().warnings if "large_sigma" in c.code]
+
+
+def test_noise_is_reported_only_where_it_was_found(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    failed = replace(result.chi_square, statistic=result.chi_square.upper * 2)
+    quiet = tuple(replace(target, noise=1.0) for target in result.targets)
+    noisy = tuple(replace(target, noise=2.0) for target in result.targets)
+    model = StochasticModel("correlated")
+    for targets, code in ((quiet, "chi_square_high"), (noisy, "chi_square_high_noise")):
+        content = changed(chi_square=failed, targets=targets, model=model)
+        assert f"report.{code}" in {each.code for each in content.warnings}
+
+
+def test_a_single_plane_gives_a_warning(project: Project, changed: Changed) -> None:
+    result = _result(project)
+    first = result.targets[0]
+    assert _warning(changed(targets=(first,)), "adjustment.one_target") == {"target": first.target}
+    assert not [
+        c
+        for c in changed().warnings
+        if c.code in ("adjustment.one_target", "adjustment.one_facing")
+    ]
+
+
+def test_planes_of_a_single_orientation_give_a_warning(project: Project, changed: Changed) -> None:
+    first, second = _result(project).targets
+    content = changed(targets=(first, replace(second, plane=first.plane)))
+    levels = [c.level for c in content.warnings if c.code == "adjustment.one_facing"]
+    assert levels == [Level.WARNING]
+
+
+def test_accepted_single_orientation_is_shown(project: Project) -> None:
+    for accepted in (False, True):
+        other = replace(
+            project, settings=replace(project.settings, accept_single_orientation=accepted)
+        )
+        content = sample_content(other)
+        shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        assert ("Targets of a single orientation" in shown) == accepted
+        assert json.loads(json_text(content))["settings"]["accept_single_orientation"] == accepted
+
+
+def test_sightings_edited_by_hand_are_named(project: Project) -> None:
+    target = project.targets[0]
+    first, second, *others = target.sightings
+    edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
+    quality = replace(judged(board()), visible_share=0.512)
+    content = report_content(
+        project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
+        qualities={(target.name, line): quality for line in (first.line, second.line)},
+        generated=MADE,
+    )  # fmt: skip
+    table = _tables(report_document(content, {}))["Quality of each sighting"]
+    assert [row[-1].endswith("were edited manually.") for row in table.rows] == [
+        False, True,
+    ]  # fmt: skip
+    assert [row[-2] for row in table.rows] == ["51", "51"]
+    said = json.loads(json_text(content))["qualities"]
+    assert [each["visible_share"] for each in said] == [0.512, 0.512]
+    assert [each["edited_by_hand"] for each in said] == [False, True]
+
+
+def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
+    few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
+    first, second = project.targets[:2]
+    good = replace(judged(board()), rating="good", reasons=())
+    oblique = [
+        replace(
+            good, rating="doubtful", incidence=np.radians(deg),
+            reasons=(note("quality.oblique", angle=np.radians(deg)),),
+        )
+        for deg in (73, 75)
+    ]  # fmt: skip
+    rough = replace(good, rating="poor", reasons=few)
+
+    def content(*sightings: tuple[str, str, SightingQuality]) -> ReportContent:
+        return report_content(
+            project, headings_deg={}, counts={}, track_local={}, notes=(),
+            qualities={(target, line): quality for target, line, quality in sightings},
+            generated=MADE,
+        )  # fmt: skip
+
+    one, two, three = (s.line for s in first.sightings[:3])
+    assert first.role == second.role == "target"
+    fine = content((first.name, one, good), (first.name, two, good))
+    assert "report.sightings" not in {caution.code for caution in fine.warnings}
+    some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
+    assert _warning(content(*some), "report.sightings") == {
+        "total": 3, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
+        "reasons": oblique[1].reasons,
+    }  # fmt: skip
+    worse = content(*some, (second.name, one, rough))
+    assert _warning(worse, "report.sightings") == {
+        "total": 4, "poor": 1, "doubtful": 2, "target": second.name, "line": one, "reasons": few,
+    }  # fmt: skip
+    french = report_document(worse, {}, ReportOptions(language="fr")).notes
+    assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
+    # A sighting that is not used is not counted.
+    left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
+    out = report_content(
+        project.with_target(left), headings_deg={}, counts={}, track_local={}, notes=(),
+        qualities={(first.name, one): rough}, generated=MADE,
+    )  # fmt: skip
+    assert "report.sightings" not in {caution.code for caution in out.warnings}

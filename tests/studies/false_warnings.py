@@ -1,0 +1,179 @@
+"""Frequency of false serious warnings in surveys without errors.
+
+    python -m tests.studies.false_warnings [SURVEYS] [KIND ...]
+
+A row for each kind of survey: boards, boards on only two lines, natural planes proposed by the
+program, targetless, spinning scanner. Only warnings that name an error are counted. Those about the
+geometry (no redundancy, large standard deviations) are true. Natural surfaces may not be flat: this
+follows from the simulated surfaces, and true warnings are counted separately.
+"""
+
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from csv import DictReader
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import cast
+
+import numpy as np
+
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.simulation.closed_form_survey import add_errors, error_free_survey, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.calibration.targetless import targetless
+from lispac.workflow.planning.simulate import TARGET_LIST_FILE as TARGETS_LIST
+from lispac.workflow.planning.simulate import simulate
+from lispac.workflow.planning.simulated_setup import read_simulation
+from lispac.workflow.project.survey import load_survey
+from tests.natural.test_targetless_coverage import surveyed
+from tests.studies.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
+from tests.studies.coverage_of_errors import POINT_SPACING as SPACING
+from tests.studies.natural_scenes import print_answers, study
+
+OF_GEOMETRY = {
+    "adjustment.large_sigma", "adjustment.large_sigma_unseen", "adjustment.line_unchecked",
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+    "adjustment.one_facing",
+}  # fmt: skip
+"""Codes of warnings that are true for surveys without errors too."""
+
+PICKED = {"T1", "T2", "V1"}
+"""Surfaces of the port used to calibrate the spinning scanner."""
+
+ResultAndChecks = tuple[AdjustmentResult, CrossChecks | None]
+NOT_FLAT = "adjustment.not_flat"
+
+
+@dataclass(frozen=True)
+class WarningCodes:
+    """Codes of the false and the true serious warnings about errors in one survey."""
+
+    false: tuple[str, ...]
+    true: tuple[str, ...] = ()
+
+
+def boards(seed: int, courses: int = 6) -> ResultAndChecks:
+    chance = np.random.default_rng([36, seed])
+    chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
+    data = add_errors(
+        error_free_survey(TRUTH, TARGETS, chosen, SPACING, chance, pos=HYDROGRAPHIC_INS),
+        HYDROGRAPHIC_INS, chance,
+    )  # fmt: skip
+    data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, no_outliers=True)
+    result = adjust(data, PRIOR, MODEL)
+    return result, cross_checks(data, PRIOR, result)
+
+
+def two_lines(seed: int) -> ResultAndChecks:
+    return boards(seed, 2)
+
+
+def without_targets(seed: int) -> ResultAndChecks:
+    with TemporaryDirectory() as folder:
+        project, survey, _ = surveyed(Path(folder), seed)
+        return targetless(project, survey, count=16).result, None
+
+
+def spinning(seed: int) -> ResultAndChecks:
+    made = read_simulation(
+        "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
+        errors={"boresight_deg": tuple(np.random.default_rng([37, seed]).normal(0, 1, 3))},
+    )  # fmt: skip
+    with TemporaryDirectory() as folder:
+        project, _ = simulate(Path(folder) / "survey", made, seed=seed)
+        survey = load_survey(project)
+        with (project.folder / TARGETS_LIST).open() as rows:
+            seeds = [row for row in DictReader(rows) if row["name"] in PICKED]
+        for row in seeds:
+            place = np.array([float(row[axis]) for axis in "xyz"])
+            project = pick_target(project, survey, place, name=row["name"])
+        solved = estimate(project, survey)
+    assert solved.result is not None
+    return solved.result, solved.cross_checks
+
+
+KINDS: dict[str, Callable[[int], ResultAndChecks]] = {
+    "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
+}  # fmt: skip
+NATURAL = "natural"
+"""Kind of surveys with proposed natural planes in scenes without boards."""
+
+
+def count_warnings(kind: str, seed: int) -> WarningCodes | None:
+    """Serious warnings that name an error, or None without a result."""
+    try:
+        result, checks = KINDS[kind](seed)
+    except (AdjustmentError, TargetNotFound) as error:
+        print(kind, seed, str(error)[:100])
+        return None
+    found = [each for each in result_warnings(result, checks) if each.is_serious]
+    return separate_warnings(f"{kind} {seed}", found, frozenset())
+
+
+def separate_warnings(
+    survey: str, warnings: Iterable[Message], bent: frozenset[str]
+) -> WarningCodes:
+    """Separate false and true warnings among the serious ones that name an error.
+
+    Parameters
+    ----------
+    bent : frozenset of str
+        Targets that are not flat by the simulated surface.
+    """
+    true, false = [], []
+    for each in warnings:
+        if each.code in OF_GEOMETRY:
+            continue
+        is_true = each.code == NOT_FLAT and bent.issuperset(
+            cast(tuple[str, ...], each.params["targets"])
+        )
+        (true if is_true else false).append(each.code)
+        word = "true" if is_true else "false"
+        print(survey, word, each.code, message_text(each)[:260], flush=True)
+    return WarningCodes(tuple(set(false)), tuple(set(true)))
+
+
+def row(kind: str, surveys: int) -> str:
+    if kind == NATURAL:
+        scenes = study(surveys)
+        print_answers(scenes)
+        known = [
+            separate_warnings(f"{kind} {seed}", each.warnings, each.bent)
+            for seed, each in enumerate(scenes) if each.error is not None
+        ]  # fmt: skip
+    else:
+        with ProcessPoolExecutor(2) as pool:
+            answers = pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2)
+            known = [each for each in answers if each is not None]
+
+    def shares(codes: Iterator[str]) -> str:
+        return ", ".join(
+            f"{code} {100 * n / len(known):.1f} %" for code, n in Counter(codes).most_common()
+        ) or "none"  # fmt: skip
+
+    false = shares(code for each in known for code in each.false)
+    true = shares(code for each in known for code in each.true)
+    return f"{kind:16s} {len(known):4d} answers   false: {false}   true: {true}"
+
+
+def main() -> None:
+    """Print the table."""
+    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    for kind in sys.argv[2:] or [*KINDS, NATURAL]:
+        print(row(kind, surveys), flush=True)
+
+
+if __name__ == "__main__":
+    main()

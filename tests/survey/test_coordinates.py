@@ -1,0 +1,87 @@
+"""Tests of typed or listed coordinates: axis names, and messages about implausible ones."""
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.survey.crs import coordinate_system
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.project.coordinates import (
+    axis_names,
+    distances_from_trajectory,
+    require_near_trajectory,
+    to_local_frame,
+    too_far_message,
+)
+from tests.support.cloud_files import track
+
+UTM, GEOGRAPHIC, GEOCENTRIC = "EPSG:32619", "EPSG:4326", "EPSG:4978"
+
+
+@pytest.fixture(scope="module")
+def circle() -> LocalTrajectory:
+    """Trajectory on a circle of 800 m about a place in Quebec."""
+    return track()
+
+
+@pytest.mark.parametrize(
+    ("code", "axes"),
+    [
+        ("", ("north", "west", "up")),
+        (UTM, ("easting", "northing", "height")),
+        (GEOGRAPHIC, ("longitude", "latitude", "height")),
+        (GEOCENTRIC, ("X", "Y", "Z")),
+    ],
+)
+def test_axis_names_are_those_of_the_coordinate_system(code: str, axes: tuple[str, ...]) -> None:
+    assert axis_names(coordinate_system(code) if code else None) == axes
+
+
+def test_invalid_coordinates_have_an_infinite_distance(circle: LocalTrajectory) -> None:
+    start = circle.position[0]
+    places = np.array([start, [np.nan, 0.0, 0.0], start + [0.0, 0.0, 900.0]])
+    found = distances_from_trajectory(places, circle)
+    assert found[0] == pytest.approx(0.0, abs=1e-6)
+    assert found[1] == np.inf
+    assert found[2] == pytest.approx(900.0, abs=2.0)  # the vessel moves vertically by a metre
+    assert (distances_from_trajectory(places[1:2], circle) == np.inf).all()
+
+
+def test_coordinates_near_the_trajectory_are_converted(circle: LocalTrajectory) -> None:
+    system = coordinate_system(GEOGRAPHIC)
+    near = np.array([-71.2, 46.8, 5.0])
+    assert too_far_message(near, system, circle, "P1") is None
+    place = require_near_trajectory(near, system, circle, "P1")
+    np.testing.assert_allclose(place, to_local_frame(near, system, circle)[0])
+    assert np.linalg.norm(place[:2]) < 1000
+
+
+@pytest.mark.parametrize(
+    ("code", "point", "said"),
+    [
+        (
+            GEOGRAPHIC, (46.8, -71.2, 5.0),
+            "coordinates.swapped_geographic",
+        ),
+        (
+            GEOGRAPHIC, (-71.2, 20.0, 5.0),
+            "coordinates.too_far",
+        ),
+        (UTM, (3e10, 5_000_000.0, 5.0), "coordinates.outside_system"),
+        (
+            "", (90_000.0, 0.0, 0.0),
+            "coordinates.too_far_local",
+        ),
+    ],
+)  # fmt: skip
+def test_implausible_coordinates_are_reported_with_a_possible_cause(
+    circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
+) -> None:
+    system = coordinate_system(code) if code else None
+    told = too_far_message(np.array(point), system, circle, "P1")
+    assert told is not None
+    assert told.code == said
+    with pytest.raises(InputError) as caught:
+        require_near_trajectory(np.array(point), system, circle, "P1")
+    assert caught.value.message == told
+    assert str(caught.value).startswith("P1: ")

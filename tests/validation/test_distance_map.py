@@ -1,0 +1,155 @@
+"""Tests of maps of the distances between two lines on a plane."""
+
+import csv
+import json
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.language import in_language
+from lispac.present.validation import ValidationPlane
+from lispac.report.csv_tables import write_tables
+from lispac.report.distance_maps import map_figure, map_figure_of
+from lispac.report.text_width import text_width
+from lispac.validation.comparison_results import PlaneComparison
+from lispac.validation.distance_map import DistanceMap, distance_map
+from lispac.validation.plane_comparison import compare_plane
+from lispac.value_conversion import decode_value, encode_value
+from tests.support.report_sample import sample_content, sample_project
+
+OPPOSITE = {"L1": 0.0, "L2": np.pi}
+TO_VESSEL = np.array([0.0, 1.0, 0.0])
+
+
+def wall(seed: int, *, slope: float = 0.0, lift: float = 0.0, noise: float = 0.002) -> np.ndarray:
+    """Points of a wall 6 m long (north) and 3 m high, with the vessel to the west.
+
+    The wall approaches the vessel by ``slope`` metres a metre to the right (south) and by ``lift``
+    metres a metre upwards.
+    """
+    rng = np.random.default_rng(seed)
+    north, up = rng.uniform(0, 6, 6000), rng.uniform(2, 5, 6000)
+    off = slope * (6 - north) + lift * (up - 2) + rng.normal(0, noise, 6000)
+    return np.column_stack([north, -20.0 + off, up])
+
+
+def test_each_cell_has_the_distance_at_its_place() -> None:
+    before = wall(1, slope=0.01), wall(1, lift=0.004)
+    found = distance_map(
+        ("L1", "L2"), before, (wall(2), wall(2)), facing=TO_VESSEL, spacing=0.1, reach=(0.08, 0.03)
+    )
+    assert found is not None
+    assert found.cell == pytest.approx(0.4)
+    assert len(found.before) > 0.9 * (6 / 0.4) * (3 / 0.4)
+    # The place of a cell is that of one of its points; 40 points with 2 mm noise are averaged.
+    np.testing.assert_allclose(found.before, 0.01 * found.across, atol=0.01 * 0.2 + 0.0025)
+    np.testing.assert_allclose(found.after, 0.004 * found.up, atol=0.004 * 0.2 + 0.0025)
+    assert np.corrcoef(found.before, found.across)[0, 1] > 0.99
+    again = decode_value(json.loads(json.dumps(encode_value(found))), DistanceMap)
+    for name, values in vars(found).items():
+        np.testing.assert_array_equal(getattr(again, name), values)
+
+
+def test_a_comparison_maps_its_reciprocal_pairs() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3)}
+    found = compare_plane("V1", clouds, clouds, OPPOSITE | {"L3": 0.1}, facing=TO_VESSEL)
+    assert {(m.line_a, m.line_b) for m in found.maps} == {("L1", "L2"), ("L2", "L3")}
+    none = compare_plane("V1", clouds, clouds, dict.fromkeys(clouds, 0.0), facing=TO_VESSEL)
+    assert len(none.maps) == 3
+
+
+def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
+    return [
+        (axes.get_title(), image.get_array(), image.get_clim())
+        for axes in figure.axes
+        for image in axes.images
+    ]
+
+
+@pytest.mark.parametrize("tall", [False, True])
+def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bool) -> None:
+    plane = sample_project(tmp_path).validation[0]
+    if tall:
+        turned = [replace(m, across=m.up, up=m.across) for m in plane.maps]
+        plane = replace(plane, maps=tuple(turned))
+    figure = map_figure(plane)
+    figure.canvas.draw()
+    found = images(figure)
+    assert len(found) == 3 * len(plane.maps)
+    limits = {clim for *_, clim in found}
+    assert all(low == -high for low, high in limits)
+    assert len(limits) == 2  # the common scale and that of the state after
+    first = plane.maps[0]
+    cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
+    np.testing.assert_allclose(cells, np.unique(1000 * first.before))
+    shown = [axes for axes in figure.axes if axes.images]
+    assert all(axes.get_aspect() == 1.0 for axes in shown)
+
+
+@pytest.mark.parametrize(
+    "lines", [("L1_000", "L2_180"), ("20261122_0815_quay_n", "20261122_0823_s")]
+)
+@pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_no_text_overlaps_another_or_the_margin(
+    tmp_path: Path, lines: tuple[str, str], sides: tuple[float, float], language: str
+) -> None:
+    plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
+    first = plane.maps[0]
+    turned = replace(
+        first, line_a=lines[0], line_b=lines[1],
+        across_m=tuple(sides[0] * x for x in first.up_m),
+        up_m=tuple(sides[1] * x for x in first.up_m),
+        cell_m=first.cell_m * min(sides),
+    )  # fmt: skip
+    plane = replace(plane, maps=(turned, turned))
+    with in_language(language):
+        figure = map_figure_of(plane)
+        FigureCanvasAgg(figure).draw()
+    boxes = [
+        text.get_window_extent()
+        for axes in figure.axes
+        for text in (axes.title, axes.xaxis.label, axes.yaxis.label)
+        if text.get_text()
+    ]
+    for k, box in enumerate(boxes):
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.x1
+        assert not any(box.overlaps(other) for other in boxes[:k])
+
+
+def test_text_widths_agree_with_the_drawn_text() -> None:
+    figure = Figure(dpi=72.0)
+    for text in ("par rapport à L2_180", "Up (m)", "iiii\nWWWW"):
+        drawn = figure.text(0, 0, text, fontsize=30).get_window_extent().width / 72
+        assert text_width(text, 30) == pytest.approx(drawn, rel=0.05)
+
+
+def test_the_tables_and_the_project_file_contain_the_cells(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_tables(sample_content(project), tmp_path / "r.zip")
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        (name,) = (n for n in archive.namelist() if n.endswith("map-of-v1-l1-relative-to-l2.csv"))
+        rows = list(csv.reader(archive.read(name).decode("utf-8-sig").splitlines()))
+    found = project.validation[0].maps[0]
+    assert rows[0] == ["Horizontal (m)", "Up (m)", "Before (mm)", "After (mm)"]
+    values = np.array(rows[1:], dtype=float)
+    np.testing.assert_allclose(values[:, 2], 1000 * found.before, atol=0.005)
+    write_project(project)
+    path = project.folder / PROJECT_FILE_NAME
+    stored = json.loads(path.read_text())
+    again = read_project(project.folder).validation[0].maps[0]
+    np.testing.assert_array_equal(again.after, found.after)
+    # A file of an earlier version has no maps, and the picture suggests an action.
+    for plane in stored["validation"]:
+        del plane["maps"]
+    path.write_text(json.dumps(stored))
+    older: PlaneComparison = read_project(project.folder).validation[0]
+    assert older.maps == ()
+    assert "Run the validation again" in map_figure(older).axes[0].texts[0].get_text()

@@ -1,0 +1,67 @@
+"""Tests of edits of targets: use, names, roles, and the results that each edit clears."""
+
+from pathlib import Path
+
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.project import Project
+from lispac.workflow.calibration.edits import (
+    with_renamed_target,
+    with_switched_role,
+    with_use_of_line,
+    with_use_of_sighting,
+    with_use_of_target,
+)
+from tests.support.report_sample import sample_project
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Project:
+    return sample_project(tmp_path)
+
+
+def unused(project: Project) -> set[tuple[str, str]]:
+    return {(t.name, s.line) for t in project.targets for s in t.sightings if not s.used}
+
+
+def test_excluding_a_line_affects_all_targets_and_no_validation_plane(project: Project) -> None:
+    without = with_use_of_line(project, "L3", False)
+    assert unused(without) == {("T1", "L3"), ("T2", "L3")}
+    assert without.result is None
+    again = with_use_of_line(without, "L3", True)
+    assert unused(again) == set()
+    assert [t.name for t in again.targets] == [t.name for t in project.targets]
+
+
+def test_an_edit_without_change_keeps_the_result(project: Project) -> None:
+    assert with_use_of_target(project, "T1", True) is project
+    assert with_use_of_sighting(project, "T1", "L1", True) is project
+    assert with_use_of_sighting(project, "T1", "no such line", False) is project
+    assert with_use_of_line(project, "no such line", False) is project
+    left_out = with_use_of_target(project, "T1", False)
+    assert left_out.target("T1").used_sightings == ()
+    assert left_out.result is None
+
+
+def test_a_renamed_target_keeps_its_position(project: Project) -> None:
+    renamed = with_renamed_target(project, "T1", "  north board ")
+    assert [t.name for t in renamed.targets] == ["north board", "T2", "V1", "V2", "V3"]
+    assert renamed.result is None
+    plane = with_renamed_target(project, "V2", "tower")
+    assert [t.name for t in plane.targets] == ["T1", "T2", "V1", "tower", "V3"]
+    assert plane.result is project.result  # not used in the adjustment
+    assert plane.validation == ()
+
+
+@pytest.mark.parametrize(("name", "code"), [(" ", "edit.no_name"), ("V2", "edit.name_taken")])
+def test_empty_and_used_names_are_refused(project: Project, name: str, code: str) -> None:
+    with pytest.raises(ProjectError) as caught:
+        with_renamed_target(project, "T1", name)
+    assert caught.value.code == code
+
+
+def test_a_role_can_be_changed_and_changed_back(project: Project) -> None:
+    changed = with_switched_role(project, "T2")
+    assert changed.target("T2").role == "validation"
+    assert with_switched_role(changed, "T2").target("T2").role == "target"

@@ -1,0 +1,74 @@
+"""Tests of the warning about targets with the same orientation before an estimate."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.errors import RankDeficient
+from lispac.project import PickedSighting, Project
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.checking.warnings import warnings_of
+from lispac.workflow.project.survey import Survey
+from tests.support.few_lines import picked
+
+
+def only(project: Project, *names: str) -> Project:
+    """The project with only these targets and without a result."""
+    targets = tuple(replace(each, role="target") for each in project.targets if each.name in names)
+    return replace(project, targets=targets, result=None, validation=())
+
+
+def test_the_warning_agrees_with_the_refusal_of_the_estimate(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    told = {}
+    for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
+        few = only(project, *names)
+        told[names] = do_targets_face_one_way(few, survey)
+        assert told[names] == (
+            "project.one_facing" in [each.code for each in warnings_of(few, survey)]
+        )
+        if told[names]:
+            with pytest.raises(RankDeficient, match="same orientation"):
+                estimate(few, survey, cross_check=False)
+        else:
+            estimate(few, survey, cross_check=False)
+    assert set(told.values()) == {True, False}
+
+
+def test_one_target_or_an_accepted_orientation_gives_no_warning(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    alike = only(project, "T1", "V1")
+    assert do_targets_face_one_way(alike, survey) != do_targets_face_one_way(
+        only(project, "T1"), survey
+    )
+    accepted = alike.with_settings(replace(alike.settings, accept_single_orientation=True))
+    assert not do_targets_face_one_way(accepted, survey)
+    assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
+
+
+def test_balls_and_missing_lines_give_no_warning() -> None:
+    """Two parallel boards give a warning, except if other targets may have another orientation."""
+    project, survey = picked()
+    upright = project.target("T1")
+    alike = replace(project, targets=(upright, replace(upright, name="parallel")))
+    assert do_targets_face_one_way(alike, survey)
+    ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
+    assert not do_targets_face_one_way(alike.with_target(ball), survey)
+    assert not do_targets_face_one_way(alike.with_target(project.target("T2")), survey)
+    fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
+    gone = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
+    assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
+
+
+def test_points_on_one_straight_line_have_no_orientation() -> None:
+    project, survey = picked()
+    upright = project.target("T1")
+    row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)
+    thin = replace(upright, name="thin", sightings=(row,))
+    assert not do_targets_face_one_way(replace(project, targets=(upright, thin)), survey)

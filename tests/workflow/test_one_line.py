@@ -1,0 +1,184 @@
+"""Tests of surveys with few lines, in which targets, objects or plans have missing parts."""
+
+from dataclasses import replace
+from math import radians
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.result import ANGLES
+from lispac.design.plan_choices import thesis_plan
+from lispac.design.site import Site, Wall
+from lispac.errors import AdjustmentError, NotComparable, ProjectError
+from lispac.io.config.plan_file import TitledPlan
+from lispac.messages import note
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.workflow.calibration.estimation import complete_result
+from lispac.workflow.calibration.patch_test import propose_objects
+from lispac.workflow.calibration.picking import find_target, pick_target
+from lispac.workflow.calibration.proposal_acceptance import (
+    with_accepted_targets,
+    without_picked_surfaces,
+)
+from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.checking.survey_sections import section_at_target
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.planning.plan_comparison import compare_with_plan
+from lispac.workflow.project.survey import Survey
+from tests.support.few_lines import on_board, picked, picked_and_estimated
+
+
+def only(survey: Survey, *lines: str) -> Survey:
+    """Return the survey with some of its lines."""
+    return replace(
+        survey,
+        scans={name: survey.scans[name] for name in lines},
+        clouds={name: survey.clouds[name] for name in lines},
+        heading={name: survey.heading[name] for name in lines},
+    )
+
+
+def test_a_new_pick_on_one_line_keeps_the_other_lines_of_a_target() -> None:
+    project, survey = picked()
+    before = project.target("T2")
+    seed = survey.clouds["L2"][before.sightings[1].indices].mean(axis=0)
+    expected = ExpectedTarget(1.23, 1.0, radians(45.0))
+    edited = pick_target(project, survey, seed, name="T2", line="L2", expected=expected)
+    after = edited.target("T2")
+    assert after.expected == expected
+    assert after.seed == before.seed
+    assert [each.line for each in after.sightings] == ["L1", "L2", "L3"]
+    assert after.sightings[0] is before.sightings[0]
+    assert after.sightings[2] is before.sightings[2]
+    # A further pick without expected values keeps them.
+    assert pick_target(edited, survey, seed, name="T2", line="L2").target("T2").expected == expected
+
+
+def test_the_smallest_radius_is_used_if_no_second_line_has_points() -> None:
+    """Radii of 4, 10 and 20 m are tried for a validation plane."""
+    project, survey = picked()
+    alone = only(survey, "L1")
+    place = on_board("T1", 0.0, 0.0)
+    found = find_target(replace(project, targets=()), alone, place, name="V1", role="validation")
+    assert found.radius == 4.0
+    assert [each.line for each in found.sightings] == ["L1"]
+
+
+def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
+    """Unlike a plane, a sphere has no single normal to measure the separation along."""
+    project, survey = picked_and_estimated()
+    for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
+        assert cut.separation is not None
+    ball = replace(project.target("T1"), shape="sphere")
+    round_one = replace(project, targets=(ball,))
+    for cut in section_at_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
+        assert cut.separation is None
+
+
+def test_planes_on_single_lines_are_refused_by_name() -> None:
+    project, survey = picked_and_estimated()
+    planes = tuple(
+        replace(each, role="validation", sightings=each.sightings[:1]) for each in project.targets
+    )
+    with pytest.raises(NotComparable) as caught:
+        validate(replace(project, targets=planes), survey)
+    for name in ("T1", "T2"):
+        assert name in str(caught.value)
+
+
+def test_objects_of_a_single_line_are_refused() -> None:
+    project, survey = picked()
+    with pytest.raises(AdjustmentError) as caught:
+        propose_objects(project, only(survey, "L2"))
+    assert caught.value.code == "patch_test.single_line"
+
+
+def test_lines_without_common_surfaces_have_no_objects() -> None:
+    """The points of each line are anywhere, as over water, without neighbours in other lines."""
+    project, survey = picked()
+    rng = np.random.default_rng(4)
+    scans = {
+        name: replace(scan, points_lidar=rng.uniform(-15, 15, scan.points_lidar.shape))
+        for name, scan in survey.scans.items()
+    }
+    clouds = {
+        name: type(cloud).of(scans[name], survey.trajectory, project.mounting("prior"))
+        for name, cloud in survey.clouds.items()
+    }
+    with pytest.raises(AdjustmentError) as caught:
+        propose_objects(project, replace(survey, scans=scans, clouds=clouds))
+    assert caught.value.code == "patch_test.nothing_shared"
+
+
+def test_a_result_without_observability_gets_no_advice() -> None:
+    project, survey = picked_and_estimated()
+    assert project.result is not None
+    bare = project.with_result(replace(project.result, observability=None))
+    advised = complete_result(bare, bare, survey, cross_check=False)
+    assert advised.result is bare.result
+    with_advice = complete_result(project, project, survey, cross_check=False)
+    assert with_advice.result is not None
+    assert with_advice.result.observability is not None
+    assert project.result.observability is not None
+    more = len(with_advice.result.observability.messages) - len(
+        project.result.observability.messages
+    )
+    assert more in (0, 1)
+
+
+def test_picked_targets_are_not_proposed_again() -> None:
+    """The same boards are proposed under other names; those used as targets are listed."""
+    project, survey = picked()
+    seeds = {each.name: on_board(each.name, 0.0, 0.0) for each in project.targets}
+    found = tuple(
+        find_target(project, survey, seed, name=f"{name[0]}{9 - k}")
+        for k, (name, seed) in enumerate(seeds.items())
+    )
+    plane = replace(found[1], role="validation")
+    reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
+    proposal = Proposal((found[0], plane), reasons, np.zeros(3))
+    left = without_picked_surfaces(project, proposal)
+    assert (left.targets, left.picked) == ((), ("T1",))
+    bare = replace(project, targets=project.targets[:1])
+    left = without_picked_surfaces(bare, proposal)
+    assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
+    assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
+    accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])
+    assert names == ("V1",)
+    assert [each.name for each in accepted.targets] == ["T1", "V1"]
+
+
+@pytest.fixture
+def planned() -> TitledPlan:
+    """Return a plan of boards T1 and T2 at the quay and six lines."""
+    wall = Wall((0.0, -15.0, 7.5), 270.0)
+    plan = thesis_plan(Site(wall.middle, 270.0))
+    named = [replace(each, name=f"T{k}") for k, each in enumerate(plan.targets, start=1)]
+    return TitledPlan("Quay", plan.with_targets(named), wall)
+
+
+def test_comparing_a_plan_needs_an_estimated_boresight(planned: TitledPlan) -> None:
+    with pytest.raises(ProjectError) as caught:
+        compare_with_plan(*picked(), planned)
+    assert caught.value.code == "estimate.needed"
+
+
+def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledPlan) -> None:
+    """Of the plan, one board and two opposite lines exist; the costs of the rest are listed."""
+    project, survey = picked_and_estimated()
+    one = project.target("T1")
+    few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
+    found = compare_with_plan(few, only(survey, "L1", "L2"), planned)
+    assert not np.isfinite(found.sailed).all()
+    assert "does not determine" in found.summary_texts[0]
+    assert found.missing_targets == ("T2",)
+    assert len(found.missing_lines) == 4
+    assert len(found.costs) == 5
+    costs = list(map(str, found.costs))
+    assert all(" was not surveyed." in text for text in costs[:4])
+    assert costs[4].startswith("Target T2 was not used.")
+    assert {text.partition(". ")[2] for text in costs} <= {
+        "With it the boresight angles would be determined.", "",
+    }  # fmt: skip
+    assert len(ANGLES) == len(found.rows[1]) - 1
+    assert "–" in found.rows[1]
