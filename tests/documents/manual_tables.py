@@ -1,6 +1,6 @@
 """Write the tables of fields and formats of the manual, from the window and the readers.
 
-``python -m tests.documents.manual_tables`` renews ``resources/manual/*/tables``; a test in
+``python -m tests.documents`` renews ``resources/manual/*/tables``; a test in
 `tests/gui/test_gui_manual.py` holds what is there against what would be written. No screen is
 needed.
 """
@@ -372,7 +372,3 @@ def main() -> None:
         for name, text in tables(language).items():
             (folder(language) / name).write_text(text, encoding="utf-8")
     application.quit()
-
-
-if __name__ == "__main__":
-    main()

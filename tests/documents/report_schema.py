@@ -1,6 +1,6 @@
 """The JSON schema of the report, made from the dataclasses of its content.
 
-``python -m tests.documents.report_schema`` writes it again after a change of the dataclasses.
+``python -m tests.documents`` writes it again after a change of the dataclasses.
 """
 
 import json
@@ -103,6 +103,6 @@ def followed(text: str) -> dict[str, Any]:
     return data  # type: ignore[no-any-return]
 
 
-if __name__ == "__main__":
+def main() -> None:
+    """Write the schema."""
     PATH.write_text(schema_text(), encoding="utf-8", newline="\n")
-    print(PATH)

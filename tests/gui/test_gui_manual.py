@@ -48,7 +48,7 @@ def test_the_manual_is_opened_in_the_language_of_the_window(
 def test_the_tables_of_the_manual_agree_with_window_and_readers(
     qapp: QApplication, spoken: str
 ) -> None:
-    """The tables are up to date; `tests.documents.manual_tables` writes them."""
+    """The tables are up to date; `python -m tests.documents` writes them."""
     kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
     made = tables(spoken)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -32,7 +32,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def test_published_schema_is_up_to_date() -> None:
-    said = "a content class has changed: run `python -m tests.documents.report_schema`"
+    said = "a content class has changed: run `python -m tests.documents`"
     assert PATH.read_text(encoding="utf-8") == schema_text(), said
 
 
