@@ -144,7 +144,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
 
 @dataclass(frozen=True)
 class ContradictionValues:
-    """A given value that the data contradict; ``change`` and ``sigma`` are in ``unit``."""
+    """A given value that the data contradict; ``change`` and ``sigma`` in the unit of ``unit``."""
 
     name: str
     unit: str

@@ -32,7 +32,7 @@ from lispac.present.text_format import VALUE_TITLES
 class ParameterValues:
     """An estimated value of the mounting, or the reason why it was not estimated.
 
-    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in ``unit``.
+    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in the unit of ``unit``.
     ``significance`` is the change from the prior divided by its standard deviation;
     ``significant``: whether the change is significant at 95 %.
     """

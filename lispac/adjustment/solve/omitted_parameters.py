@@ -45,8 +45,8 @@ def find_contradicted_parameters(
 
     Parameters
     ----------
-    min_angle_change : float
-        Smallest change of an angle, in sigmas, for which a value is reported.
+    min_angle_change : float, no unit
+        Smallest change of an angle over its sigma for which a value is reported.
     """
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}

@@ -248,7 +248,7 @@ def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
 
 
 def as_triple(values: np.ndarray) -> Triple:
-    """Convert an array of shape (3,) to three floats."""
+    """Convert ``values``, shape (3,), to three floats."""
     first, second, third = (float(value) for value in values)
     return first, second, third
 
