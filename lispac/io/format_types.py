@@ -129,6 +129,9 @@ class FileFormat:
     read_from : callable or None
         Function of path, options and point index that returns the chunks from that point on without
         reading all points before it; None if the format does not allow this.
+    has_time_base : bool
+        Whether the files of a format of trajectories specify their time base. Otherwise it is
+        inferred. LAS and other files of points may specify it.
     """
 
     name: Message
@@ -140,6 +143,12 @@ class FileFormat:
     preview: Callable[[Path, Choice], FilePreview]
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
+    has_time_base: bool = False
+
+    @property
+    def infers_time_base(self) -> bool:
+        """Whether the time base of its trajectories is inferred."""
+        return self.kind == "trajectory" and not self.has_time_base
 
     def resolved(self, choice: Choice) -> dict[str, str]:
         """Complete options: those of ``choice``, and defaults for the others.

@@ -38,7 +38,6 @@ __all__ = [
     "TRAJECTORY_FORMATS",
     "format_of",
     "formats_of",
-    "has_suggested_time_base",
     "is_las",
     "recognise_formats",
 ]
@@ -67,14 +66,6 @@ def format_of(key: str) -> FileFormat:
     if key not in known:
         raise InputError(error("formats.unknown", format=key, formats=tuple(known)))
     return known[key]
-
-
-def has_suggested_time_base(format: FileFormat) -> bool:
-    """True if files of a format do not specify their time base, which is then inferred.
-
-    Exail's exports contain dates or are in UTC; LAS and other point files may specify the base.
-    """
-    return format.kind == "trajectory" and format is not EXAIL_FORMAT
 
 
 def is_las(path: Path) -> bool:

@@ -141,7 +141,7 @@ def test_files_found_beside_a_project_that_was_moved_are_reported(
     assert printed_by(capsys, "locate", project.folder, tmp_path)[0] == "No file is missing.\n"
 
 
-def test_an_unreadable_user_defined_sensor_is_noted(
+def test_an_unreadable_user_defined_sensor_is_a_warning(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sensors, "user_folder", lambda: tmp_path)
@@ -149,7 +149,7 @@ def test_an_unreadable_user_defined_sensor_is_noted(
     damaged.parent.mkdir(parents=True)
     damaged.write_text("title = ")
     out, err = printed_by(capsys, "sensors")
-    assert err.startswith(f"note: {damaged}: ")
+    assert err.startswith(f"warning: {damaged}: ")
     assert "mine" not in out.replace(str(tmp_path), "")
     assert "Z+F PROFILER 9012" in out
 

@@ -207,6 +207,8 @@ def _make_format(
     sniff: Callable[[Path], float],
     preview: Callable[[Path, Choice], FilePreview],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
+    *,
+    has_time_base: bool = False,
 ) -> FileFormat:
     """Make a format that refuses unknown options before it examines or reads a file."""
 
@@ -219,7 +221,10 @@ def _make_format(
         made.resolved(choice)
         return read(Path(path), choice)
 
-    made = FileFormat(name, key, kind, endings, options, sniff, preview_checked, read_checked)
+    made = FileFormat(
+        name, key, kind, endings, options, sniff, preview_checked, read_checked,
+        has_time_base=has_time_base,
+    )  # fmt: skip
     return made
 
 
@@ -279,6 +284,7 @@ EXAIL_FORMAT = _make_format(
     sniff_exail,
     preview_exail,
     read_exail,
+    has_time_base=True,  # the exports contain dates, or are in UTC
 )
 
 POSPAC_OPTIONS = (TIME_OPTION, GRID_SYSTEM_OPTION)

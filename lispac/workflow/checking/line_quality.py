@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.language import gettext_lazy
-from lispac.messages import Message, as_message, error
+from lispac.messages import Level, Message, as_message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -178,7 +178,7 @@ def line_quality(
                 )
             )  # fmt: skip
         except NotComparable as failure:
-            missed.append(as_message(failure.reason))
+            missed.append(replace(as_message(failure.reason), level=Level.NOTE))
     if not found:
         raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
     progress(1.0)

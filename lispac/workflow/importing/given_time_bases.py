@@ -6,7 +6,7 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, FileFormat
-from lispac.io.formats import format_of, has_suggested_time_base
+from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
 from lispac.messages import Message, error, note
 from lispac.project import LineSource, Reading
@@ -47,7 +47,7 @@ def known_time_base(
     if not base_key:
         found = format.resolved({**format.preview(path, choice).choice, **choice})
         base_key, given = str(found.get(option, "")), False
-    suggested = not given and has_suggested_time_base(format)
+    suggested = not given and format.infers_time_base
     return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested)
 
 

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from lispac.io.formats import has_suggested_time_base
 from lispac.io.points.line_times import LineTimes
 from lispac.survey.known_time_base import (
     KnownTimeBase,
@@ -37,7 +36,7 @@ def trajectory_time_base(file: InputFile | None) -> KnownTimeBase:
         check = next((check for check in file.checks if check.format is file.format), None)
         found = check.finding.choice if check is not None and check.finding is not None else {}
         given = given and key != found.get("time", key)
-    suggested = not given and file.format is not None and has_suggested_time_base(file.format)
+    suggested = not given and file.format is not None and file.format.infers_time_base
     return KnownTimeBase(base_of_key(key), given, suggested)
 
 

@@ -5,7 +5,7 @@ A file of the user replaces the supplied file with the same name.
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -21,7 +21,7 @@ from lispac.io.config.sensor_file import (
     write_specification,
 )
 from lispac.language import N_, gettext
-from lispac.messages import Message, as_message, error
+from lispac.messages import Level, Message, as_message, error
 
 UNVERIFIED_SOURCE_TEXT = N_("{source} (not verified: check the data sheet)")
 """Text of a source whose values were not compared with the data sheet."""
@@ -162,7 +162,7 @@ def _read_sensors(
         try:
             found[path.stem] = Sensor(path.stem, read(path), is_user_defined=True)
         except InputError as failure:
-            messages.append(as_message(failure.reason))
+            messages.append(replace(as_message(failure.reason), level=Level.WARNING))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 
