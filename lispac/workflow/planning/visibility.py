@@ -5,10 +5,17 @@ from pathlib import Path
 
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
+from lispac.present.visibility import (
+    CONFIGURATIONS_WITH_REASONS_TABLE,
+    CRITERIA,
+    ERRORS_ON_BOARDS_TABLE,
+    compared_configurations,
+    errors_on_boards,
+)
 from lispac.progress import Progress, no_progress
 from lispac.report.csv_tables import csv_text
-from lispac.report.visibility_figures import CRITERIA, visibility_figure
-from lispac.report.visibility_tables import comparison_table, values_table
+from lispac.report.document_blocks import report_table
+from lispac.report.visibility_figures import visibility_figure
 from lispac.simulation.visibility_study import VisibilityStudy
 
 PNG_RESOLUTION_DPI = 200
@@ -40,9 +47,10 @@ def write_visibility(
     InputError
         If a file cannot be written.
     """
-    tables = [("values", values_table(study, errors))]
+    tables = [("values", report_table(ERRORS_ON_BOARDS_TABLE, errors_on_boards(study, errors)))]
     if study.beams == "aimed":  # as in the thesis
-        tables.append(("best", comparison_table(study, errors)))
+        rows = compared_configurations(study, errors)
+        tables.append(("best", report_table(CONFIGURATIONS_WITH_REASONS_TABLE, rows)))
     written = []
     for name, table in tables:
         path = folder / f"{study.site.name}-{name}.csv"

@@ -1,0 +1,455 @@
+"""Results of survey planning as values and tables: predictions, searches, simulated surveys.
+
+Standard deviations are those of roll, pitch and yaw; None if the angles are not determined.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lispac.design.monte_carlo import MonteCarloResult
+from lispac.design.objective import CRITERION_TEXTS, Criterion
+from lispac.design.plan import Plan
+from lispac.design.plan_search import DesignResult, InformationGain
+from lispac.design.prediction import Prediction
+from lispac.design.scenarios import ScenarioOutcome
+from lispac.design.site import Wall
+from lispac.language import N_, LazyText, gettext
+from lispac.present.angles import (
+    Angles,
+    AnglesRow,
+    angle_columns,
+    angles,
+    degrees,
+    finite_or_none,
+    floats,
+    matrix,
+)
+from lispac.present.survey_plan import PlannedLine, PlannedTarget, planned_lines, planned_targets
+from lispac.present.tables import COUNT, DEGREES, Column, Format, Row, Table, ratio
+
+NOT_DETERMINED_TEXT = N_("not determined")
+
+
+def known_degrees(sigma: ArrayLike) -> Angles | None:
+    """Convert standard deviations, shape (3,), radians; None unless all are finite."""
+    return degrees(sigma) if np.isfinite(sigma).all() else None
+
+
+# -- prediction ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class SightingPoints:
+    """Expected number of points of a sighting."""
+
+    target: str
+    line: str
+    points: int
+
+
+@dataclass(frozen=True)
+class PredictionValues:
+    """Predicted precision of a plan, and the expected points of its sightings."""
+
+    determined: bool
+    sigma_deg: Angles | None
+    correlation: tuple[tuple[float, ...], ...] | None
+    points: tuple[SightingPoints, ...]
+
+    @classmethod
+    def of(cls, found: Prediction) -> "PredictionValues":
+        """Values of a prediction."""
+        return cls(
+            found.determined,
+            known_degrees(found.sigma),
+            matrix(found.correlation) if found.determined else None,
+            tuple(
+                SightingPoints(target, line, round(count))
+                for (target, line), count in found.points.items()
+            ),
+        )
+
+
+NOTHING_PREDICTED = PredictionValues(False, None, None, ())
+"""Values of a plan without targets or lines."""
+
+PLAN_TITLES = N_("this plan"), N_("Shahraji's plan")
+PREDICTED_SIGMAS_TABLE = Table[AnglesRow](
+    N_("Predicted standard deviations"),
+    (Column("name", ""), *angle_columns("values", DEGREES, unknown=NOT_DETERMINED_TEXT)),
+)
+
+
+def predicted_sigma_rows(
+    plan: PredictionValues, thesis: PredictionValues | None = None
+) -> list[AnglesRow]:
+    """Rows with the standard deviations of a plan, and of that of the thesis."""
+    found = [plan] if thesis is None else [plan, thesis]
+    titles = PLAN_TITLES[: len(found)]
+    return [
+        AnglesRow(gettext(title), each.sigma_deg) for title, each in zip(titles, found, strict=True)
+    ]
+
+
+def _correlation_column(row: int, column: int, title: str) -> Column[PredictionValues]:
+    return Column(
+        lambda found: None if found.correlation is None else found.correlation[row][column],
+        title, ratio(2).signed,
+    )  # fmt: skip
+
+
+PREDICTED_CORRELATIONS_TABLE = Table[PredictionValues](
+    N_("Correlations"),
+    (
+        _correlation_column(0, 1, N_("roll–pitch")),
+        _correlation_column(0, 2, N_("roll–yaw")),
+        _correlation_column(1, 2, N_("pitch–yaw")),
+    ),
+)
+
+
+@dataclass(frozen=True)
+class PointsOnLine:
+    """Table row with the expected points of a line, by target."""
+
+    line: str
+    points: Mapping[str, int]
+
+
+def points_by_line(plan: Plan, found: PredictionValues) -> list[PointsOnLine]:
+    """Rows of each line of a plan; plans rarely have more targets than lines."""
+    return [
+        PointsOnLine(
+            course.name, {s.target: s.points for s in found.points if s.line == course.name}
+        )
+        for course in (plan.courses if plan.targets else ())
+    ]
+
+
+def _points_on(target: str) -> Callable[[PointsOnLine], int | None]:
+    return lambda row: row.points.get(target)
+
+
+def points_table(plan: Plan) -> Table[PointsOnLine]:
+    """Table of the expected points with a column for each target."""
+    return Table(
+        N_("Points per sighting"),
+        (
+            Column("line", N_("Line")),
+            *(Column(_points_on(target.name), target.name, COUNT) for target in plan.targets),
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class GainRow:
+    """Table row with the objective of a plan without a target or line.
+
+    ``factor`` is the objective divided by that of the whole plan.
+    """
+
+    name: str
+    without_deg: float | None
+    factor: float | None
+
+
+def gain_rows(gains: Iterable[InformationGain], whole_deg: float | None) -> list[GainRow]:
+    """Rows of the information gain of each target and line.
+
+    Parameters
+    ----------
+    whole_deg : float or None
+        Objective of the whole plan; None if it is not determined.
+    """
+    rows = []
+    for each in gains:
+        without = finite_or_none(np.degrees(each.without))
+        factor = None if without is None or whole_deg is None else without / whole_deg
+        rows.append(GainRow(each.name, without, factor))
+    return rows
+
+
+GAINS_TABLE = Table[GainRow](
+    N_("Information gain of each target and line"),
+    (
+        Column(
+            "name", N_("Omitted target or line"),
+            tip=N_("Target or line omitted from the survey plan"),
+        ),
+        Column(
+            "without_deg", N_("Largest σ"), DEGREES,
+            N_("Largest of the three standard deviations if this target or line is omitted"),
+            unknown=NOT_DETERMINED_TEXT,
+        ),
+        Column(
+            "factor", N_("Factor"), ratio(2),
+            N_(
+                "Largest standard deviation if this target or line is omitted, divided by that of "
+                "the whole plan"
+            ),
+        ),
+    ),
+)  # fmt: skip
+
+
+# -- search ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ShorterPlan:
+    """One of the plans with successively fewer targets and lines."""
+
+    minutes: float
+    value_deg: float
+    targets: tuple[str, ...]
+    lines: int
+
+
+@dataclass(frozen=True)
+class DesignValues:
+    """Result of the search for a plan; ``value_deg`` is the value of the objective.
+
+    ``exact``: all possible plans were evaluated. ``without_deg``: value without a target or line.
+    """
+
+    sigma_deg: Angles | None
+    value_deg: float
+    thesis_sigma_deg: Angles | None
+    exact: bool
+    plans_evaluated: int
+    targets: tuple[PlannedTarget, ...]
+    lines: tuple[PlannedLine, ...]
+    without_deg: Mapping[str, float | None]
+    pareto_front: tuple[ShorterPlan, ...]
+
+    @classmethod
+    def of(cls, found: DesignResult, wall: Wall, thesis: Prediction) -> "DesignValues":
+        """Values of a search at a wall, and the prediction for the plan of the thesis."""
+        return cls(
+            sigma_deg=known_degrees(found.prediction.sigma),
+            value_deg=float(np.degrees(found.value)),
+            thesis_sigma_deg=known_degrees(thesis.sigma),
+            exact=found.exact,
+            plans_evaluated=found.evaluated,
+            targets=tuple(planned_targets(found.plan, wall)),
+            lines=tuple(planned_lines(found.plan, wall)),
+            without_deg={each.name: each.without_deg for each in gain_rows(found.gains, None)},
+            pareto_front=tuple(
+                ShorterPlan(
+                    step.minutes, float(np.degrees(step.value)),
+                    tuple(target.name for target in step.plan.targets), len(step.plan.lines),
+                )
+                for step in found.front
+            ),
+        )  # fmt: skip
+
+
+SHORTER_PLANS_TABLE = Table[ShorterPlan](
+    N_("Shorter surveys"),
+    (
+        Column("minutes", N_("Minutes on site"), COUNT),
+        Column("value_deg", N_("Largest σ"), DEGREES),
+        Column(lambda row: len(row.targets), N_("Targets"), COUNT),
+        Column("lines", N_("Lines"), COUNT),
+    ),
+)
+
+
+def with_objective(table: Table[Row], criterion: Criterion) -> Table[Row]:
+    """Copy of `GAINS_TABLE` or `SHORTER_PLANS_TABLE` for another criterion than the largest σ."""
+    return replace(
+        table,
+        columns=tuple(
+            each.with_title(CRITERION_TEXTS[criterion]) if each.format is DEGREES else each
+            for each in table.columns
+        ),
+    )
+
+
+# -- scenarios -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ScenarioValues:
+    """Predicted standard deviations of one case of a scenario with one model of POS errors."""
+
+    scenario: str
+    case: str
+    pos_errors: str
+    sigma_deg: Angles | None
+    points: int
+
+    @classmethod
+    def of(cls, found: ScenarioOutcome) -> "ScenarioValues":
+        """Values of one case."""
+        return cls(
+            found.scenario, found.case, found.pos_errors, known_degrees(found.sigma),
+            round(found.points),
+        )  # fmt: skip
+
+
+SCENARIOS_TABLE = Table[ScenarioValues](
+    N_("Predicted standard deviations"),
+    (
+        Column("case", N_("Case")),
+        Column(
+            "pos_errors", N_("POS errors"),
+            texts={"correlated": N_("correlated"), "independent": N_("uncorrelated")},
+        ),
+        *angle_columns("sigma_deg", DEGREES, unknown=NOT_DETERMINED_TEXT),
+        Column("points", N_("Points"), COUNT),
+    ),
+)  # fmt: skip
+
+
+# -- simulated surveys, and comparison with a survey -----------------------------------------------
+
+
+@dataclass(frozen=True)
+class FormattedAnglesRow(AnglesRow):
+    """Table row with its own format of the values."""
+
+    format: Format
+
+
+ANGLES_BY_ROW_TABLE = Table[FormattedAnglesRow](
+    "", (Column("name", ""), *angle_columns("values", lambda row: row.format))
+)
+"""Table whose title contains the survey plan."""
+
+
+SIGMA = replace(DEGREES, unit="")
+"""Format of degrees without the unit, which the names of the rows contain."""
+
+
+def _quotient(one: Angles, other: Angles) -> Angles:
+    return angles(np.divide([*one], [*other]))
+
+
+@dataclass(frozen=True)
+class SimulationValues:
+    """Results of many simulated surveys of a plan, as in `MonteCarloResult`.
+
+    ``adjusted`` and ``failed`` are numbers of surveys; ``scatter_deg`` is the RMS error;
+    ``coverage_95`` is the share of the 95 % intervals that
+    contain the true angle; ``chi_square_expected`` has the bounds of the central 95 % of
+    ``chi_square``.
+    """
+
+    adjusted: int
+    failed: int
+    scatter_deg: Angles
+    formal_sigma_deg: Angles
+    predicted_sigma_deg: Angles
+    coverage_95: Angles
+    bias_deg: Angles
+    bias_sigma_deg: Angles
+    chi_square: float
+    chi_square_expected: tuple[float, ...]
+    messages: tuple[LazyText, ...]
+
+    @classmethod
+    def of(cls, found: MonteCarloResult) -> "SimulationValues":
+        """Values of simulated surveys."""
+        return cls(
+            len(found.errors),
+            found.failed,
+            degrees(found.empirical_sigma),
+            degrees(found.mean_formal_sigma),
+            degrees(found.predicted),
+            angles(found.interval_coverage),
+            degrees(found.bias),
+            degrees(found.sigma_bias),
+            found.chi_square,
+            floats(found.chi_square_bounds),
+            found.messages,
+        )
+
+    @property
+    def rows(self) -> list[FormattedAnglesRow]:
+        """Rows with the scatter, and the standard deviations to compare it with."""
+        quotient = _quotient(self.scatter_deg, self.predicted_sigma_deg)
+        sigma = angles(np.divide([*quotient], np.sqrt(2 * self.adjusted)))
+        return [
+            FormattedAnglesRow(gettext("RMS error (deg)"), self.scatter_deg, SIGMA),
+            FormattedAnglesRow(
+                gettext("σ from the adjustment (deg)"), self.formal_sigma_deg, SIGMA
+            ),
+            FormattedAnglesRow(gettext("predicted σ (deg)"), self.predicted_sigma_deg, SIGMA),
+            FormattedAnglesRow(gettext("RMS error / predicted σ"), quotient, ratio(2)),
+            FormattedAnglesRow(gettext("σ of this ratio"), sigma, ratio(2)),
+            FormattedAnglesRow(
+                gettext("coverage of the 95 % intervals (%)"), self.coverage_95,
+                Format("", 1, 100.0),
+            ),
+            FormattedAnglesRow(gettext("mean error (deg)"), self.bias_deg, SIGMA.signed),
+            FormattedAnglesRow(gettext("σ of mean error (deg)"), self.bias_sigma_deg, SIGMA),
+        ]  # fmt: skip
+
+    @property
+    def summary_texts(self) -> Sequence[str]:
+        """Conclusions as sentences in the language in use."""
+        return tuple(map(str, self.messages))
+
+
+@dataclass(frozen=True)
+class PlanComparison:
+    """Comparison of a survey with its plan.
+
+    Attributes
+    ----------
+    planned_sigma_deg : predicted for the whole plan
+    surveyed_sigma_deg : predicted for the lines as sailed, with the targets that were used
+    surveyed_with_form_error_sigma_deg : the same with the form error estimated from the data
+    obtained_sigma_deg : from the adjustment
+    flatness_m : form error of the targets as planned and as estimated
+    missing_targets, missing_lines : names
+    messages : lines surveyed at another distance, and loss of precision by what is missing
+    """
+
+    planned_sigma_deg: Angles | None
+    surveyed_sigma_deg: Angles | None
+    surveyed_with_form_error_sigma_deg: Angles | None
+    obtained_sigma_deg: Angles
+    flatness_m: tuple[float, float]
+    missing_targets: tuple[str, ...]
+    missing_lines: tuple[str, ...]
+    messages: tuple[LazyText, ...]
+
+    @property
+    def rows(self) -> list[FormattedAnglesRow]:
+        """Rows with the standard deviations, and the ratio of obtained to predicted ones."""
+        predicted, obtained = self.surveyed_with_form_error_sigma_deg, self.obtained_sigma_deg
+        quotient = None if predicted is None else _quotient(obtained, predicted)
+        return [
+            FormattedAnglesRow(
+                gettext("predicted for the survey plan"), self.planned_sigma_deg, SIGMA
+            ),
+            FormattedAnglesRow(
+                gettext("predicted for the actual survey"), self.surveyed_sigma_deg, SIGMA
+            ),
+            FormattedAnglesRow(gettext("predicted with estimated form error"), predicted, SIGMA),
+            FormattedAnglesRow(gettext("from the adjustment"), obtained, SIGMA),
+            FormattedAnglesRow(gettext("adjustment / predicted"), quotient, ratio(2)),
+        ]
+
+    @property
+    def summary_texts(self) -> Sequence[str]:
+        """Deviations from the plan and their effect, as sentences."""
+        planned, estimated = self.flatness_m
+        found = []
+        if self.surveyed_sigma_deg is None:
+            found.append(gettext("The surveyed part of the survey plan does not determine the "
+                                 "boresight angles."))  # fmt: skip
+        found.append(
+            gettext(
+                "Form error of the targets: {planned:mm.2} mm planned, {estimated:mm.2} mm "
+                "estimated.",
+                planned=planned,
+                estimated=estimated,
+            )
+        )
+        return (*found, *map(str, self.messages))
