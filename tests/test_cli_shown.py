@@ -107,8 +107,8 @@ def test_what_a_plan_leaves_open_has_no_number(
     out, _ = printed_by(capsys, "predict", plan)
     assert message_text(note("design.undetermined")) in " ".join(out.split())
     assert "sigma      " not in out
-    assert "correlation" not in out
-    assert "without" in out
+    assert "roll-pitch" not in out
+    assert "Omitted target or line" in out
 
 
 def test_the_first_days_of_a_project_have_no_identity(

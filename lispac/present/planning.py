@@ -3,8 +3,9 @@
 Standard deviations are those of roll, pitch and yaw; None if the angles are not determined.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -83,14 +84,11 @@ PREDICTED_SIGMAS_TABLE = Table[AnglesRow](
 )
 
 
-def predicted_sigma_rows(
-    plan: PredictionValues, thesis: PredictionValues | None = None
-) -> list[AnglesRow]:
-    """Rows with the standard deviations of a plan, and of that of the thesis."""
-    found = [plan] if thesis is None else [plan, thesis]
-    titles = PLAN_TITLES[: len(found)]
+def predicted_sigma_rows(*plans: PredictionValues) -> list[AnglesRow]:
+    """Rows with the standard deviations of a plan, and of that of the thesis if it is given."""
     return [
-        AnglesRow(gettext(title), each.sigma_deg) for title, each in zip(titles, found, strict=True)
+        AnglesRow(gettext(title), each.sigma_deg)
+        for title, each in zip(PLAN_TITLES, plans, strict=False)
     ]
 
 
@@ -111,37 +109,20 @@ PREDICTED_CORRELATIONS_TABLE = Table[PredictionValues](
 )
 
 
-@dataclass(frozen=True)
-class PointsOnLine:
-    """Table row with the expected points of a line, by target."""
-
-    line: str
-    points: Mapping[str, int]
+PointsRow = tuple[str | int | None, ...]
+"""Name of a line, and the expected points on each target."""
 
 
-def points_by_line(plan: Plan, found: PredictionValues) -> list[PointsOnLine]:
-    """Rows of each line of a plan; plans rarely have more targets than lines."""
-    return [
-        PointsOnLine(
-            course.name, {s.target: s.points for s in found.points if s.line == course.name}
-        )
-        for course in (plan.courses if plan.targets else ())
+def points_table(plan: Plan, found: PredictionValues) -> tuple[Table[PointsRow], list[PointsRow]]:
+    """Table of the expected points and its rows; plans rarely have more targets than lines."""
+    names = [target.name for target in plan.targets]
+    counts = {(each.line, each.target): each.points for each in found.points}
+    columns = [Column[PointsRow](itemgetter(0), N_("Line"))]
+    columns += [Column(itemgetter(k), name, COUNT) for k, name in enumerate(names, start=1)]
+    return Table(N_("Points per sighting"), tuple(columns)), [
+        (line.name, *(counts.get((line.name, name)) for name in names))
+        for line in (plan.courses if names else ())
     ]
-
-
-def _points_on(target: str) -> Callable[[PointsOnLine], int | None]:
-    return lambda row: row.points.get(target)
-
-
-def points_table(plan: Plan) -> Table[PointsOnLine]:
-    """Table of the expected points with a column for each target."""
-    return Table(
-        N_("Points per sighting"),
-        (
-            Column("line", N_("Line")),
-            *(Column(_points_on(target.name), target.name, COUNT) for target in plan.targets),
-        ),
-    )
 
 
 @dataclass(frozen=True)
@@ -325,6 +306,10 @@ SIGMA = replace(DEGREES, unit="")
 """Format of degrees without the unit, which the names of the rows contain."""
 
 
+def _formatted_rows(*rows: tuple[str, Angles | None, Format]) -> list[FormattedAnglesRow]:
+    return [FormattedAnglesRow(gettext(name), values, form) for name, values, form in rows]
+
+
 def _quotient(one: Angles, other: Angles) -> Angles:
     return angles(np.divide([*one], [*other]))
 
@@ -334,9 +319,8 @@ class SimulationValues:
     """Results of many simulated surveys of a plan, as in `MonteCarloResult`.
 
     ``adjusted`` and ``failed`` are numbers of surveys; ``scatter_deg`` is the RMS error;
-    ``coverage_95`` is the share of the 95 % intervals that
-    contain the true angle; ``chi_square_expected`` has the bounds of the central 95 % of
-    ``chi_square``.
+    ``coverage_95`` is the share of the 95 % intervals that contain the true angle;
+    ``chi_square_expected`` has the bounds of the central 95 % of ``chi_square``.
     """
 
     adjusted: int
@@ -355,39 +339,27 @@ class SimulationValues:
     def of(cls, found: MonteCarloResult) -> "SimulationValues":
         """Values of simulated surveys."""
         return cls(
-            len(found.errors),
-            found.failed,
-            degrees(found.empirical_sigma),
-            degrees(found.mean_formal_sigma),
-            degrees(found.predicted),
-            angles(found.interval_coverage),
-            degrees(found.bias),
-            degrees(found.sigma_bias),
-            found.chi_square,
-            floats(found.chi_square_bounds),
-            found.messages,
-        )
+            len(found.errors), found.failed, degrees(found.empirical_sigma),
+            degrees(found.mean_formal_sigma), degrees(found.predicted),
+            angles(found.interval_coverage), degrees(found.bias), degrees(found.sigma_bias),
+            found.chi_square, floats(found.chi_square_bounds), found.messages,
+        )  # fmt: skip
 
     @property
     def rows(self) -> list[FormattedAnglesRow]:
         """Rows with the scatter, and the standard deviations to compare it with."""
         quotient = _quotient(self.scatter_deg, self.predicted_sigma_deg)
         sigma = angles(np.divide([*quotient], np.sqrt(2 * self.adjusted)))
-        return [
-            FormattedAnglesRow(gettext("RMS error (deg)"), self.scatter_deg, SIGMA),
-            FormattedAnglesRow(
-                gettext("σ from the adjustment (deg)"), self.formal_sigma_deg, SIGMA
-            ),
-            FormattedAnglesRow(gettext("predicted σ (deg)"), self.predicted_sigma_deg, SIGMA),
-            FormattedAnglesRow(gettext("RMS error / predicted σ"), quotient, ratio(2)),
-            FormattedAnglesRow(gettext("σ of this ratio"), sigma, ratio(2)),
-            FormattedAnglesRow(
-                gettext("coverage of the 95 % intervals (%)"), self.coverage_95,
-                Format("", 1, 100.0),
-            ),
-            FormattedAnglesRow(gettext("mean error (deg)"), self.bias_deg, SIGMA.signed),
-            FormattedAnglesRow(gettext("σ of mean error (deg)"), self.bias_sigma_deg, SIGMA),
-        ]  # fmt: skip
+        return _formatted_rows(
+            (N_("RMS error (deg)"), self.scatter_deg, SIGMA),
+            (N_("σ from the adjustment (deg)"), self.formal_sigma_deg, SIGMA),
+            (N_("predicted σ (deg)"), self.predicted_sigma_deg, SIGMA),
+            (N_("RMS error / predicted σ"), quotient, ratio(2)),
+            (N_("σ of this ratio"), sigma, ratio(2)),
+            (N_("coverage of the 95 % intervals (%)"), self.coverage_95, Format("", 1, 100.0)),
+            (N_("mean error (deg)"), self.bias_deg, SIGMA.signed),
+            (N_("σ of mean error (deg)"), self.bias_sigma_deg, SIGMA),
+        )
 
     @property
     def summary_texts(self) -> Sequence[str]:
@@ -424,17 +396,13 @@ class PlanComparison:
         """Rows with the standard deviations, and the ratio of obtained to predicted ones."""
         predicted, obtained = self.surveyed_with_form_error_sigma_deg, self.obtained_sigma_deg
         quotient = None if predicted is None else _quotient(obtained, predicted)
-        return [
-            FormattedAnglesRow(
-                gettext("predicted for the survey plan"), self.planned_sigma_deg, SIGMA
-            ),
-            FormattedAnglesRow(
-                gettext("predicted for the actual survey"), self.surveyed_sigma_deg, SIGMA
-            ),
-            FormattedAnglesRow(gettext("predicted with estimated form error"), predicted, SIGMA),
-            FormattedAnglesRow(gettext("from the adjustment"), obtained, SIGMA),
-            FormattedAnglesRow(gettext("adjustment / predicted"), quotient, ratio(2)),
-        ]
+        return _formatted_rows(
+            (N_("predicted for the survey plan"), self.planned_sigma_deg, SIGMA),
+            (N_("predicted for the actual survey"), self.surveyed_sigma_deg, SIGMA),
+            (N_("predicted with estimated form error"), predicted, SIGMA),
+            (N_("from the adjustment"), obtained, SIGMA),
+            (N_("adjustment / predicted"), quotient, ratio(2)),
+        )
 
     @property
     def summary_texts(self) -> Sequence[str]:

@@ -5,6 +5,7 @@ The best configurations are compared with those of Shahraji's thesis.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -141,46 +142,32 @@ ERRORS_ON_BOARDS_TABLE = Table[ErrorOnBoard](
 # -- values of one plot ----------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class CriterionByLine:
-    """Values of a criterion at one inclination, in the order of `HEADINGS_DEG`."""
-
-    inclination_deg: int
-    values: tuple[float | None, ...]
+CriterionRow = tuple[float | None, ...]
+"""Inclination in degrees, and a criterion on each line, in the order of `HEADINGS_DEG`."""
 
 
-def criterion_by_line(study: VisibilityStudy, error: str, criterion: str) -> list[CriterionByLine]:
-    """Values of a criterion for an error, by inclination and line."""
-    values = CRITERIA[criterion].values(study)[study.site.errors.index(error)]
-    return [
-        CriterionByLine(_whole_degrees(each), tuple(map(finite_or_none, values[:, j])))
+def criterion_table(
+    study: VisibilityStudy, error: str, criterion: str, decimals: int = 6
+) -> tuple[Table[CriterionRow], list[CriterionRow]]:
+    """Table of a criterion for an error, by inclination and line, and its rows."""
+    shown = CRITERIA[criterion]
+    columns = [Column[CriterionRow](itemgetter(0), N_("Inclination (deg)"), COUNT)]
+    columns += [
+        Column(
+            itemgetter(k), gettext_lazy("{heading:n} deg", heading=heading),
+            Format("", decimals), unknown=N_("no points"),
+        )
+        for k, heading in enumerate(HEADINGS_DEG, start=1)
+    ]  # fmt: skip
+    title = gettext_lazy(
+        "{error}: {quantity}",
+        error=systematic_error_label(error), quantity=gettext_lazy(shown.label),
+    )  # fmt: skip
+    values = shown.values(study)[study.site.errors.index(error)]
+    return Table(title, tuple(columns)), [
+        (_whole_degrees(each), *map(finite_or_none, values[:, j]))
         for j, each in enumerate(study.site.inclinations)
     ]
-
-
-def _value_on_line(k: int) -> Callable[[CriterionByLine], float | None]:
-    return lambda row: row.values[k]
-
-
-def criterion_table(error: str, criterion: str, decimals: int = 6) -> Table[CriterionByLine]:
-    """Table of a criterion for an error: a row for each inclination, a column for each line."""
-    return Table(
-        gettext_lazy(
-            "{error}: {quantity}",
-            error=systematic_error_label(error), quantity=gettext_lazy(CRITERIA[criterion].label),
-        ),
-        (
-            Column("inclination_deg", N_("Inclination (deg)"), COUNT),
-            *(
-                Column(
-                    _value_on_line(k),
-                    gettext_lazy("{heading:n} deg", heading=heading),
-                    Format("", decimals), unknown=N_("no points"),
-                )
-                for k, heading in enumerate(HEADINGS_DEG)
-            ),
-        ),
-    )  # fmt: skip
 
 
 def values_at_inclination(
@@ -189,14 +176,11 @@ def values_at_inclination(
     """Text with the values of all lines at the studied inclination nearest to the given one."""
     shown = CRITERIA[criterion]
     j = int(np.argmin(np.abs(np.degrees(study.site.inclinations) - inclination_deg)))
-    row = criterion_by_line(study, error, criterion)[j]
-    _, *columns = criterion_table(error, criterion, shown.decimals).columns
+    table, rows = criterion_table(study, error, criterion, shown.decimals)
     return gettext(
         "{quantity} at an inclination of {inclination:deg.0} deg, by heading of the line: {values}",
         quantity=gettext(shown.label), inclination=study.site.inclinations[j],
-        values="; ".join(
-            f"{each.title}: {cell_text(each, row)}" for each in columns
-        ),
+        values="; ".join(f"{each.title}: {cell_text(each, rows[j])}" for each in table.columns[1:]),
     )  # fmt: skip
 
 

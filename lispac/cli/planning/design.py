@@ -51,17 +51,8 @@ def run(arguments: Namespace) -> None:
     from lispac.design.plan_search import search
     from lispac.design.prediction import predict
     from lispac.io.config.plan_file import read_site
+    from lispac.present import planning
     from lispac.present.json_values import json_values
-    from lispac.present.planning import (
-        GAINS_TABLE,
-        PREDICTED_SIGMAS_TABLE,
-        SHORTER_PLANS_TABLE,
-        DesignValues,
-        PredictionValues,
-        gain_rows,
-        predicted_sigma_rows,
-        with_objective,
-    )
     from lispac.present.survey_plan import PLANNED_LINES_TABLE, PLANNED_TARGETS_TABLE
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import observability_messages, write_design
@@ -80,21 +71,27 @@ def run(arguments: Namespace) -> None:
     if arguments.output is not None:
         write_design(arguments.output, title, site, found, objective)
     thesis = predict(thesis_plan(site))
-    values = DesignValues.of(found, site.wall, thesis)
+    values = planning.DesignValues.of(found, site.wall, thesis)
     if arguments.json:
         print_json({"title": title} | json_values(values))
         return
     print(f"{title}: smallest {CRITERION_TEXTS[objective.criterion]}")
     print_table(
-        PREDICTED_SIGMAS_TABLE,
-        predicted_sigma_rows(*map(PredictionValues.of, (found.prediction, thesis))),
+        planning.PREDICTED_SIGMAS_TABLE,
+        planning.predicted_sigma_rows(
+            *map(planning.PredictionValues.of, (found.prediction, thesis))
+        ),
     )
     print_table(PLANNED_TARGETS_TABLE, values.targets)
     print_table(PLANNED_LINES_TABLE, values.lines)
     print_table(
-        with_objective(GAINS_TABLE, objective.criterion), gain_rows(found.gains, values.value_deg)
+        planning.with_objective(planning.GAINS_TABLE, objective.criterion),
+        planning.gain_rows(found.gains, values.value_deg),
     )
-    print_table(with_objective(SHORTER_PLANS_TABLE, objective.criterion), values.pareto_front)
+    print_table(
+        planning.with_objective(planning.SHORTER_PLANS_TABLE, objective.criterion),
+        values.pareto_front,
+    )
     plans = f"{found.evaluated:,} survey plans evaluated"
     print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
     for message in observability_messages(found.plan):

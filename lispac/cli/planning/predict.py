@@ -22,24 +22,15 @@ def run(arguments: Namespace) -> None:
     from lispac.design.plan_search import information_gains
     from lispac.design.prediction import predict as predicted
     from lispac.io.config.plan_file import read_plan
+    from lispac.present import planning
     from lispac.present.json_values import json_values
-    from lispac.present.planning import (
-        GAINS_TABLE,
-        PREDICTED_CORRELATIONS_TABLE,
-        PREDICTED_SIGMAS_TABLE,
-        PredictionValues,
-        gain_rows,
-        points_by_line,
-        points_table,
-        predicted_sigma_rows,
-    )
     from lispac.workflow.planning.plan_checks import observability_messages, plan_warnings
 
     titled = read_plan(arguments.plan)
     plan = titled.plan
-    values = PredictionValues.of(predicted(plan))
+    values = planning.PredictionValues.of(predicted(plan))
     largest = None if values.sigma_deg is None else max(values.sigma_deg)
-    gains = gain_rows(information_gains(plan, PlanObjective()), largest)
+    gains = planning.gain_rows(information_gains(plan, PlanObjective()), largest)
     messages = (*plan_warnings(titled), *observability_messages(plan))
     if arguments.json:
         print_json(
@@ -53,9 +44,9 @@ def run(arguments: Namespace) -> None:
         return
     print(titled.title)
     if values.determined:
-        print_table(PREDICTED_SIGMAS_TABLE, predicted_sigma_rows(values))
-        print_table(PREDICTED_CORRELATIONS_TABLE, [values])
-    print_table(points_table(plan), points_by_line(plan, values))
-    print_table(GAINS_TABLE, gains)
+        print_table(planning.PREDICTED_SIGMAS_TABLE, planning.predicted_sigma_rows(values))
+        print_table(planning.PREDICTED_CORRELATIONS_TABLE, [values])
+    print_table(*planning.points_table(plan, values))
+    print_table(planning.GAINS_TABLE, gains)
     for message in messages:
         print(message_text(message))

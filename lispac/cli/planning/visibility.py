@@ -47,13 +47,8 @@ def run(arguments: Namespace) -> None:
     UsageError
         If a systematic error is not simulated on this site.
     """
+    from lispac.present import visibility
     from lispac.present.json_values import json_values
-    from lispac.present.visibility import (
-        CONFIGURATIONS_TABLE,
-        ConfigurationValues,
-        compared_configurations,
-        fewest_lines_text,
-    )
     from lispac.simulation.thesis_site import SITES
     from lispac.simulation.visibility_study import study_visibility as study
     from lispac.workflow.planning.visibility import write_visibility
@@ -71,9 +66,11 @@ def run(arguments: Namespace) -> None:
         written = write_visibility(
             found, arguments.output, errors, arguments.formats, progress=progress
         )
-    compared = [] if arguments.hit_beams else compared_configurations(found, errors)
+    compared = [] if arguments.hit_beams else visibility.compared_configurations(found, errors)
     if arguments.json:
-        best = [ConfigurationValues.of(found.best_configuration(error)) for error in errors]
+        best = [
+            visibility.ConfigurationValues.of(found.best_configuration(error)) for error in errors
+        ]
         print_json(
             {
                 "site": site.name,
@@ -85,9 +82,9 @@ def run(arguments: Namespace) -> None:
         )
         return
     if not arguments.hit_beams:
-        print_table(CONFIGURATIONS_TABLE, compared)
+        print_table(visibility.CONFIGURATIONS_TABLE, compared)
         for row in compared:
             if row.thesis.reason is not None:
                 print(f"{row.name}: {message_text(row.thesis.reason)}")
-        print(fewest_lines_text(found))
+        print(visibility.fewest_lines_text(found))
     print(f"{len(written)} files in {arguments.output}")

@@ -5,13 +5,7 @@ from pathlib import Path
 
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
-from lispac.present.visibility import (
-    CONFIGURATIONS_WITH_REASONS_TABLE,
-    CRITERIA,
-    ERRORS_ON_BOARDS_TABLE,
-    compared_configurations,
-    errors_on_boards,
-)
+from lispac.present import visibility
 from lispac.progress import Progress, no_progress
 from lispac.report.csv_tables import csv_text
 from lispac.report.document_blocks import report_table
@@ -47,10 +41,17 @@ def write_visibility(
     InputError
         If a file cannot be written.
     """
-    tables = [("values", report_table(ERRORS_ON_BOARDS_TABLE, errors_on_boards(study, errors)))]
+    tables = [
+        (
+            "values",
+            report_table(
+                visibility.ERRORS_ON_BOARDS_TABLE, visibility.errors_on_boards(study, errors)
+            ),
+        )
+    ]
     if study.beams == "aimed":  # as in the thesis
-        rows = compared_configurations(study, errors)
-        tables.append(("best", report_table(CONFIGURATIONS_WITH_REASONS_TABLE, rows)))
+        rows = visibility.compared_configurations(study, errors)
+        tables.append(("best", report_table(visibility.CONFIGURATIONS_WITH_REASONS_TABLE, rows)))
     written = []
     for name, table in tables:
         path = folder / f"{study.site.name}-{name}.csv"
@@ -58,7 +59,7 @@ def write_visibility(
             # The table already contains the line ends that spreadsheets expect.
             part.write_text(csv_text(table), encoding="utf-8", newline="")
         written.append(path)
-    drawn = [(error, criterion, form) for error in errors for criterion in CRITERIA
+    drawn = [(error, criterion, form) for error in errors for criterion in visibility.CRITERIA
              for form in formats]  # fmt: skip
     for k, (error, criterion, form) in enumerate(drawn):
         progress(k / len(drawn), gettext_lazy("Drawing the figures"))

@@ -20,15 +20,7 @@ from lispac.gui.widgets.result_tables import html_table, window_columns, window_
 from lispac.language import N_, current_language, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.planning import (
-    GAINS_TABLE,
-    NOTHING_PREDICTED,
-    PLAN_TITLES,
-    PREDICTED_CORRELATIONS_TABLE,
-    gain_rows,
-    points_by_line,
-    points_table,
-)
+from lispac.present import planning
 from lispac.present.tables import cell_text, title_text
 from lispac.progress import Progress
 from lispac.workflow.planning.plan_checks import plan_warnings
@@ -189,7 +181,7 @@ class PredictionPanel(QScrollArea):
         self.setMinimumWidth(330)
         self._work = workspace
         self.predictor = BackgroundPrediction(workspace, self)
-        self._last = PredictedPrecision(workspace.titled.plan, NOTHING_PREDICTED, True)
+        self._last = PredictedPrecision(workspace.titled.plan, planning.NOTHING_PREDICTED, True)
         body = QWidget()
         layout = widgets.vertical_layout(body, 12)
         unit = units.shown_unit("°").sign
@@ -199,7 +191,7 @@ class PredictionPanel(QScrollArea):
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        for column, title in enumerate(map(gettext, PLAN_TITLES), start=1):
+        for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
             grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
         self.sigma: dict[str, QLabel] = {}
         self.thesis: dict[str, QLabel] = {}
@@ -217,7 +209,7 @@ class PredictionPanel(QScrollArea):
                 shown.setAccessibleName(
                     gettext(
                         "Standard deviation of {angle} ({plan}), in {unit}",
-                        angle=named, plan=gettext(PLAN_TITLES[column - 1]), unit=unit,
+                        angle=named, plan=gettext(planning.PLAN_TITLES[column - 1]), unit=unit,
                     )
                 )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
@@ -251,8 +243,8 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
         self.gain_table = DiagnosticsTable(
             "design_gain",
-            title_text(GAINS_TABLE.title),
-            window_columns(GAINS_TABLE),
+            title_text(planning.GAINS_TABLE.title),
+            window_columns(planning.GAINS_TABLE),
         )
         self.gain_table.setMinimumHeight(170)
         layout.addWidget(self.gain_table, 1)
@@ -290,24 +282,17 @@ class PredictionPanel(QScrollArea):
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
         pairs = [
             f"{title_text(column.title)} {cell_text(column, self._last.prediction)}"
-            for column in PREDICTED_CORRELATIONS_TABLE.columns
+            for column in planning.PREDICTED_CORRELATIONS_TABLE.columns
         ]
         separator = ", " if current_language() == "en" else " ; "
         self.correlation.setText(gettext("Correlations: {pairs}", pairs=separator.join(pairs)))
         self._show_point_counts()
 
     def _show_point_counts(self) -> None:
-        plan = self._last.plan
-        columns = points_table(plan).columns
-        self.points.setText(
-            html_table(
-                ["", *(escape(title_text(column.title)) for column in columns[1:])],
-                [
-                    [escape(cell_text(column, row)) for column in columns]
-                    for row in points_by_line(plan, self._last.prediction)
-                ],
-            )
-        )
+        table, rows = planning.points_table(self._last.plan, self._last.prediction)
+        heads = ["", *(escape(title_text(column.title)) for column in table.columns[1:])]
+        cells = [[escape(cell_text(column, row)) for column in table.columns] for row in rows]
+        self.points.setText(html_table(heads, cells))
         size = self.points.sizeHint()
         bar = self._points_area.horizontalScrollBar().sizeHint().height()
         self._points_area.setFixedHeight(size.height() + bar)
@@ -322,8 +307,8 @@ class PredictionPanel(QScrollArea):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
-        rows = gain_rows(gains, self._last.largest_deg)
-        self.gain_table.show_rows(window_rows(GAINS_TABLE, rows))
+        rows = planning.gain_rows(gains, self._last.largest_deg)
+        self.gain_table.show_rows(window_rows(planning.GAINS_TABLE, rows))
 
     def stop(self) -> None:
         """Stop all computations."""

@@ -1,8 +1,6 @@
 """Panel of simulated surveys, which verify the predicted standard deviations, and its table."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -21,7 +19,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.language import N_, LazyText, gettext
-from lispac.present.planning import ANGLES_BY_ROW_TABLE, FormattedAnglesRow
+from lispac.present.planning import ANGLES_BY_ROW_TABLE, PlanComparison, SimulationValues
 from lispac.present.tables import cell_text, title_text
 
 OUT_OF_DATE_TEXT = N_(
@@ -29,16 +27,7 @@ OUT_OF_DATE_TEXT = N_(
 )
 
 
-class AnglesResult(Protocol):
-    """Result with rows of three angles, and with messages."""
-
-    @property
-    def rows(self) -> Sequence[FormattedAnglesRow]:
-        """Rows of `ANGLES_BY_ROW_TABLE`."""
-
-    @property
-    def summary_texts(self) -> Sequence[str]:
-        """Texts of the messages."""
+AnglesResult = SimulationValues | PlanComparison
 
 
 class AnglesTable(QWidget):

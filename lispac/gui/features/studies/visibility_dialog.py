@@ -32,17 +32,10 @@ class VisibilityDialog(StudyDialog):
     """
 
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
-        from lispac.present.visibility import (
-            CONFIGURATIONS_TABLE,
-            CRITERIA,
-            systematic_error_label,
-        )
+        from lispac.present.visibility import CONFIGURATIONS_TABLE as TABLE
+        from lispac.present.visibility import CRITERIA, systematic_error_label
 
-        table = DiagnosticsTable(
-            "visibility_table",
-            title_text(CONFIGURATIONS_TABLE.title),
-            window_columns(CONFIGURATIONS_TABLE),
-        )
+        table = DiagnosticsTable("visibility_table", title_text(TABLE.title), window_columns(TABLE))
         super().__init__(
             "visibility", dialog_title(ACTIONS["visibility"]),
             gettext(
@@ -179,13 +172,10 @@ class VisibilityDialog(StudyDialog):
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
-        from lispac.present.visibility import criterion_by_line, criterion_table
+        from lispac.present.visibility import criterion_table
         from lispac.report.document_blocks import report_table
 
-        study, error, criterion = self._chart_selection
-        table = report_table(
-            criterion_table(error, criterion), criterion_by_line(study, error, criterion)
-        )
+        table = report_table(*criterion_table(*self._chart_selection))
         lines = [[column.title for column in table.columns], *table.rows]
         return "".join("\t".join(map(spreadsheet_text, line)) + "\n" for line in lines)
 
