@@ -24,7 +24,7 @@ from lispac.design.prediction import (
     predict,
 )
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
-from lispac.language import N_, Plural, gettext, gettext_lazy, number
+from lispac.language import N_, LazyText, Plural, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form_survey import (
@@ -117,39 +117,12 @@ class MonteCarloResult:
         return float(chdtri(count, 0.975)), float(chdtri(count, 0.025))
 
     @property
-    def rows(self) -> tuple[tuple[str, ...], ...]:
-        """Rows of a table: a title, and values of roll, pitch and yaw."""
-        return tuple(
-            (title, *(number(float(value), decimals, sign=sign) for value in values))
-            for title, values, decimals, sign in (
-                (gettext("RMS error (deg)"), np.degrees(self.empirical_sigma), 4, False),
-                (
-                    gettext("σ from the adjustment (deg)"),
-                    np.degrees(self.mean_formal_sigma),
-                    4,
-                    False,
-                ),
-                (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
-                (gettext("RMS error / predicted σ"), self.ratio, 2, False),
-                (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
-                (
-                    gettext("coverage of the 95 % intervals (%)"),
-                    100.0 * self.interval_coverage,
-                    1,
-                    False,
-                ),
-                (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
-                (gettext("σ of mean error (deg)"), np.degrees(self.sigma_bias), 4, False),
-            )
-        )
-
-    @property
-    def summary_texts(self) -> tuple[str, ...]:
+    def messages(self) -> tuple[LazyText, ...]:
         """Conclusions on the sigmas, the mean errors and chi-square, as sentences."""
         coverage_sigma = np.sqrt(0.95 * 0.05 / len(self.errors))
-        names = tuple(map(gettext, ANGLE_NAMES))
+        names = tuple(map(gettext_lazy, ANGLE_NAMES))
         found = [
-            gettext(
+            gettext_lazy(
                 "The standard deviation of {angle} from the adjustment is too small: its 95 % "
                 "interval contains the truth in {share:percent.0} % of the surveys.",
                 angle=angle, share=share,
@@ -159,14 +132,14 @@ class MonteCarloResult:
         ]  # fmt: skip
         if not found:
             found = [
-                gettext(
+                gettext_lazy(
                     "The coverage of the 95 % intervals agrees with 95 %, within the accuracy "
                     "that {count:n} surveys allow.",
                     count=len(self.errors),
                 )
             ]
         found += [
-            gettext(
+            gettext_lazy(
                 "The mean error of {angle} is significant: {mean:deg.4+} deg.",
                 angle=angle, mean=mean,
             )
@@ -188,10 +161,10 @@ class MonteCarloResult:
                 "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are smaller "
                 "than predicted."
             )
-        found.append(gettext(verdict, value=self.chi_square, low=low, high=high))
+        found.append(gettext_lazy(verdict, value=self.chi_square, low=low, high=high))
         if self.failed:
             found.append(
-                gettext(
+                gettext_lazy(
                     Plural(
                         "{count:n} survey could not be adjusted and is excluded.",
                         "{count:n} surveys could not be adjusted and are excluded.",

@@ -4,8 +4,13 @@ from dataclasses import dataclass
 
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, Column, Table
-from lispac.present.validation import STATE_TEXTS, DistanceValues, SignedDistances
+from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, YES_NO_TEXTS, Column, Table
+from lispac.present.validation import (
+    STATE_TEXTS,
+    DistanceValues,
+    SignedDistances,
+    spread_columns,
+)
 from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
@@ -168,7 +173,6 @@ def line_states(check: AbsoluteCheckValues) -> list[LineState]:
     ]
 
 
-YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}
 REFERENCE_DISTANCES_TABLE = Table[LineState](
     N_("Distances of the lines from the reference (mm)"),
     (
@@ -181,10 +185,7 @@ REFERENCE_DISTANCES_TABLE = Table[LineState](
             PLAIN_MILLIMETRES.half_interval,
         ),
         Column("distances.signed.median_m", N_("Median"), PLAIN_MILLIMETRES.signed),
-        Column("distances.distances.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
-        Column("distances.distances.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
-        Column("distances.distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
-        Column("distances.distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+        *spread_columns("distances.distances"),
         Column("distances.signed.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
         Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),

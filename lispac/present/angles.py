@@ -1,7 +1,7 @@
 """Values of the boresight angles, and tables with a column for each angle."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,8 +17,9 @@ from lispac.present.tables import (
     Column,
     Format,
     Table,
+    ratio,
 )
-from lispac.present.text_format import VALUE_TITLES
+from lispac.present.text_format import VALUE_TITLES, title
 
 ANGLE_TITLES = tuple(VALUE_TITLES[name] for name in ANGLES)
 
@@ -78,7 +79,9 @@ class AnglesRow:
     values: Angles | None
 
 
-def angle_columns(path: str, form: Format, suffix: str = "") -> tuple[Column[Any], ...]:
+def angle_columns(
+    path: str, form: Format | Callable[[Any], Format], suffix: str = "", unknown: str = ""
+) -> tuple[Column[Any], ...]:
     """Column for each angle.
 
     Parameters
@@ -87,11 +90,26 @@ def angle_columns(path: str, form: Format, suffix: str = "") -> tuple[Column[Any
         Path of the field of the row that contains the `Angles`.
     suffix : str
         Text after the name of the angle in the title.
+    unknown : str
+        English text for unknown values; a dash if empty.
     """
-    return tuple(Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form) for name in ANGLES)
+    return tuple(
+        Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form, unknown=unknown)
+        for name in ANGLES
+    )
 
 
 SIGMAS_TABLE = Table[AnglesRow](
     N_("Standard deviations of the angles, from the adjustment and by the jackknife"),
     (Column("name", ""), *angle_columns("values", DEGREES)),
 )
+CORRELATIONS_TABLE = Table[AnglesRow](
+    N_("Correlations"), (Column("name", ""), *angle_columns("values", ratio(3).signed))
+)
+
+
+def correlation_rows(correlation: Iterable[ArrayLike]) -> list[AnglesRow]:
+    """Rows of a correlation matrix of the three angles, shape (3, 3)."""
+    return [
+        AnglesRow(title(name), angles(row)) for name, row in zip(ANGLES, correlation, strict=True)
+    ]

@@ -1,4 +1,4 @@
-"""Displacement of a point by the uncertainty of the boresight.
+"""Displacement of a point by the uncertainty of the boresight, as values and tables.
 
 A small change of the angles with covariance C rotates the point cloud by a vector w = J (change of
 the angles), whose covariance is W = J C J'. It moves a point at distance d in direction u by
@@ -6,15 +6,22 @@ d (w x u).
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.language import N_, gettext, gettext_lazy
+from lispac.present.tables import CENTIMETRES, PLAIN_CENTIMETRES, Column, Format, Table
+from lispac.present.text_format import title
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 """Distances of the point from the scanner."""
+
+WORST_DIRECTION = "worst direction"
+"""Name of the displacement by all angles together."""
 
 FACTOR_95_1D = 1.96
 FACTOR_95_2D = 2.45
@@ -55,7 +62,7 @@ def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, 
     rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
     return tuple(
         DisplacementByAngle(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
-        for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
+        for name, rate in zip((*ANGLES, WORST_DIRECTION), rates, strict=True)
     )
 
 
@@ -82,3 +89,39 @@ def _turn_covariance(result: AdjustmentResult) -> NDArray[np.float64]:
     turning = result.mounting.rotation_derivatives @ rotation.T  # skew matrices of J's columns
     jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])
     return np.asarray(jacobian @ result.covariance @ jacobian.T)
+
+
+S44_TABLE = Table[S44Contribution](
+    N_("Uncertainty by IHO S-44: contribution of the boresight alone, 95 %"),
+    (
+        Column("distance_m", N_("Distance"), Format("m", 0)),
+        Column("thu95_m", "THU", CENTIMETRES),
+        Column("tvu95_m", "TVU", CENTIMETRES),
+    ),
+)
+
+
+def _angle_text(effect: DisplacementByAngle) -> str:
+    if effect.angle == WORST_DIRECTION:
+        return gettext("All three angles together, worst case")
+    return title(effect.angle)
+
+
+def _displacement_at(k: int) -> Callable[[DisplacementByAngle], float]:
+    return lambda effect: effect.displacement_m[k]
+
+
+DISPLACEMENTS_TABLE = Table[DisplacementByAngle](
+    N_("Displacement of a point caused by a boresight error of 1 sigma (cm)"),
+    (
+        Column(_angle_text, N_("Angle")),
+        *(
+            Column(
+                _displacement_at(k),
+                gettext_lazy("at {distance:m.0} m", distance=distance),
+                PLAIN_CENTIMETRES,
+            )
+            for k, distance in enumerate(EFFECT_DISTANCES_M)
+        ),
+    ),
+)

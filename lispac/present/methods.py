@@ -8,7 +8,7 @@ from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.angles import Angles, angles, degrees
-from lispac.present.tables import COUNT, DEGREES, Column, Table, ratio
+from lispac.present.tables import COUNT, DEGREES, YES_NO_TEXTS, Column, Table, ratio
 from lispac.present.text_format import VALUE_TITLES
 
 METHOD_TITLES: Mapping[str, str] = {
@@ -123,8 +123,6 @@ def method_differences(
                 ),
             )
         ),
-        Column[MethodValues](
-            "differ", N_("Significant\ndifference"), texts={True: N_("yes"), False: N_("no")}
-        ),
+        Column[MethodValues]("differ", N_("Significant\ndifference"), texts=YES_NO_TEXTS),
     )
     return Table(title, columns), [each for each in methods if each.difference_deg is not None]

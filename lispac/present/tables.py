@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Literal, TypeVar
 
-from lispac.language import LazyText, gettext
+from lispac.language import N_, LazyText, gettext
 from lispac.messages import Message
 from lispac.present.text_format import (
     UNKNOWN_TEXT,
@@ -17,7 +17,7 @@ from lispac.present.text_format import (
 )
 
 Row = TypeVar("Row")
-Unit = Literal["", "m", "mm", "deg", "mdeg", "ms", "s", "%"]
+Unit = Literal["", "m", "cm", "mm", "deg", "mdeg", "ms", "s", "m/s", "%"]
 
 
 @dataclass(frozen=True)
@@ -65,6 +65,7 @@ class Format:
 
 COUNT = Format()
 MILLIMETRES = Format("mm", 1, 1e3)
+CENTIMETRES = Format("cm", 2, 1e2, is_grouped=False)
 PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False)
 PLAIN_MILLIMETRES = Format("", 1, 1e3)
 """Formats of lengths without a unit, for tables whose title contains the unit."""
@@ -72,6 +73,8 @@ DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)
 PERCENT = Format("%", 0, 100.0)
 SECONDS = Format("s", 3, is_grouped=False)
+YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}
+"""Texts of a column with truth values."""
 
 
 def ratio(decimals: int) -> Format:
@@ -105,6 +108,8 @@ class Column(Generic[Row]):
         Whether the unit is written in each cell instead of below the title.
     is_wide : bool
         Whether the texts are sentences.
+    is_code : bool
+        Whether the texts are digests, in a fixed-width font.
     unknown : str
         English text for an unknown value; a dash if empty.
     """
@@ -118,6 +123,7 @@ class Column(Generic[Row]):
     half_interval: str | None = None
     has_unit_in_cells: bool = False
     is_wide: bool = False
+    is_code: bool = False
     unknown: str = ""
 
     @property

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from lispac.language import N_
+from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.present.tables import (
     COUNT,
     MILLIMETRES,
     PERCENT,
     PLAIN_MILLIMETRES,
+    YES_NO_TEXTS,
     Column,
     Format,
     Table,
@@ -340,8 +341,27 @@ def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[Pai
     ]
 
 
+ALL_PLANES_TEXT = Plural("All ({count:n} plane)", "All ({count:n} planes)")
 ROTATION_FORMAT = Format("deg", 3)
 STATE_TEXTS = {"before": N_("before"), "after": N_("after")}
+
+
+def spread_columns(path: str) -> tuple[Column[Any], ...]:
+    """Columns of the RMS and the percentiles of distances.
+
+    Parameters
+    ----------
+    path : str
+        Path of the field of a row that contains the `DistanceValues`.
+    """
+    return (
+        Column(f"{path}.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
+        Column(f"{path}.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
+        Column(f"{path}.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
+        Column(f"{path}.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+    )
+
+
 POOLED_DISTANCES_TABLE = Table[PooledDistances](
     N_("Distances between lines on each plane (mm)"),
     (
@@ -350,10 +370,7 @@ POOLED_DISTANCES_TABLE = Table[PooledDistances](
         Column("distances.n", N_("Points"), COUNT),
         Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
         Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
-        Column("distances.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
-        Column("distances.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
-        Column("distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
-        Column("distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+        *spread_columns("distances"),
         Column("distances.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
         Column("distances.outliers", N_("Outliers"), COUNT),
     ),
@@ -388,7 +405,7 @@ PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     (
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),
-        Column("pair.reciprocal", N_("Reciprocal"), texts={True: N_("yes"), False: N_("no")}),
+        Column("pair.reciprocal", N_("Reciprocal"), texts=YES_NO_TEXTS),
         *distance_columns("pair.before.distances", "pair.after.distances"),
     ),
 )
@@ -449,3 +466,23 @@ PAIR_PLANES_TABLE = Table[PairOnPlane](
         ),
     ),
 )  # fmt: skip
+
+
+def swath_overlap_table(planes: int) -> Table[SwathDifference]:
+    """Table of the swath overlap differences.
+
+    Parameters
+    ----------
+    planes : int
+        Number of planes, for the row of all planes.
+    """
+    return Table(
+        N_("Swath overlap difference (RMSDn, along the normal of the surface)"),
+        (
+            Column(lambda row: row.plane or gettext(ALL_PLANES_TEXT, count=planes), N_("Plane")),
+            Column("pairs", N_("Pairs of\nlines"), COUNT),
+            Column("places", N_("Compared\nplaces"), COUNT),
+            Column("rmsd_before_m", N_("RMSDn before\n(mm)"), PLAIN_MILLIMETRES),
+            Column("rmsd_after_m", N_("RMSDn after\n(mm)"), PLAIN_MILLIMETRES),
+        ),
+    )

@@ -1,6 +1,7 @@
 """The section on the boresight: fit, other estimated values, observability, displacements."""
 
 from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
+from lispac.adjustment.result import ANGLES
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import (
     SIGMAS_WITHOUT_LINE_TABLE,
@@ -8,27 +9,24 @@ from lispac.present.adjustment import (
     ObservabilityValues,
     sigma_without_line_rows,
 )
+from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
+from lispac.present.displacement import DISPLACEMENTS_TABLE
 from lispac.present.parameters import PARAMETERS_TABLE
 from lispac.present.text_format import (
     UNKNOWN_TEXT,
-    centimetres,
     fixed_number,
     format_known,
     grouped_number,
     sentence_text,
     shortest_number,
-    signed_number,
-    title,
 )
 from lispac.report.budget_section import budget_blocks
 from lispac.report.document_blocks import (
     Block,
     Bullets,
-    Column,
     Paragraph,
     Table,
     UndrawnPictures,
-    as_rows,
     facts_table,
     report_table,
 )
@@ -59,10 +57,10 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [_fit_table(content, adjustment)]
     if adjustment.parameters:
         blocks += _parameter_blocks(adjustment)
-    blocks += _correlation_blocks(content, adjustment)
+    blocks += _correlation_blocks(adjustment)
     if adjustment.observability is not None:
         blocks += _observability_blocks(adjustment, adjustment.observability)
-    blocks.append(_displacement_table(adjustment))
+    blocks.append(report_table(DISPLACEMENTS_TABLE, adjustment.effects))
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
     return blocks
@@ -136,19 +134,11 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
     return blocks
 
 
-def _correlation_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Block]:
-    names = [title(angle.name) for angle in content.angles]
+def _correlation_blocks(adjustment: AdjustmentValues) -> list[Block]:
     blocks: list[Block] = [
-        Table(
-            gettext("Correlations"),
-            (Column("", "left"), *map(Column, names)),
-            as_rows(
-                [name, *(signed_number(value, 3) for value in row)]
-                for name, row in zip(names, adjustment.correlation, strict=True)
-            ),
-        )
+        report_table(CORRELATIONS_TABLE, correlation_rows(adjustment.correlation))
     ]
-    if len(adjustment.estimated) > len(names):
+    if len(adjustment.estimated) > len(ANGLES):
         from lispac.report.figures import correlation_figure_of
 
         caption = gettext("Correlations of all estimated parameters.")
@@ -174,31 +164,9 @@ def _observability_blocks(
     return blocks
 
 
-def _displacement_table(adjustment: AdjustmentValues) -> Table:
-    return Table(
-        gettext("Displacement of a point caused by a boresight error of 1 sigma (cm)"),
-        (
-            Column(gettext("Angle"), "left"),
-            *(
-                Column(gettext("at {distance:m.0} m", distance=distance))
-                for distance in adjustment.effect_distances_m
-            ),
-        ),
-        as_rows(
-            [_effect_name(e.angle), *map(centimetres, e.displacement_m)] for e in adjustment.effects
-        ),
-    )
-
-
 def _point_count_text(adjustment: AdjustmentValues) -> str:
     if not adjustment.excluded_outliers:
         return grouped_number(adjustment.points)
     return gettext(
         EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
     )
-
-
-def _effect_name(angle: str) -> str:
-    if angle == "worst direction":
-        return gettext("All three angles together, worst case")
-    return title(angle)

@@ -24,18 +24,21 @@ from lispac.present.cross_checks import cross_check_values
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.methods import MethodValues
 from lispac.present.sighting_quality import sighting_quality_values
-from lispac.present.trajectory import LineTrajectorySummary
+from lispac.present.survey_data import (
+    LINE_ROLE,
+    InputFile,
+    LineTrajectorySummary,
+    LineValues,
+    PickedPlane,
+)
 from lispac.present.validation import ValidationPlane, swath_overlap
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
 from lispac.report.report_values import (
-    InputFile,
-    LineValues,
-    PickedPlane,
     ReportContent,
 )
 from lispac.report.report_warnings import report_warnings
-from lispac.report.settings_used import CONVENTION_TEXT, role_of_line, settings_used
+from lispac.report.settings_used import CONVENTION_TEXT, settings_used
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 
@@ -144,7 +147,7 @@ def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     inputs: list[tuple[str, Path]] = [("Trajectory", project.trajectory)]
     if project.accuracy is not None:
         inputs.append(("Trajectory accuracy", project.accuracy))
-    inputs += [(role_of_line(line.name), line.path) for line in project.lines]
+    inputs += [(f"{LINE_ROLE}{line.name}", line.path) for line in project.lines]
     files = []
     for k, (role, path) in enumerate(inputs):
         step = sub_progress(progress, k / len(inputs), (k + 1) / len(inputs))

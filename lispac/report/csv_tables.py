@@ -2,7 +2,8 @@
 
 The numbers are rounded as in the signed report. A cell that contains only a number is written with
 a decimal point, a hyphen as minus sign and no separators between groups of digits; the plus-minus
-sign of a cell that contains only half the width of an interval is omitted.
+sign of a cell that contains only half the width of an interval is omitted. Unknown values are
+empty.
 """
 
 import csv
@@ -13,7 +14,7 @@ from io import StringIO
 from pathlib import Path
 
 from lispac.language import N_, gettext, in_language
-from lispac.present.text_format import decimal_sign, group_sign
+from lispac.present.text_format import UNKNOWN_TEXT, decimal_sign, group_sign
 from lispac.present.validation import DistancesBySteps
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Column, Table, as_rows
@@ -151,6 +152,8 @@ def _number_pattern() -> re.Pattern[str]:
 
 
 def _plain_cell(cell: str, numbers: re.Pattern[str]) -> str:
+    if cell == UNKNOWN_TEXT:
+        return ""
     text = cell.replace("\u2212", "-").replace("\u200b", "").strip()
     found = [numbers.fullmatch(part) for part in text.split(" \u00b1 ")]  # value and interval
     plain = [_plain_number(each) for each in found if each is not None]

@@ -72,7 +72,8 @@ def report_table(
             title = f"{title} ({unit_text(each.unit)})"
         elif each.unit:
             title = title_with_unit(title, unit_text(each.unit))
-        columns.append(Column(title, "left" if each.is_text else "right", wide=each.is_wide))
+        side: Literal["left", "right"] = "left" if each.is_text else "right"
+        columns.append(Column(title, side, wide=each.is_wide, code=each.is_code))
     cells = [[cell_text(each, row) for each in table.columns] for row in rows]
     return Table(title_text(table.title), tuple(columns), as_rows([*cells, *further_rows]))
 

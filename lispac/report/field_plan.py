@@ -10,14 +10,16 @@ from numpy.typing import NDArray
 
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
-from lispac.design.site import Wall, clearance_from_wall
+from lispac.design.site import Wall
 from lispac.language import N_, Plural, gettext
-from lispac.present.text_format import (
-    fixed_number,
-    localised_number,
-    shortest_number,
-    signed_number,
+from lispac.present.survey_plan import (
+    PLANNED_LINES_TABLE,
+    PLANNED_TARGETS_TABLE,
+    planned_lines,
+    planned_targets,
 )
+from lispac.present.text_format import fixed_number, localised_number, shortest_number
+from lispac.report.document_blocks import Table, report_table
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,
@@ -86,18 +88,11 @@ def field_plan_figure(
     _draw_plan_view(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
     _draw_front_view(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
     low = 0.325 + lift
-    _draw_table(
-        figure, low, pitch, gettext("Targets"), TARGET_COLUMN_TITLES, _target_rows(plan, wall)
-    )
+    targets = report_table(PLANNED_TARGETS_TABLE, planned_targets(plan, wall))
+    _draw_table(figure, low, pitch, targets)
     low -= pitch * (len(plan.targets) + 2.3)
-    _draw_table(
-        figure,
-        low,
-        pitch,
-        gettext("Lines in survey order"),
-        LINE_COLUMN_TITLES,
-        _line_rows(plan, wall),
-    )
+    lines = report_table(PLANNED_LINES_TABLE, planned_lines(plan, wall))
+    _draw_table(figure, low, pitch, lines)
     low -= pitch * (len(plan.lines) + 2.3)
     for warning in warnings:
         figure.text(
@@ -121,7 +116,7 @@ def _predicted_sigma_text(plan: Plan) -> str:
     roll, pitch, yaw = found.sigma
     return gettext(
         "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg. Time on "
-        "lines: {minutes} min.",
+        "site: {minutes} min.",
         roll=roll, pitch=pitch, yaw=yaw, minutes=fixed_number(plan.duration / 60, 0),
     )  # fmt: skip
 
@@ -264,67 +259,16 @@ def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.set_ylabel(gettext("Above POS (m)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
 
 
-TARGET_COLUMN_TITLES = (
-    N_("target"), N_("along wall (m)"), N_("from wall (m)"), N_("above POS (m)"), N_("size (m)"),
-    N_("inclination (deg)"), N_("azimuth (deg)"),
-)  # fmt: skip
 COLUMN_LEFT_EDGES = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left edges of the columns, as shares of the page width."""
-LINE_COLUMN_TITLES = (
-    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"),
-    N_("clearance (m)"), N_("speed (m/s)"), N_("straight part (m)"),
-)  # fmt: skip
 
 
-def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
-    rows: list[tuple[str, ...]] = []
-    for target in plan.targets:
-        along, off, up = wall.wall_coordinates(target.centre)
-        place = (target.name, _signed_metres(along), _signed_metres(off), fixed_number(up, 2))
-        if isinstance(target, Ball):
-            ball = gettext("sphere, r {radius:m.3}", radius=target.radius)
-            rows.append((*place, ball, "", ""))
-            continue
-        lean, azimuth = wall.board_orientation(target)
-        faces = "" if lean < 0.05 or lean > 179.95 else fixed_number(azimuth, 0)
-        size = f"{fixed_number(target.width, 2)} x {fixed_number(target.height, 2)}"
-        rows.append((*place, size, _inclination_text(lean), faces))
-    return rows
-
-
-def _signed_metres(metres: float) -> str:
-    return signed_number(metres, 2) if abs(metres) >= 0.005 else fixed_number(0.0, 2)
-
-
-def _inclination_text(degrees: float) -> str:
-    """Text of an inclination, degrees: 90 vertical, smaller tilted back, larger tilted forward."""
-    if abs(degrees - 90.0) < 0.5:
-        return gettext("90, vertical")
-    if degrees < 90.0:
-        return gettext("{degrees}, tilted back", degrees=fixed_number(degrees, 0))
-    return gettext("{degrees}, tilted forward", degrees=fixed_number(180 - degrees, 0))
-
-
-def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
-    rows: list[tuple[str, ...]] = []
-    each = zip(plan.lines, plan.straight_extents, clearance_from_wall(plan, wall), strict=True)
-    for k, (line, (start, stop), off) in enumerate(each, start=1):
-        rows.append(
-            (
-                f"{k}", fixed_number(line.heading_deg % 360, 0), shortest_number(line.distance),
-                gettext("starboard") if line.starboard else gettext("port"), fixed_number(off, 1),
-                shortest_number(line.speed), f"{signed_number(start, 0)}, {signed_number(stop, 0)}",
-            )
-        )  # fmt: skip
-    return rows
-
-
-def _draw_table(
-    figure: Figure, top: float, pitch: float, title: str, heads: Sequence[str],
-    rows: Sequence[Sequence[str]],
-) -> None:  # fmt: skip
-    figure.text(0.07, top, title, fontsize=TEXT_SIZE + 1, weight="bold", color=INK_COLOUR, va="top")
-    for k, row in enumerate([[gettext(each) for each in heads], *rows]):
+def _draw_table(figure: Figure, top: float, pitch: float, table: Table) -> None:
+    figure.text(
+        0.07, top, table.title, fontsize=TEXT_SIZE + 1, weight="bold", color=INK_COLOUR, va="top"
+    )
+    heads = [column.title for column in table.columns]
+    for k, row in enumerate([heads, *table.rows]):
         for x, value in zip(COLUMN_LEFT_EDGES, row, strict=True):
             figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT_SIZE, color=INK_COLOUR,
                         va="top", weight="bold" if k == 0 else "normal")  # fmt: skip

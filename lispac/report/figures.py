@@ -24,13 +24,13 @@ from numpy.typing import ArrayLike, NDArray
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, gettext, in_language
 from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
+from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.text_format import (
     fixed_number,
     localised_number,
     parameter_name,
     signed_number,
 )
-from lispac.report.report_values import LineValues, PickedPlane
 
 Array = NDArray[np.float64]
 

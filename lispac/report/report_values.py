@@ -5,7 +5,6 @@ formats contain the same numbers. Texts are messages and labels, which `lispac.r
 translates into the language of the report.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from lispac.identity import Identity
@@ -18,18 +17,13 @@ from lispac.present.cross_checks import CrossCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.methods import MethodValues
 from lispac.present.sighting_quality import SightingQualityValues
-from lispac.present.trajectory import LineTrajectorySummary
+from lispac.present.survey_data import (
+    InputFile,
+    LineTrajectorySummary,
+    LineValues,
+    PickedPlane,
+)
 from lispac.present.validation import SwathDifference, ValidationPlane
-
-
-@dataclass(frozen=True)
-class InputFile:
-    """Input file of the project; size and digest are None if the file could not be read."""
-
-    role: str
-    name: str
-    size_bytes: int | None
-    sha256: str | None
 
 
 @dataclass(frozen=True)
@@ -67,37 +61,6 @@ class SettingsUsed:
     loss: str
     loss_text: str
     convention: str
-
-
-@dataclass(frozen=True)
-class PickedPlane:
-    """Picked target or validation plane.
-
-    ``sphere_radius_m`` is None for a plane or an unknown radius; ``radius_m`` is the search radius.
-    """
-
-    name: str
-    role: str
-    shape: str
-    sphere_radius_m: float | None
-    used: bool
-    seed_local_m: tuple[float, ...]
-    threshold_m: float
-    radius_m: float
-    lines: tuple[str, ...]
-    excluded_lines: tuple[str, ...]
-    missing: Mapping[str, Message]
-
-
-@dataclass(frozen=True)
-class LineValues:
-    """One line of the survey."""
-
-    name: str
-    file: str
-    heading_deg: float | None
-    points: int | None
-    track_local_m: tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True)

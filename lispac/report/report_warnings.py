@@ -16,8 +16,9 @@ from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.present.adjustment import VarianceFactorTest
 from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
+from lispac.present.survey_data import PickedPlane
 from lispac.report.absolute_warnings import absolute_check_warnings
-from lispac.report.report_values import PickedPlane, ReportContent
+from lispac.report.report_values import ReportContent
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
 DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (

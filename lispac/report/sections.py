@@ -3,40 +3,28 @@
 Boresight angles have four decimals in degrees, residuals one decimal in millimetres.
 """
 
-from collections.abc import Sequence
-
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.adjustment import AdjustmentValues, boresight_table
 from lispac.present.parameters import ParameterValues
 from lispac.present.sightings import SIGHTING_FIT_TABLE
-from lispac.present.targets import TARGETS_TABLE, shape_text
+from lispac.present.survey_data import LINES_TABLE, TRAJECTORY_TABLE, planes_table
+from lispac.present.targets import TARGETS_TABLE
 from lispac.present.text_format import (
-    degrees_unit,
-    fixed_number,
-    format_known,
-    grouped_number,
-    heading_text,
-    millimetres,
     parameter_name,
     quantity_text,
     sentence_text,
-    title_with_unit,
 )
-from lispac.present.trajectory import LineTrajectorySummary
 from lispac.present.validation import PLANE_DISTANCES_TABLE
 from lispac.report.document_blocks import (
     Block,
     Bullets,
-    Column,
     Paragraph,
-    Table,
     UndrawnPictures,
-    as_rows,
     report_table,
 )
-from lispac.report.report_values import PickedPlane, ReportContent
+from lispac.report.report_values import ReportContent
 
 COMMON_SURFACE_TEXT = N_(
     "RMS and mean are distances from the common surface of all lines. After the adjustment they "
@@ -118,7 +106,7 @@ def residual_blocks(content: ReportContent) -> list[Block]:
     """Blocks on targets, validation planes and residuals."""
     blocks: list[Block] = []
     if content.planes:
-        blocks.append(_planes_table(content))
+        blocks.append(report_table(planes_table(len(content.lines)), content.planes))
     reasons = tuple(
         message_text(note("project.not_found_on_line", target=plane.name, line=line, reason=reason))
         for plane in content.planes
@@ -129,39 +117,6 @@ def residual_blocks(content: ReportContent) -> list[Block]:
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
-
-
-def _planes_table(content: ReportContent) -> Table:
-    return Table(
-        gettext("Targets and validation planes (coordinates of the seed in the local frame)"),
-        (
-            Column(gettext("Name"), "left"),
-            Column(gettext("Role"), "left"),
-            Column(gettext("Shape"), "left"),
-            Column(title_with_unit(gettext("North"), "m")),
-            Column(title_with_unit(gettext("West"), "m")),
-            Column(title_with_unit(gettext("Up"), "m")),
-            Column(title_with_unit(gettext("Threshold"), "mm")),
-            Column(gettext("Lines")),
-        ),
-        as_rows(
-            [
-                plane.name,
-                _role_text(plane),
-                shape_text(plane.shape, plane.sphere_radius_m),
-                *(fixed_number(value, 2) for value in plane.seed_local_m),
-                millimetres(plane.threshold_m),
-                gettext("{count:n} of {total:n}", count=len(plane.lines), total=len(content.lines)),
-            ]
-            for plane in content.planes
-        ),
-    )
-
-
-def _role_text(plane: PickedPlane) -> str:
-    if plane.role == "target":
-        return gettext("target") if plane.used else gettext("target, excluded")
-    return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
 
 
 def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
@@ -188,65 +143,10 @@ def site_blocks(content: ReportContent) -> list[Block]:
         blocks.append(
             UndrawnPictures(gettext("Site plan in the local frame."), site_figure_of, values)
         )
-    blocks.append(
-        Table(
-            gettext("Lines"),
-            (
-                Column(gettext("Line"), "left"),
-                Column(gettext("File"), "left"),
-                Column(title_with_unit(gettext("Heading"), degrees_unit())),
-                Column(gettext("Points")),
-            ),
-            as_rows(
-                [
-                    line.name,
-                    line.file,
-                    format_known(line.heading_deg, heading_text),
-                    format_known(line.points, grouped_number),
-                ]
-                for line in content.lines
-            ),
-        )
-    )
+    blocks.append(report_table(LINES_TABLE, content.lines))
     if content.trajectory:
-        blocks += _trajectory_tables(content.trajectory)
+        blocks += [
+            report_table(TRAJECTORY_TABLE, content.trajectory),
+            Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
+        ]
     return blocks
-
-
-def _trajectory_tables(lines: Sequence[LineTrajectorySummary]) -> list[Block]:
-    deg = degrees_unit()
-    return [
-        Table(
-            gettext("Trajectory on each line"),
-            (
-                Column(gettext("Line"), "left"),
-                Column(title_with_unit(gettext("Duration"), "s")),
-                Column(title_with_unit(gettext("Speed"), "m/s")),
-                Column(title_with_unit(gettext("Sampling\ninterval"), "s")),
-                Column(gettext("Longest\ngap (s)")),
-                Column(title_with_unit(gettext("Roll"), deg)),
-                Column(title_with_unit(gettext("Pitch"), deg)),
-                Column(title_with_unit(gettext("Horizontal"), "mm")),
-                Column(title_with_unit(gettext("Vertical"), "mm")),
-                Column(title_with_unit(gettext("Roll, pitch"), deg)),
-                Column(title_with_unit(gettext("Heading"), deg)),
-            ),
-            as_rows(
-                [
-                    each.line,
-                    fixed_number(each.duration_s, 1),
-                    fixed_number(each.speed_m_s, 2),
-                    fixed_number(each.interval_s, 3),
-                    fixed_number(each.longest_gap_s, 3),
-                    fixed_number(each.motion_deg[0], 2),
-                    fixed_number(each.motion_deg[1], 2),
-                    millimetres(each.sigma_horizontal_m),
-                    millimetres(each.sigma_vertical_m),
-                    fixed_number(each.sigma_roll_pitch_deg, 4),
-                    fixed_number(each.sigma_heading_deg, 4),
-                ]
-                for each in lines
-            ),
-        ),
-        Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
-    ]

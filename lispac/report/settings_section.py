@@ -6,10 +6,9 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.adjustment import AdjustmentValues
 from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE
+from lispac.present.survey_data import FILES_TABLE
 from lispac.present.text_format import (
     fixed_number,
-    format_known,
-    grouped_number,
     millimetres,
     origin_text,
     parameter_name,
@@ -20,15 +19,11 @@ from lispac.present.text_format import (
 from lispac.report.document_blocks import (
     Block,
     Bullets,
-    Column,
     Paragraph,
-    Table,
-    as_rows,
     facts_table,
     report_table,
 )
 from lispac.report.report_values import ReportContent, SettingsUsed
-from lispac.report.settings_used import FILE_ROLES, role_of_line
 
 MIN_REPORTED_NOISE_FACTOR = 1.05
 """Smallest noise factor of a target (estimated divided by given LiDAR noise) that is reported."""
@@ -77,7 +72,7 @@ def settings_blocks(content: ReportContent) -> list[Block]:
         blocks.append(Paragraph(gettext(SURFACE_SIGMA_TEXT)))
     if adjustment is not None and adjustment.components:
         blocks += _component_tables(adjustment)
-    blocks.append(_files_table(content))
+    blocks.append(report_table(FILES_TABLE, content.files))
     if content.notes:
         blocks += [
             Paragraph(gettext("Input assumptions:")),
@@ -234,27 +229,3 @@ def _component_tables(adjustment: AdjustmentValues) -> list[Block]:
         report_table(VARIANCE_COMPONENTS_TABLE, adjustment.components),
         Paragraph(gettext(VARIANCE_COMPONENTS_TEXT)),
     ]
-
-
-def _files_table(content: ReportContent) -> Table:
-    roles = {role: gettext(role) for role in FILE_ROLES}
-    for line in content.lines:
-        roles[role_of_line(line.name)] = gettext("Line {name}", name=line.name)
-    return Table(
-        gettext("Input files"),
-        (
-            Column(gettext("Role"), "left"),
-            Column(gettext("File"), "left"),
-            Column(gettext("Size\n(bytes)")),
-            Column("SHA-256", "left", code=True),
-        ),
-        as_rows(
-            [
-                roles[file.role],
-                file.name,
-                format_known(file.size_bytes, grouped_number),
-                file.sha256 or gettext("not readable"),
-            ]
-            for file in content.files
-        ),
-    )

@@ -34,14 +34,6 @@ LOSS_TEXTS = {
     ),
 }
 
-FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
-"""Roles of the input files other than those of the lines."""
-
-
-def role_of_line(name: str) -> str:
-    """Role of the file of a line."""
-    return f"Line {name}"
-
 
 def settings_used(project: Project) -> SettingsUsed:
     """Settings of the result, or of the project if it has no result yet."""

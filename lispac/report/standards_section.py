@@ -1,16 +1,9 @@
 """The section on uncertainty as defined in IHO S-44 and the USGS Lidar Base Specification."""
 
-from lispac.language import N_, Plural, gettext
-from lispac.present.displacement import S44Contribution
-from lispac.present.text_format import (
-    centimetres,
-    fixed_number,
-    grouped_number,
-    millimetres,
-    title_with_unit,
-)
-from lispac.present.validation import SwathDifference
-from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
+from lispac.language import N_, gettext
+from lispac.present.displacement import S44_TABLE
+from lispac.present.validation import swath_overlap_table
+from lispac.report.document_blocks import Block, Paragraph, report_table
 from lispac.report.report_values import ReportContent
 
 S44_TEXT = N_(
@@ -31,58 +24,20 @@ OVERLAP_TEXT = N_(
     "each line remains. The quality levels of the specification apply to heights on the ground; "
     "the differences are not compared with them."
 )
-ALL_PLANES_TEXT = Plural("All ({count:n} plane)", "All ({count:n} planes)")
 
 
 def standards_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the uncertainty by IHO S-44 and the swath overlap difference."""
     blocks: list[Block] = []
     if content.adjustment is not None:
-        blocks += _s44_tables(content.adjustment.s44)
+        blocks += [
+            report_table(S44_TABLE, content.adjustment.s44),
+            Paragraph(gettext(S44_TEXT)),
+        ]
     if content.swath_overlap:
-        blocks += _swath_overlap_tables(content.swath_overlap)
+        table = swath_overlap_table(len(content.swath_overlap) - 1)
+        blocks += [
+            report_table(table, content.swath_overlap),
+            Paragraph(gettext(OVERLAP_TEXT)),
+        ]
     return blocks
-
-
-def _s44_tables(contributions: tuple[S44Contribution, ...]) -> list[Block]:
-    return [
-        Table(
-            gettext("Uncertainty by IHO S-44: contribution of the boresight alone, 95 %"),
-            (
-                Column(title_with_unit(gettext("Distance"), "m")),
-                Column(title_with_unit("THU", "cm")),
-                Column(title_with_unit("TVU", "cm")),
-            ),
-            as_rows(
-                [fixed_number(at.distance_m, 0), centimetres(at.thu95_m), centimetres(at.tvu95_m)]
-                for at in contributions
-            ),
-        ),
-        Paragraph(gettext(S44_TEXT)),
-    ]
-
-
-def _swath_overlap_tables(differences: tuple[SwathDifference, ...]) -> list[Block]:
-    return [
-        Table(
-            gettext("Swath overlap difference (RMSDn, along the normal of the surface)"),
-            (
-                Column(gettext("Plane"), "left"),
-                Column(gettext("Pairs of\nlines")),
-                Column(gettext("Compared\nplaces")),
-                Column(gettext("RMSDn before\n(mm)")),
-                Column(gettext("RMSDn after\n(mm)")),
-            ),
-            as_rows(
-                [
-                    each.plane or gettext(ALL_PLANES_TEXT, count=len(differences) - 1),
-                    fixed_number(each.pairs, 0),
-                    grouped_number(each.places),
-                    millimetres(each.rmsd_before_m),
-                    millimetres(each.rmsd_after_m),
-                ]
-                for each in differences
-            ),
-        ),
-        Paragraph(gettext(OVERLAP_TEXT)),
-    ]

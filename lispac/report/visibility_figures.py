@@ -1,7 +1,6 @@
 """Figures of the visibility of an error by line and inclination (thesis, 3.13 to C.21)."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -9,7 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
-from lispac.present.text_format import fixed_number, title
+from lispac.present.visibility import CRITERIA, systematic_error_label
 from lispac.report.figures import (
     INK_COLOUR,
     LINE_COLOURS,
@@ -18,7 +17,7 @@ from lispac.report.figures import (
     blank_figure,
     style_axes,
 )
-from lispac.simulation.thesis_site import ERROR_SIZES, HEADINGS_DEG
+from lispac.simulation.thesis_site import HEADINGS_DEG
 from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy
 
 Array = NDArray[np.float64]
@@ -28,55 +27,8 @@ CURVE_WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
 """Widths of the curves of the lines, points; they differ so that coincident curves are visible."""
 
 
-@dataclass(frozen=True)
-class Criterion:
-    """Plot of an error by one of three criteria.
-
-    Attributes
-    ----------
-    title, label : str
-        English texts: name of the criterion, and quantity on the vertical axis with its unit.
-    decimals : int
-        Decimals of the values.
-    least : float
-        Smallest height of the axis, so that rounding errors are not enlarged.
-    values : function of a `VisibilityStudy`
-        Shape (errors, lines, inclinations), in the unit of the label.
-    """
-
-    title: str
-    label: str
-    decimals: int
-    least: float
-    values: Callable[[VisibilityStudy], Array]
-
-
-CRITERIA: Mapping[str, Criterion] = {
-    "type-one": Criterion(
-        N_("Type I criterion: planarity and position of the board"),
-        N_("Type I criterion (0 to 1)"), 3, 1.0, lambda v: v.type_one,
-    ),
-    "orthogonal-distance": Criterion(
-        N_("Type II criterion: shift of the board"),
-        N_("Signed orthogonal distance (m)"), 4, 0.02, lambda v: v.orthogonal_distance,
-    ),
-    "angular-deviation": Criterion(
-        N_("Type II criterion: rotation of the board"),
-        N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
-    ),
-}  # fmt: skip
-
-
 SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_("marine")}
 """Names of the sites within a sentence."""
-
-
-def systematic_error_label(error: str) -> str:
-    """Name of a systematic error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
-    size = ERROR_SIZES[error]
-    if error.startswith(("lever", "range")):
-        return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
-    return gettext("{error} {size:deg.0} deg", error=title(error), size=size)
 
 
 def _set_y_limits(axes: Axes, values: Array, least: float) -> None:

@@ -107,8 +107,8 @@ def test_undetermined_angles_of_a_plan_have_no_sigma(
     out, _ = printed_by(capsys, "predict", plan)
     assert message_text(note("design.undetermined")) in " ".join(out.split())
     assert "sigma      " not in out
-    assert "correlation" not in out
-    assert "without" in out
+    assert "roll-pitch" not in out
+    assert "Omitted target or line" in out
 
 
 def test_a_new_project_has_no_identity(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -208,11 +208,11 @@ def test_the_visibility_study_is_reported_beside_the_thesis(
     )
     words = ("visibility", "marine", "--output", tmp_path, "--error", "roll", "yaw")
     rows = printed_by(capsys, *words)[0].splitlines()
-    assert rows[0].split()[0] == "Error"
-    assert [row.split("  ")[0] for row in rows[1:3]] == ["Roll 2 deg", "Yaw 2 deg"]
-    assert rows[3] == ""
-    assert any(row.startswith("Yaw 2 deg: ") for row in rows[4:])
-    assert not any(row.startswith("Roll 2 deg: ") for row in rows[4:]), "it is as in the thesis"
+    assert rows[1].split()[0] == "Error"
+    assert [row.split("  ")[1] for row in rows[2:4]] == ["Roll 2 deg", "Yaw 2 deg"]
+    assert rows[4] == ""
+    assert any(row.startswith("Yaw 2 deg: ") for row in rows[5:])
+    assert not any(row.startswith("Roll 2 deg: ") for row in rows[5:]), "it is as in the thesis"
     assert not any(row.startswith("Pitch") for row in rows), "it is not asked for"
     assert rows[-1] == f"1 files in {tmp_path}"
     assert printed_by(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
@@ -307,8 +307,8 @@ def test_a_design_is_compared_with_a_usual_plan_that_is_undetermined(
     )
     out, _ = printed_by(capsys, "design", site, "--workers", 1, "--output", folder)
     rows = out.splitlines()
-    assert rows[1].startswith("best plan   roll ")
-    assert rows[2] == "Shahraji    not determined"
+    assert rows[3].split()[:2] == ["this", "plan"]
+    assert rows[4].split("  ")[1:3] == ["Shahraji's plan", "not determined"]
     assert rows[-1] == str(folder)
     assert written == [folder]
     numbers = answer(capsys, "design", site, "--workers", 1)

@@ -9,11 +9,11 @@ import scipy.stats
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import PosErrors, StochasticModel
 from lispac.adjustment.solve.normal_equations import MAX_UNELIMINATED_SURFACES
-from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import simulate_plan
 from lispac.design.plan import Line, Plan, System, line_pattern
 from lispac.design.prediction import expected_point_count, predict, predicted_equations
 from lispac.errors import RankDeficient
+from lispac.present.planning import SimulationValues
 from lispac.simulation.closed_form_survey import Ball, Board, scanner_position_abeam
 from lispac.simulation.scanner import Scanner, scan_scene
 from lispac.simulation.scene import Scene, upright_rectangle
@@ -159,7 +159,7 @@ def test_forty_surveys_scatter_as_predicted() -> None:
     found = compared(PLAN, count, stated=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     ratio = found.empirical_sigma / found.predicted
-    assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
+    assert ((ratio > lower) & (ratio < upper)).all(), SimulationValues.of(found)
     assert found.mean_formal_sigma == pytest.approx(found.predicted, rel=0.02)
 
 
@@ -168,5 +168,5 @@ def test_forty_surveys_scatter_as_predicted() -> None:
 @pytest.mark.parametrize("stated", [True, False])
 def test_a_thousand_surveys_scatter_as_predicted(stated: bool) -> None:
     found = compared(PLAN, 1000, stated=stated)
-    print(scatter_table(found))
-    assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08), scatter_table(found)
+    print(SimulationValues.of(found))
+    assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08)

@@ -9,6 +9,7 @@ from lispac.design.objective import PlanObjective
 from lispac.gui.features.design.search import SearchResult
 from lispac.gui.features.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
+from lispac.present.planning import SimulationValues
 from tests.gui.by_hand import Hands, choose, open_menu
 from tests.gui.design_support import opened_by_keys, plan, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
@@ -90,8 +91,9 @@ def test_a_plan_stays_open_in_another_language_and_theme(hands: Hands, tmp_path:
 def test_results_of_a_plan_survive_a_change_of_theme(hands: Hands) -> None:
     design = opened_by_keys(hands)
     found = surveyed_once()
+    values = SimulationValues.of(found)
     head = gettext_lazy("Simulate surveys")
-    design.surveys.result_table.show_result(head, found, plan(design))
+    design.surveys.result_table.show_result(head, values, plan(design))
     design.pictures.show_errors(found)
     design.search.show_found(SearchResult(0.0363, PlanObjective(), 250, all_evaluated=True))
     hands.bot.keyClick(design, Key.Key_L, Control)
@@ -99,7 +101,7 @@ def test_results_of_a_plan_survive_a_change_of_theme(hands: Hands) -> None:
     dark = by_menu(hands, "View", "heme", "Dark")
     answer = dark.surveys.result_table
     assert answer.head.text() == str(head)
-    assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
+    assert [row[0] for row in answer.cells[1:]] == [row.name for row in values.rows]
     assert answer.outdated.isVisibleTo(dark.surveys)  # the result belongs to an earlier plan
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)

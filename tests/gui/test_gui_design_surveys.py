@@ -1,5 +1,6 @@
 """Tests of simulated surveys of a plan, and of the comparison of a real survey with its plan."""
 
+from collections.abc import Sequence
 from multiprocessing import active_children
 from types import SimpleNamespace
 
@@ -8,12 +9,14 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
-from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
+from lispac.present.angles import Angles
+from lispac.present.planning import ANGLES_BY_ROW_TABLE, FormattedAnglesRow, SimulationValues
+from lispac.present.tables import cell_text, ratio
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from tests.design.test_campaign import PORT
 from tests.gui.design_support import (
@@ -41,6 +44,10 @@ def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
     assert design.tabs.currentWidget() is design.surveys
     assert design.surveys.surveys.hasFocus()
     return design
+
+
+def table_cells(rows: Sequence[FormattedAnglesRow]) -> list[list[str]]:
+    return [[cell_text(column, row) for column in ANGLES_BY_ROW_TABLE.columns] for row in rows]
 
 
 def surveyed_once() -> MonteCarloResult:
@@ -73,10 +80,9 @@ def test_simulated_surveys_agree_with_the_command_line(
     found = run_monte_carlo(before.plan, 32, seed=7, flatness_known=True)
     shown = surveys.result_table
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
-    rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
-    said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
-    assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
-    assert tuple(shown.messages.text().split("\n")) == found.summary_texts
+    values = SimulationValues.of(found)
+    assert shown.cells[1:] == table_cells(values.rows)
+    assert shown.messages.text().split("\n") == list(map(str, found.messages))
     assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
     assert shown.outdated.isVisible(), "it is no answer about another plan"
@@ -176,12 +182,12 @@ def test_a_new_result_replaces_all_widgets_of_the_former_one(
     shown, plan_ = coarse.surveys.result_table, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
-        rows = [("RMS error (deg)", f"{k}", "0.2", "-0.3")] * 7
+        rows = [FormattedAnglesRow("RMS error (deg)", Angles(k, 0.2, -0.3), ratio(1))] * 7
         shown.show_result(head, SimpleNamespace(rows=rows, summary_texts=("remark",)), plan_)
         coarse.pictures.show_errors(surveyed_once())
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         counts.append(len(coarse.findChildren(QObject)))
-    assert shown.cells[1] == ["RMS error (deg)", "29", "0.2", "−0.3"]
+    assert shown.cells[1] == ["RMS error (deg)", "29.0", "0.2", "−0.3"]
     assert len(set(counts[1:])) == 1
 
 
@@ -195,9 +201,9 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     assert adjusted.dialogs.errors == []
     found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
-    assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
+    assert shown.cells[1:] == table_cells(found.rows)
     assert shown.messages.text().split("\n") == list(found.summary_texts)
-    assert str(found.costs[0]) in shown.messages.text()
+    assert str(found.messages[-1]) in shown.messages.text()
     assert document.project.name in shown.head.text()
     assert read_plan(PORT).title in shown.head.text()
     assert shown.isVisible()

@@ -9,9 +9,9 @@ same with any plan.
 
 import sys
 
-from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.plan import Plan, line_pattern
+from lispac.present.planning import SimulationValues
 from lispac.simulation.closed_form_survey import Board
 from lispac.workflow.planning.parallel_map import process_pool_mapper
 
@@ -32,4 +32,4 @@ if __name__ == "__main__":
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     for told in (True, False):
         print("flatness stated" if told else "flatness from the data")
-        print(scatter_table(compared(PLAN, number, stated=told)))
+        print(SimulationValues.of(compared(PLAN, number, stated=told)))

@@ -19,7 +19,7 @@ from lispac.adjustment.result import (
     TargetResidual,
 )
 from lispac.messages import error, note
-from lispac.present.trajectory import LineTrajectorySummary
+from lispac.present.survey_data import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.survey.georeferencing import Mounting

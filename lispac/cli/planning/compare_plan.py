@@ -1,10 +1,11 @@
 """``lispac compare-plan``: comparison of a survey with its plan."""
 
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, print_json, print_table
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -18,10 +19,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print predicted and obtained standard deviations, and the deviations from the plan."""
-    import numpy as np
-
-    from lispac.adjustment.result import ANGLES
     from lispac.io.config.plan_file import read_plan
+    from lispac.present.json_values import json_values
+    from lispac.present.planning import ANGLES_BY_ROW_TABLE
     from lispac.workflow.planning.plan_comparison import compare_with_plan
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
@@ -32,23 +32,9 @@ def run(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
     found = compare_with_plan(project, survey, titled)
     if arguments.json:
-        rows = {
-            "planned": found.planned,
-            "surveyed": found.sailed,
-            "surveyed_with_form_error": found.as_flat,
-            "obtained": found.obtained,
-        }
-        values: dict[str, object] = {
-            f"{name}_sigma_deg": np.degrees(row).tolist() if np.isfinite(row).all() else None
-            for name, row in rows.items()
-        }
-        values["flatness_m"] = list(found.flatness)
-        values["missing_targets"] = list(found.missing_targets)
-        values["missing_lines"] = [line.name for line in found.missing_lines]
-        print_json(values | {"messages": [str(each) for each in (*found.off_plan, *found.costs)]})
+        print_json(json_values(found))
         return
-    print(f"{'standard deviation (deg)':38s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
-    for name, *cells in found.rows:
-        print(f"{name:38s}" + "".join(f"{cell:>9s}" for cell in cells))
+    title = f"Standard deviations of {project.name} compared with {titled.title}"
+    print_table(replace(ANGLES_BY_ROW_TABLE, title=title), found.rows)
     for sentence in found.summary_texts:
         print(sentence)

@@ -1,20 +1,11 @@
 """``lispac visibility``: effect of systematic errors on a board by inclination and line."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
-from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, print_json, print_table
 from lispac.message_texts import message_text
-
-if TYPE_CHECKING:
-    from lispac.report.document_blocks import Table
-    from lispac.simulation.thesis_comparison import ThesisComparison
-    from lispac.simulation.visibility_study import BestConfiguration
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -56,8 +47,8 @@ def run(arguments: Namespace) -> None:
     UsageError
         If a systematic error is not simulated on this site.
     """
-    from lispac.report.visibility_tables import all_errors_text, comparison_table
-    from lispac.simulation.thesis_comparison import compare_with_thesis
+    from lispac.present import visibility
+    from lispac.present.json_values import json_values
     from lispac.simulation.thesis_site import SITES
     from lispac.simulation.visibility_study import study_visibility as study
     from lispac.workflow.planning.visibility import write_visibility
@@ -75,57 +66,25 @@ def run(arguments: Namespace) -> None:
         written = write_visibility(
             found, arguments.output, errors, arguments.formats, progress=progress
         )
+    compared = [] if arguments.hit_beams else visibility.compared_configurations(found, errors)
     if arguments.json:
+        best = [
+            visibility.ConfigurationValues.of(found.best_configuration(error)) for error in errors
+        ]
         print_json(
             {
                 "site": site.name,
                 "beams": found.beams,
-                "best": [_best_values(found.best_configuration(error)) for error in errors],
-                "thesis": [] if arguments.hit_beams else [
-                    _thesis_values(each)
-                    for each in compare_with_thesis(found)
-                    if each.best.error in errors
-                ],
+                "best": json_values(best),
+                "thesis": json_values([row.thesis for row in compared]),
                 "files": [str(path) for path in written],
             }
-        )  # fmt: skip
+        )
         return
     if not arguments.hit_beams:
-        _print_table(comparison_table(found, errors))
-        print(all_errors_text(found))
+        print_table(visibility.CONFIGURATIONS_TABLE, compared)
+        for row in compared:
+            if row.thesis.reason is not None:
+                print(f"{row.name}: {message_text(row.thesis.reason)}")
+        print(visibility.fewest_lines_text(found))
     print(f"{len(written)} files in {arguments.output}")
-
-
-def _best_values(best: BestConfiguration) -> dict[str, Any]:
-    import numpy as np
-
-    chosen = best.inclination
-    return {
-        "error": best.error,
-        "suitable_inclinations_deg": [round(float(np.degrees(each))) for each in best.kept],
-        "inclination_deg": None if chosen is None else round(float(np.degrees(chosen))),
-        "groups_of_lines_deg": best.groups,
-    }
-
-
-def _thesis_values(each: ThesisComparison) -> dict[str, Any]:
-    return {
-        "error": each.best.error,
-        **asdict(each.thesis),
-        "lines_agree": each.lines_agree,
-        "inclination_agrees": each.inclination_agrees,
-        "reason": "" if each.reason is None else message_text(each.reason),
-    }
-
-
-def _print_table(table: Table) -> None:
-    """Print a table as text; the sentences of its last column are printed below it."""
-    *heads, _why = [column.title for column in table.columns]
-    lines = [heads, *(row[:-1] for row in table.rows)]
-    widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]
-    for line in lines:
-        print("  ".join(f"{cell:{width}s}" for cell, width in zip(line, widths, strict=True)))
-    print()
-    for row in table.rows:
-        if row[-1]:
-            print(f"{row[0]}: {row[-1]}")

@@ -4,7 +4,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QDialog,
+    QFileDialog,
+    QMessageBox,
+    QPushButton,
+    QWidget,
+)
 
 from lispac.errors import LispacError
 from lispac.gui import widgets
@@ -51,13 +58,7 @@ class Questions:
             gettext("Add to {project}", project=name), QMessageBox.ButtonRole.AcceptRole
         )
         new = box.addButton(gettext("New project"), QMessageBox.ButtonRole.ActionRole)
-        box.setDefaultButton(add)
-        box.exec()
-        chosen = box.clickedButton()
-        box.deleteLater()
-        if chosen is add:
-            return "add"
-        return "new" if chosen is new else "cancel"
+        return {add: "add", new: "new"}.get(self._clicked(box, add), "cancel")
 
     def ask_to_save_changes(self, name: str) -> SaveChoice:
         """Ask whether to save a changed project before it is closed."""
@@ -92,13 +93,7 @@ class Questions:
         reject = box.addButton(
             gettext("Estimate without this target"), QMessageBox.ButtonRole.DestructiveRole
         )
-        box.setDefaultButton(accept)
-        box.exec()
-        chosen = box.clickedButton()
-        box.deleteLater()
-        if chosen is accept:
-            return "accept"
-        return "reject" if chosen is reject else "cancel"
+        return {accept: "accept", reject: "reject"}.get(self._clicked(box, accept), "cancel")
 
     def ask_to_recover(self, name: str, when: str) -> bool:
         """Ask whether to restore unsaved changes after a crash."""
@@ -210,9 +205,13 @@ class Questions:
     def _is_confirmed(
         box: QMessageBox, yes: QPushButton, default: QPushButton | None = None
     ) -> bool:
-        box.setDefaultButton(default or yes)
+        return Questions._clicked(box, default or yes) is yes
+
+    @staticmethod
+    def _clicked(box: QMessageBox, default: QPushButton) -> QAbstractButton:
+        box.setDefaultButton(default)
         box.exec()
-        chosen = box.clickedButton() is yes
+        chosen = box.clickedButton()
         box.deleteLater()
         return chosen
 

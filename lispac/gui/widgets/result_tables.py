@@ -1,6 +1,7 @@
 """Tables of results in the window, in the units and language of the user."""
 
 from collections.abc import Callable, Iterable, Mapping
+from html import escape
 
 from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
@@ -8,8 +9,8 @@ from lispac.gui.widgets.diagnostics_table import Cell, Column, Key, Row, number_
 from lispac.language import gettext
 from lispac.present.angles import ANGLE_TITLES
 from lispac.present.cross_checks import CrossCheckValues, spread_rows
+from lispac.present.tables import DEGREES, Format, Table, Unit, title_text
 from lispac.present.tables import Column as ResultColumn
-from lispac.present.tables import Format, Table, Unit, title_text
 from lispac.present.tables import Row as ResultRow
 from lispac.present.text_format import UNKNOWN_TEXT, with_unit
 
@@ -57,7 +58,7 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
     sigma = column.sigma_of(row)
     if sigma is not None:
         text = gettext(
-            "{error} (σ {sigma})", error=_number(value, form), sigma=_number(sigma, form)
+            "{error} (σ {sigma})", error=local_number(value, form), sigma=local_number(sigma, form)
         )
         return Cell(text, value)
     if form.unit not in BASE_OF_UNIT:
@@ -70,7 +71,8 @@ def _python_form(form: Format) -> str:
     return f"{sign}{group}.{form.decimals}f"
 
 
-def _number(value: float, form: Format) -> str:
+def local_number(value: float, form: Format) -> str:
+    """The number in the unit and the language of the user, without its unit."""
     base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return form.text(value)
@@ -87,17 +89,22 @@ def _with_unit(value: float, form: Format) -> str:
 def spread_text(checks: CrossCheckValues) -> str:
     """Jackknife standard deviations beside those from the adjustment, as rich text."""
     title = gettext("1 σ, {unit}", unit=units.local_sign("°"))
-    heads = [title, *map(gettext, ANGLE_TITLES)]
-    rows = [[f"<b>{head}</b>" for head in heads]]
+    rows = []
     for row in spread_rows(checks):
         numbers = [UNKNOWN_TEXT] * 3 if row.values is None else [
-            units.local_figure(value, "°", ".4f") for value in row.values
+            local_number(value, DEGREES) for value in row.values
         ]  # fmt: skip
-        rows.append([row.name.replace(", ", ",<br>"), *numbers])
-    return "<table>" + "".join(map(_html_row, rows)) + "</table>"
+        rows.append([escape(row.name).replace(", ", ",<br>"), *numbers])
+    return html_table([title, *map(gettext, ANGLE_TITLES)], rows)
 
 
-def _html_row(cells: list[str]) -> str:
+def html_table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """Table as rich text; the cells are rich text too."""
+    lines = [[f"<b>{head}</b>" if head else "" for head in heads], *rows]
+    return "<table>" + "".join(map(_html_row, lines)) + "</table>"
+
+
+def _html_row(cells: Iterable[str]) -> str:
     first, *others = cells
     numbers = "".join(f"<td align='right' style='padding-left:10px'>{each}</td>" for each in others)
     return f"<tr><td>{first}</td>{numbers}</tr>"

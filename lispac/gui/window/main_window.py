@@ -27,7 +27,7 @@ from lispac.gui.features.inspect.view_menu import ViewMenu
 from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
 from lispac.gui.features.pick_targets.hover_preview import HoverPreviewSettings
 from lispac.gui.features.pick_targets.seeds import SeedActions
-from lispac.gui.features.pick_targets.target_actions import TargetActions
+from lispac.gui.features.pick_targets.target_actions import TargetActions, TargetTools
 from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
@@ -148,11 +148,10 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
-        self.target_actions = TargetActions(
-            document, runner, control, dialogs, actions, panels.targets, panels.table
-        )
+        tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
+        self.target_actions = TargetActions(tools, panels.table)
         control.accepted.connect(self._select_accepted)
-        seeds = SeedActions(document, runner, control, dialogs, actions, panels.targets)
+        seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
         export = DataExport(document, runner, scene, control, dialogs, actions)
         panels.report.lines_requested.connect(export.export)

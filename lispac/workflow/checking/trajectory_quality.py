@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lispac.present.trajectory import LineTrajectorySummary
+from lispac.present.survey_data import LineTrajectorySummary
 from lispac.workflow.project.survey import Survey
 
 

@@ -1,6 +1,6 @@
 """Comparison of a survey with its plan: predicted and obtained precision, and deviations."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +9,10 @@ from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.errors import ProjectError
 from lispac.io.config.plan_file import TitledPlan
-from lispac.language import N_, LazyText, gettext, gettext_lazy, number
+from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import error
+from lispac.present.angles import degrees
+from lispac.present.planning import PlanComparison, known_degrees
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import Ball, Board, Course, scanner_position_abeam
 from lispac.workflow.calibration.estimation import observations_of
@@ -27,77 +29,6 @@ share of the distance."""
 
 
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
-
-
-@dataclass(frozen=True, eq=False)
-class PlanComparison:
-    """Comparison of a survey with its plan.
-
-    Attributes
-    ----------
-    planned : ndarray of shape (3,), radians
-        Predicted sigmas of the whole plan.
-    sailed : ndarray of shape (3,), radians
-        Predicted sigmas of the lines as sailed, with the targets of the plan that were used.
-    as_flat : ndarray of shape (3,), radians
-        The same with the form error of the targets that the adjustment estimated.
-    obtained : ndarray of shape (3,), radians
-        Sigmas from the adjustment.
-    flatness : tuple of float, metres
-        Form error of the targets as planned and as estimated.
-    missing_targets : tuple of str
-    missing_lines : tuple of Line
-    off_plan : tuple of LazyText
-        Lines that were surveyed at another distance.
-    costs : tuple of LazyText
-        Loss of precision due to each missing line or target.
-    """
-
-    planned: Array
-    sailed: Array
-    as_flat: Array
-    obtained: Array
-    flatness: tuple[float, float]
-    missing_targets: tuple[str, ...]
-    missing_lines: tuple[Line, ...]
-    off_plan: tuple[LazyText, ...]
-    costs: tuple[LazyText, ...]
-
-    @property
-    def rows(self) -> tuple[tuple[str, ...], ...]:
-        """Rows of a table: a title, and values of roll, pitch and yaw; degrees, or a ratio."""
-        ratio = self.obtained / self.as_flat
-        return (
-            (gettext("predicted for the survey plan"), *_angle_cells(np.degrees(self.planned), 4)),
-            (gettext("predicted for the actual survey"), *_angle_cells(np.degrees(self.sailed), 4)),
-            (
-                gettext("predicted with estimated form error"),
-                *_angle_cells(np.degrees(self.as_flat), 4),
-            ),
-            (gettext("from the adjustment"), *_angle_cells(np.degrees(self.obtained), 4)),
-            (
-                gettext("adjustment / predicted"),
-                *_angle_cells(np.where(ratio > 0, ratio, np.inf), 2),
-            ),
-        )
-
-    @property
-    def summary_texts(self) -> tuple[str, ...]:
-        """Deviations from the plan and their effect, as sentences."""
-        planned, estimated = self.flatness
-        found = []
-        if not np.isfinite(self.sailed).all():
-            found.append(gettext("The surveyed part of the survey plan does not determine the "
-                                 "boresight angles."))  # fmt: skip
-        found.append(
-            gettext(
-                "Form error of the targets: {planned:mm.2} mm planned, {estimated:mm.2} mm "
-                "estimated.",
-                planned=planned,
-                estimated=estimated,
-            )
-        )
-        return (*found, *map(str, self.off_plan), *map(str, self.costs))
 
 
 def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> PlanComparison:
@@ -145,33 +76,29 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         )
         for name in missing_targets
     ]
+    off_plan = [
+        gettext_lazy(
+            "Line {line:n} ({heading}) was surveyed at {distance:m.0} m.",
+            line=k + 1,
+            heading=plan.lines[k].name,
+            distance=line.distance,
+        )
+        for k, line in sorted(sailed_as.items())
+        if abs(line.distance - plan.lines[k].distance)
+        > max(MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE * plan.lines[k].distance)
+    ]
     return PlanComparison(
-        predict(plan).sigma,
-        sailed,
-        predict(_with_flatness(kept, found_flatness)).sigma,
-        np.asarray(result.sigma),
-        (plan.flatness, found_flatness),
-        missing_targets,
-        tuple(plan.lines[k] for k in unsailed),
-        tuple(
-            gettext_lazy(
-                "Line {line:n} ({heading}) was surveyed at {distance:m.0} m.",
-                line=k + 1,
-                heading=plan.lines[k].name,
-                distance=line.distance,
-            )
-            for k, line in sorted(sailed_as.items())
-            if abs(line.distance - plan.lines[k].distance)
-            > max(MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE * plan.lines[k].distance)
+        planned_sigma_deg=known_degrees(predict(plan).sigma),
+        surveyed_sigma_deg=known_degrees(sailed),
+        surveyed_with_form_error_sigma_deg=known_degrees(
+            predict(_with_flatness(kept, found_flatness)).sigma
         ),
-        tuple(costs),
+        obtained_sigma_deg=degrees(result.sigma),
+        flatness_m=(plan.flatness, found_flatness),
+        missing_targets=missing_targets,
+        missing_lines=tuple(plan.lines[k].name for k in unsailed),
+        messages=(*off_plan, *costs),
     )
-
-
-def _angle_cells(values: Array, decimals: int) -> tuple[str, str, str]:
-    """Roll, pitch and yaw as texts, with a dash for an angle that is not determined."""
-    a, b, c = (number(float(v), decimals) if np.isfinite(v) else "–" for v in values)
-    return a, b, c
 
 
 def _with_flatness(plan: Plan, flatness: float) -> Plan:

@@ -5,10 +5,11 @@ from pathlib import Path
 
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
+from lispac.present import visibility
 from lispac.progress import Progress, no_progress
 from lispac.report.csv_tables import csv_text
-from lispac.report.visibility_figures import CRITERIA, visibility_figure
-from lispac.report.visibility_tables import comparison_table, values_table
+from lispac.report.document_blocks import report_table
+from lispac.report.visibility_figures import visibility_figure
 from lispac.simulation.visibility_study import VisibilityStudy
 
 PNG_RESOLUTION_DPI = 200
@@ -40,9 +41,17 @@ def write_visibility(
     InputError
         If a file cannot be written.
     """
-    tables = [("values", values_table(study, errors))]
+    tables = [
+        (
+            "values",
+            report_table(
+                visibility.ERRORS_ON_BOARDS_TABLE, visibility.errors_on_boards(study, errors)
+            ),
+        )
+    ]
     if study.beams == "aimed":  # as in the thesis
-        tables.append(("best", comparison_table(study, errors)))
+        rows = visibility.compared_configurations(study, errors)
+        tables.append(("best", report_table(visibility.CONFIGURATIONS_WITH_REASONS_TABLE, rows)))
     written = []
     for name, table in tables:
         path = folder / f"{study.site.name}-{name}.csv"
@@ -50,7 +59,7 @@ def write_visibility(
             # The table already contains the line ends that spreadsheets expect.
             part.write_text(csv_text(table), encoding="utf-8", newline="")
         written.append(path)
-    drawn = [(error, criterion, form) for error in errors for criterion in CRITERIA
+    drawn = [(error, criterion, form) for error in errors for criterion in visibility.CRITERIA
              for form in formats]  # fmt: skip
     for k, (error, criterion, form) in enumerate(drawn):
         progress(k / len(drawn), gettext_lazy("Drawing the figures"))

@@ -36,10 +36,11 @@ from lispac.installation_paths import home_folder
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import N_, gettext, gettext_lazy
 from lispac.messages import error
+from lispac.present.planning import PlanComparison, SimulationValues
 from lispac.progress import Progress, Step
 from lispac.workflow.planning.parallel_map import process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys, write_field_plan
-from lispac.workflow.planning.plan_comparison import PlanComparison, compare_with_plan
+from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600
@@ -341,7 +342,8 @@ class SiteDesign(QObject):
 
         def done(result: MonteCarloResult) -> None:
             head = result_heading(titled.title, result, requested.surveys)
-            window.surveys.result_table.show_result(head, result, titled.plan)
+            values = SimulationValues.of(result)
+            window.surveys.result_table.show_result(head, values, titled.plan)
             window.surveys.result_table.set_current_plan(self.workspace.titled.plan)
             window.pictures.show_errors(result)
             window.show_figures()

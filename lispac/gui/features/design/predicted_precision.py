@@ -2,21 +2,20 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from lispac.design.objective import PlanObjective
 from lispac.design.plan import Plan
 from lispac.design.plan_choices import have_targets_one_orientation
 from lispac.design.plan_search import InformationGain, information_gains
-from lispac.design.prediction import Prediction, predict
-from lispac.gui.appearance import units
+from lispac.design.prediction import predict
+from lispac.gui.widgets.result_tables import local_number
 from lispac.io.config.plan_file import TitledPlan
-from lispac.language import N_, Plural, gettext, number
+from lispac.language import Plural, gettext
 from lispac.messages import Message, note
+from lispac.present.planning import NOTHING_PREDICTED, PredictionValues
+from lispac.present.tables import DEGREES
+from lispac.present.text_format import UNKNOWN_TEXT
 from lispac.progress import Progress, no_progress
 from lispac.workflow.planning.plan_checks import observability_messages
-
-NO_VALUE, UNDETERMINED = "–", N_("undetermined")
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,54 +24,33 @@ class PredictedPrecision:
 
     Attributes
     ----------
-    prediction : Prediction or None
-        Prediction; None if the plan has no target or no line.
     refused : whether the adjustment would refuse such a survey
     """
 
     plan: Plan
-    prediction: Prediction | None
+    prediction: PredictionValues
     refused: bool
 
     @classmethod
     def of(cls, plan: Plan) -> "PredictedPrecision":
         """Predict the precision of a plan."""
         if not plan.targets or not plan.lines:
-            return cls(plan, None, True)
-        found = predict(plan)
+            return cls(plan, NOTHING_PREDICTED, True)
+        found = PredictionValues.of(predict(plan))
         return cls(plan, found, not found.determined or have_targets_one_orientation(plan))
 
     @property
-    def sigmas(self) -> tuple[str, str, str]:
-        """Standard deviations of roll, pitch and yaw as texts."""
-        if self.prediction is None or not self.prediction.determined:
-            return NO_VALUE, NO_VALUE, NO_VALUE
-        a, b, c = (sigma_text(float(v)) for v in np.degrees(self.prediction.sigma))
-        return a, b, c
+    def sigmas(self) -> tuple[str, ...]:
+        """Standard deviations of roll, pitch and yaw as texts, in the unit of the user."""
+        sigma = self.prediction.sigma_deg
+        if sigma is None:
+            return (UNKNOWN_TEXT,) * 3
+        return tuple(local_number(value, DEGREES) for value in sigma)
 
     @property
-    def correlations(self) -> tuple[str, str, str]:
-        """Correlations roll-pitch, roll-yaw, pitch-yaw as texts."""
-        if self.prediction is None or not self.prediction.determined:
-            return NO_VALUE, NO_VALUE, NO_VALUE
-        rows = self.prediction.correlation
-        a, b, c = (
-            number(float(v), 2, sign=True).replace("-", "−")
-            for v in (rows[0, 1], rows[0, 2], rows[1, 2])
-        )
-        return a, b, c
-
-
-def sigma_text(degrees: float) -> str:
-    """Text of a standard deviation in the unit and the language of the user."""
-    if not np.isfinite(degrees):
-        return gettext(UNDETERMINED)
-    return units.localised(units.figure(degrees, "°", sigma_format(degrees)))
-
-
-def sigma_format(degrees: float) -> str:
-    """Format of a standard deviation in degrees."""
-    return ".4f" if degrees < 5.0 else ".2f"
+    def largest_deg(self) -> float | None:
+        """Largest of the standard deviations; None if they are not determined."""
+        return None if self.prediction.sigma_deg is None else max(self.prediction.sigma_deg)
 
 
 def plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:

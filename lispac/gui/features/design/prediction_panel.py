@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from html import escape
 
-import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
@@ -16,10 +15,13 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.features.design import edits, predicted_precision
 from lispac.gui.features.design.predicted_precision import PredictedPrecision
 from lispac.gui.features.design.workspace import Workspace
-from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
-from lispac.language import N_, current_language, gettext, number
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
+from lispac.gui.widgets.result_tables import html_table, window_columns, window_rows
+from lispac.language import N_, current_language, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present import planning
+from lispac.present.tables import cell_text, title_text
 from lispac.progress import Progress
 from lispac.workflow.planning.plan_checks import plan_warnings
 
@@ -165,9 +167,7 @@ class BackgroundPrediction(QObject):
 
 
 PLAN_KEYS = ("plan", "thesis")
-PLAN_TITLES = N_("this plan"), N_("Shahraji's plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
-ANGLE_PAIR_NAMES = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
 
 class PredictionPanel(QScrollArea):
@@ -181,7 +181,7 @@ class PredictionPanel(QScrollArea):
         self.setMinimumWidth(330)
         self._work = workspace
         self.predictor = BackgroundPrediction(workspace, self)
-        self._last = PredictedPrecision(workspace.titled.plan, None, True)
+        self._last = PredictedPrecision(workspace.titled.plan, planning.NOTHING_PREDICTED, True)
         body = QWidget()
         layout = widgets.vertical_layout(body, 12)
         unit = units.shown_unit("°").sign
@@ -191,7 +191,7 @@ class PredictionPanel(QScrollArea):
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        for column, title in enumerate(map(gettext, PLAN_TITLES), start=1):
+        for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
             grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
         self.sigma: dict[str, QLabel] = {}
         self.thesis: dict[str, QLabel] = {}
@@ -209,7 +209,7 @@ class PredictionPanel(QScrollArea):
                 shown.setAccessibleName(
                     gettext(
                         "Standard deviation of {angle} ({plan}), in {unit}",
-                        angle=named, plan=gettext(PLAN_TITLES[column - 1]), unit=unit,
+                        angle=named, plan=gettext(planning.PLAN_TITLES[column - 1]), unit=unit,
                     )
                 )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
@@ -243,8 +243,8 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
         self.gain_table = DiagnosticsTable(
             "design_gain",
-            gettext("Information gain of each target and line"),
-            _information_gain_columns(),
+            title_text(planning.GAINS_TABLE.title),
+            window_columns(planning.GAINS_TABLE),
         )
         self.gain_table.setMinimumHeight(170)
         layout.addWidget(self.gain_table, 1)
@@ -280,30 +280,19 @@ class PredictionPanel(QScrollArea):
         for angle, sigma in zip(ANGLES, self._last.sigmas, strict=True):
             self.sigma[angle].setText(sigma)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
-        pairs = zip(map(gettext, ANGLE_PAIR_NAMES), self._last.correlations, strict=True)
+        pairs = [
+            f"{title_text(column.title)} {cell_text(column, self._last.prediction)}"
+            for column in planning.PREDICTED_CORRELATIONS_TABLE.columns
+        ]
         separator = ", " if current_language() == "en" else " ; "
-        self.correlation.setText(
-            gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
-        )
+        self.correlation.setText(gettext("Correlations: {pairs}", pairs=separator.join(pairs)))
         self._show_point_counts()
 
     def _show_point_counts(self) -> None:
-        found, plan = self._last.prediction, self._last.plan
-        counts = {} if found is None else found.points
-        lines = [course.name for course in plan.courses] if plan.targets else []
-        names = [target.name for target in plan.targets]
-        # One row for each line, as in the table of lines; plans rarely have more targets.
-        head = "".join(
-            f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
-        )
-        rows = "".join(
-            f"<tr><td>{escape(line)}</td>"
-            + "".join(f"<td align='right'>&nbsp;&nbsp;{_point_count_text(counts, name, line)}</td>"
-                      for name in names)
-            + "</tr>"
-            for line in lines
-        )  # fmt: skip
-        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        table, rows = planning.points_table(self._last.plan, self._last.prediction)
+        heads = ["", *(escape(title_text(column.title)) for column in table.columns[1:])]
+        cells = [[escape(cell_text(column, row)) for column in table.columns] for row in rows]
+        self.points.setText(html_table(heads, cells))
         size = self.points.sizeHint()
         bar = self._points_area.horizontalScrollBar().sizeHint().height()
         self._points_area.setFixedHeight(size.height() + bar)
@@ -318,53 +307,9 @@ class PredictionPanel(QScrollArea):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
-        known = self._last.prediction is not None and self._last.prediction.determined
-        largest = float(np.degrees(self._last.prediction.sigma.max())) if known else np.nan
-        rows = []
-        for each in gains:
-            without = float(np.degrees(each.without))
-            times = without / largest if known and np.isfinite(without) else None
-            cells = [
-                Cell(each.name), _sigma_cell(without),
-                Cell("" if times is None else number(times, 2), times),
-            ]  # fmt: skip
-            rows.append(Row(cells))
-        self.gain_table.show_rows(rows)
+        rows = planning.gain_rows(gains, self._last.largest_deg)
+        self.gain_table.show_rows(window_rows(planning.GAINS_TABLE, rows))
 
     def stop(self) -> None:
         """Stop all computations."""
         self.predictor.stop()
-
-
-def _sigma_cell(degrees: float) -> Cell:
-    if not np.isfinite(degrees):
-        return Cell(gettext(predicted_precision.UNDETERMINED), degrees)
-    form = predicted_precision.sigma_format(degrees)
-    return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
-
-
-def _point_count_text(counts, target: str, line: str) -> str:
-    found = counts.get((target, line))
-    return number(found, 0) if found is not None else predicted_precision.NO_VALUE
-
-
-def _information_gain_columns() -> tuple[Column, Column, Column]:
-    return (
-        Column(
-            gettext("Omitted target or line"),
-            gettext("Target or line omitted from the survey plan"),
-            is_text=True,
-        ),
-        Column(
-            gettext("Largest σ (deg)"),
-            gettext("Largest of the three standard deviations if this target or line is omitted"),
-            base="°",
-        ),
-        Column(
-            gettext("Factor"),
-            gettext(
-                "Largest standard deviation if this target or line is omitted, divided by that of "
-                "the whole plan"
-            ),
-        ),
-    )

@@ -12,13 +12,14 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
-from lispac.gui.features.design.predicted_precision import sigma_text
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
+from lispac.gui.widgets.result_tables import local_number
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
+from lispac.present.tables import DEGREES
 
 # name of the attribute of `Site`: (label, unit, smallest value, largest value, tip)
 LIST_FIELDS = {
@@ -438,7 +439,7 @@ class SearchResult:
         """The text in the language and the unit in use."""
         criterion = gettext(CRITERION_TEXTS[self.objective.criterion])
         unit = units.shown_unit("°").sign
-        value = sigma_text(self.value) + (unit if unit in "°′″" else f" {unit}")
+        value = local_number(self.value, DEGREES) + (unit if unit in "°′″" else f" {unit}")
         if self.all_evaluated:
             return gettext(
                 "The best of all {count:n} possible plans replaces the former plan ({criterion}: "

@@ -1,8 +1,6 @@
 """Panel of simulated surveys, which verify the predicted standard deviations, and its table."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -21,25 +19,15 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.language import N_, LazyText, gettext
+from lispac.present.planning import ANGLES_BY_ROW_TABLE, PlanComparison, SimulationValues
+from lispac.present.tables import cell_text, title_text
 
 OUT_OF_DATE_TEXT = N_(
     "This result is out of date because the survey plan was changed. Run the computation again."
 )
 
 
-ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
-
-
-class AnglesResult(Protocol):
-    """Result with rows of a title and three angles, and with messages."""
-
-    @property
-    def rows(self) -> Sequence[Sequence[str]]:
-        """Title, roll, pitch and yaw of each row."""
-
-    @property
-    def summary_texts(self) -> Sequence[str]:
-        """Texts of the messages."""
+AnglesResult = SimulationValues | PlanComparison
 
 
 class AnglesTable(QWidget):
@@ -56,7 +44,7 @@ class AnglesTable(QWidget):
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(18)
         self._grid.setVerticalSpacing(3)
-        self._grid.setColumnStretch(len(ANGLE_NAMES) + 1, 1)
+        self._grid.setColumnStretch(len(ANGLES_BY_ROW_TABLE.columns), 1)
         layout.addWidget(self.head)
         layout.addWidget(self.hint)
         layout.addLayout(self._grid)
@@ -80,11 +68,13 @@ class AnglesTable(QWidget):
         self._clear()
         self._plan, self._shown = plan, (head, result, plan)
         self.head.setText(str(head))
-        angles = tuple(map(gettext, ANGLE_NAMES))
-        for row, (name, *cells) in enumerate([("", *angles), *result.rows]):
+        columns = ANGLES_BY_ROW_TABLE.columns
+        heads = [title_text(column.title) for column in columns]
+        rows = [[cell_text(column, each) for column in columns] for each in result.rows]
+        for row, (name, *cells) in enumerate([heads, *rows]):
             self._grid.addWidget(widgets.label(name, "muted"), row, 0)
-            for column, (angle, cell) in enumerate(zip(angles, cells, strict=True), start=1):
-                shown = widgets.label(cell.replace("-", "−"), "" if row else "muted")
+            for column, (angle, cell) in enumerate(zip(heads[1:], cells, strict=True), start=1):
+                shown = widgets.label(cell, "" if row else "muted")
                 shown.setFont(theme.tabular_font(shown.font()))
                 if row:
                     shown.setAccessibleName(f"{name}, {angle}")

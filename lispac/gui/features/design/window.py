@@ -34,7 +34,7 @@ from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.workflow.planning.plan_comparison import PlanComparison
+from lispac.present.planning import PlanComparison
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -33,6 +33,8 @@ from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_htm
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
+from lispac.present.tables import cell_text
 from lispac.project import Project, Triple
 
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
@@ -293,11 +295,11 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
 
 
 def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
-    _set_row_titles(table, [gettext(name) for name in ANGLE_NAMES])
-    for row in range(3):
-        _write_row(
-            table, row, [quantities.signed_number(each, 2) for each in result.correlation[row]]
-        )
+    _, *columns = CORRELATIONS_TABLE.columns
+    rows = correlation_rows(result.correlation)
+    _set_row_titles(table, [each.name for each in rows])
+    for row, angles in enumerate(rows):
+        _write_row(table, row, [cell_text(column, angles) for column in columns])
         for column in range(3):
             item = table.item(row, column)
             value = float(result.correlation[row, column])

@@ -3,20 +3,12 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
-
-from lispac.gui.app.actions import Actions
-from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.features.pick_targets.dialogs import TargetDialogs
-from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
-from lispac.gui.project.controller import Controller
-from lispac.gui.project.document import Document
+from lispac.gui.features.pick_targets.target_actions import SurveyActions, TargetTools
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.workflow.calibration.seed_lists import SeedOutcome
@@ -24,28 +16,16 @@ if TYPE_CHECKING:
 SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
 
-class SeedActions(QObject):
+class SeedActions(SurveyActions):
     """Actions that ask for seeds and search for their targets."""
 
-    def __init__(
-        self,
-        document: Document,
-        runner: TaskRunner,
-        controller: Controller,
-        dialogs: TargetDialogs,
-        actions: Actions,
-        panel: TargetsPanel,
-    ) -> None:
-        super().__init__(actions)
-        self._document, self._runner = document, runner
-        self._controller, self._dialogs = controller, dialogs
-        self._targets, self._actions = panel, actions
-        actions.connect_slots({"seed_coordinates": self.type_seed, "seed_list": self.list_seeds})
-        panel.type_seed.clicked.connect(lambda: self.type_seed())
-        panel.list_seeds.clicked.connect(lambda: self.list_seeds())
-        for changed in (document.changed, document.survey_changed, runner.changed):
-            changed.connect(self._enable_controls)
-        self._enable_controls()
+    def __init__(self, tools: TargetTools) -> None:
+        super().__init__(tools)
+        tools.actions.connect_slots(
+            {"seed_coordinates": self.type_seed, "seed_list": self.list_seeds}
+        )
+        tools.panel.type_seed.clicked.connect(lambda: self.type_seed())
+        tools.panel.list_seeds.clicked.connect(lambda: self.list_seeds())
 
     def type_seed(self) -> None:
         """Ask for coordinates and search for the target there."""
@@ -125,10 +105,6 @@ class SeedActions(QObject):
             gettext(found, file=path.name, found=len(names), count=len(outcomes))
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        project, survey = self._document.current_data
-        return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
         ready = self._current_data()[1] is not None

@@ -1,7 +1,7 @@
 """Actions on targets besides picking: rate, search again, propose, change the role."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -26,24 +26,48 @@ if TYPE_CHECKING:
     from lispac.workflow.calibration.proposals import Proposal
 
 
-class TargetActions(QObject):
+@dataclass(frozen=True, eq=False)
+class TargetTools:
+    """Objects that all actions on targets use."""
+
+    document: Document
+    runner: TaskRunner
+    controller: Controller
+    dialogs: TargetDialogs
+    actions: Actions
+    panel: TargetsPanel
+
+
+class SurveyActions(QObject):
+    """Base class of actions that need a loaded survey and an idle program."""
+
+    def __init__(self, tools: TargetTools) -> None:
+        super().__init__(tools.actions)
+        self._document, self._runner = tools.document, tools.runner
+        self._controller, self._dialogs = tools.controller, tools.dialogs
+        self._targets, self._actions = tools.panel, tools.actions
+        for changed in (
+            self._document.changed, self._document.survey_changed, self._runner.changed,
+            self._targets.current_changed,
+        ):  # fmt: skip
+            changed.connect(self._enable_controls)
+        self._enable_controls()
+
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
+        project, survey = self._document.current_data
+        return project, None if self._runner.busy else survey
+
+    def _enable_controls(self) -> None:
+        raise NotImplementedError
+
+
+class TargetActions(SurveyActions):
     """Controls proposals, repeated searches and the quality of targets."""
 
-    def __init__(
-        self,
-        document: Document,
-        runner: TaskRunner,
-        controller: Controller,
-        dialogs: TargetDialogs,
-        actions: Actions,
-        panel: TargetsPanel,
-        table: SightingsTable,
-    ) -> None:
-        super().__init__(actions)
-        self._document, self._runner = document, runner
-        self._controller, self._dialogs = controller, dialogs
-        self._targets, self._actions = panel, actions
-        self.quality_computation = QualityComputation(document, runner, self)
+    def __init__(self, tools: TargetTools, table: SightingsTable) -> None:
+        super().__init__(tools)
+        controller, panel, actions = tools.controller, tools.panel, tools.actions
+        self.quality_computation = QualityComputation(tools.document, tools.runner, self)
         self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
         self.quality_computation.candidate_rated.connect(panel.candidate.lights.show_qualities)
         controller.candidate_changed.connect(
@@ -70,11 +94,6 @@ class TargetActions(QObject):
                 "reject": controller.reject,
             }
         )
-        for changed in (
-            document.changed, document.survey_changed, runner.changed, panel.current_changed,
-        ):  # fmt: skip
-            changed.connect(self._enable_controls)
-        self._enable_controls()
 
     def propose(self) -> None:
         """Detect planes in all lines and propose targets."""
@@ -139,10 +158,6 @@ class TargetActions(QObject):
         edited, accepted = with_accepted_targets(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
         self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        project, survey = self._document.current_data
-        return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
         ready = self._current_data()[1] is not None

@@ -9,54 +9,16 @@ from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
-from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, spreadsheet_text
+from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
+from lispac.present.tables import title_text
+from lispac.present.text_format import sentence_text
 
 if TYPE_CHECKING:
+    from lispac.present.visibility import ComparedConfiguration
     from lispac.simulation.visibility_study import VisibilityStudy
 
-COLUMNS = (
-    (N_("Error"), N_("Systematic error and its size")),
-    (
-        N_("Accepted inclinations (deg)"),
-        N_(
-            "Inclinations at which the points still form the board (type I criterion of "
-            "Shahraji's thesis)"
-        ),
-    ),
-    (
-        N_("Accepted, Shahraji (deg)"),
-        N_("Accepted inclinations in appendix C and section 3.9 of Shahraji's thesis"),
-    ),
-    (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
-    (
-        N_("Best, Shahraji (deg)"),
-        N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
-    ),
-    (
-        N_("Headings (deg)"),
-        N_(
-            "Headings of the lines that show the error. Lines joined by / show the same, so one of "
-            "them is sufficient."
-        ),
-    ),
-    (
-        N_("Headings, Shahraji (deg)"),
-        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
-    ),
-    (
-        N_("Inclination (vs. thesis)"),
-        N_(
-            "Whether the best inclination is the same as in Shahraji's thesis; the tooltip of the "
-            "row gives the reason for a difference"
-        ),
-    ),
-    (
-        N_("Lines (vs. thesis)"),
-        N_("Whether the headings of the required lines are the same as in Shahraji's thesis"),
-    ),
-)
-"""Titles and tips of the columns."""
 READING_HINT = N_("Move the mouse over the chart to read values")
 SITE_NAMES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
@@ -70,12 +32,10 @@ class VisibilityDialog(StudyDialog):
     """
 
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
-        from lispac.report.visibility_figures import CRITERIA, systematic_error_label
+        from lispac.present.visibility import CONFIGURATIONS_TABLE as TABLE
+        from lispac.present.visibility import CRITERIA, systematic_error_label
 
-        columns = [Column(gettext(title), gettext(tip), is_text=True) for title, tip in COLUMNS]
-        table = DiagnosticsTable(
-            "visibility_table", gettext("Best inclination and lines for each error"), columns
-        )
+        table = DiagnosticsTable("visibility_table", title_text(TABLE.title), window_columns(TABLE))
         super().__init__(
             "visibility", dialog_title(ACTIONS["visibility"]),
             gettext(
@@ -148,8 +108,12 @@ class VisibilityDialog(StudyDialog):
         )
 
     def _on_site_changed(self) -> None:
-        from lispac.report.visibility_figures import systematic_error_label
-        from lispac.report.visibility_tables import all_errors_text, comparison_table
+        from lispac.present.visibility import (
+            CONFIGURATIONS_TABLE,
+            compared_configurations,
+            fewest_lines_text,
+            systematic_error_label,
+        )
 
         found = self._study
         self.error.blockSignals(True)
@@ -158,17 +122,15 @@ class VisibilityDialog(StudyDialog):
         self.error.addItems([systematic_error_label(each) for each in found.site.errors])
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
-        rows = comparison_table(found, found.site.errors).rows
-        self._reasons = [reason for *_, reason in rows]
-        self._summary = all_errors_text(found)
+        rows = compared_configurations(found, found.site.errors)
+        self._reasons = [_reason_text(row) for row in rows]
+        self._summary = fewest_lines_text(found)
         self.show_rows(
-            [
-                Row(
-                    [Cell(cell) for cell in cells], key=(error, ""), marked=bool(reason), tip=reason
-                )
-                for error, (*cells, reason) in zip(found.site.errors, rows, strict=True)
-            ]
-        )
+            window_rows(
+                CONFIGURATIONS_TABLE, rows, key=lambda row: (row.best.error, ""),
+                marked=lambda row: row.thesis.reason is not None, tip=_reason_text,
+            )
+        )  # fmt: skip
         self._draw()
 
     def _on_row_selected(self) -> None:
@@ -177,7 +139,8 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._study.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.report.visibility_figures import systematic_error_label, visibility_figure
+        from lispac.present.visibility import systematic_error_label
+        from lispac.report.visibility_figures import visibility_figure
 
         found, error, criterion = self._chart_selection
         visibility_figure(found, error, criterion, self.figure())
@@ -202,15 +165,20 @@ class VisibilityDialog(StudyDialog):
 
     def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""
-        from lispac.report.visibility_tables import values_at_inclination
+        from lispac.present.visibility import values_at_inclination
 
         if event.inaxes is not None:
             self.reading.setText(values_at_inclination(*self._chart_selection, event.xdata))
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
-        from lispac.report.visibility_tables import plot_table
+        from lispac.present.visibility import criterion_table
+        from lispac.report.document_blocks import report_table
 
-        table = plot_table(*self._chart_selection)
+        table = report_table(*criterion_table(*self._chart_selection))
         lines = [[column.title for column in table.columns], *table.rows]
-        return "\n".join("\t".join(line) for line in lines) + "\n"
+        return "".join("\t".join(map(spreadsheet_text, line)) + "\n" for line in lines)
+
+
+def _reason_text(row: "ComparedConfiguration") -> str:
+    return "" if row.thesis.reason is None else sentence_text(row.thesis.reason)

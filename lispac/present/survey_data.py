@@ -1,0 +1,165 @@
+"""Input files, lines, trajectory and picked surfaces of a survey, as values and tables."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lispac.language import N_, gettext
+from lispac.messages import Message
+from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, SECONDS, Column, Format, Table
+from lispac.present.targets import shape_text
+
+FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
+"""Roles of the input files other than those of the lines."""
+LINE_ROLE = "Line "
+"""Role of the file of a line, before the name of the line."""
+
+
+@dataclass(frozen=True)
+class InputFile:
+    """Input file of the project; size and digest are None if the file could not be read."""
+
+    role: str
+    name: str
+    size_bytes: int | None
+    sha256: str | None
+
+
+def _role_text(file: InputFile) -> str:
+    if file.role in FILE_ROLES:
+        return gettext(file.role)
+    return gettext("Line {name}", name=file.role.removeprefix(LINE_ROLE))
+
+
+FILES_TABLE = Table[InputFile](
+    N_("Input files"),
+    (
+        Column(_role_text, N_("Role")),
+        Column("name", N_("File")),
+        Column("size_bytes", N_("Size\n(bytes)"), COUNT),
+        Column("sha256", "SHA-256", unknown=N_("not readable"), is_code=True),
+    ),
+)
+
+
+@dataclass(frozen=True)
+class PickedPlane:
+    """Picked target or validation plane.
+
+    ``sphere_radius_m`` is None for a plane or an unknown radius; ``radius_m`` is the search radius.
+    """
+
+    name: str
+    role: str
+    shape: str
+    sphere_radius_m: float | None
+    used: bool
+    seed_local_m: tuple[float, ...]
+    threshold_m: float
+    radius_m: float
+    lines: tuple[str, ...]
+    excluded_lines: tuple[str, ...]
+    missing: Mapping[str, Message]
+
+
+def _plane_role_text(plane: PickedPlane) -> str:
+    if plane.role == "target":
+        return gettext("target") if plane.used else gettext("target, excluded")
+    return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
+
+
+SEED_METRES = Format("m", 2, is_grouped=False)
+
+
+def planes_table(lines: int) -> Table[PickedPlane]:
+    """Table of the picked surfaces of a survey.
+
+    Parameters
+    ----------
+    lines : int
+        Number of lines of the survey.
+    """
+    return Table(
+        N_("Targets and validation planes (coordinates of the seed in the local frame)"),
+        (
+            Column("name", N_("Name")),
+            Column(_plane_role_text, N_("Role")),
+            Column(lambda plane: shape_text(plane.shape, plane.sphere_radius_m), N_("Shape")),
+            Column(lambda plane: plane.seed_local_m[0], N_("North"), SEED_METRES),
+            Column(lambda plane: plane.seed_local_m[1], N_("West"), SEED_METRES),
+            Column(lambda plane: plane.seed_local_m[2], N_("Up"), SEED_METRES),
+            Column("threshold_m", N_("Threshold"), MILLIMETRES),
+            Column(
+                lambda plane: gettext(
+                    "{count:n} of {total:n}", count=len(plane.lines), total=lines
+                ),
+                N_("Lines"),
+            ),
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class LineValues:
+    """One line of the survey."""
+
+    name: str
+    file: str
+    heading_deg: float | None
+    points: int | None
+    track_local_m: tuple[tuple[float, float], ...]
+
+
+LINES_TABLE = Table[LineValues](
+    N_("Lines"),
+    (
+        Column("name", N_("Line")),
+        Column("file", N_("File")),
+        Column(
+            lambda line: None if line.heading_deg is None else line.heading_deg % 360,
+            N_("Heading"), Format("deg", 1),
+        ),
+        Column("points", N_("Points"), COUNT),
+    ),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class LineTrajectorySummary:
+    """Summary of the trajectory during one line, with its largest given standard deviations.
+
+    Attributes
+    ----------
+    interval_s : usual time between two states of the trajectory
+    longest_gap_s : longest time between two states
+    motion_deg : standard deviations of roll and of pitch, which describe the motion of the vessel
+    """
+
+    line: str
+    duration_s: float
+    speed_m_s: float
+    interval_s: float
+    longest_gap_s: float
+    motion_deg: tuple[float, float]
+    sigma_horizontal_m: float
+    sigma_vertical_m: float
+    sigma_roll_pitch_deg: float
+    sigma_heading_deg: float
+
+
+MOTION = Format("deg", 2)
+TRAJECTORY_TABLE = Table[LineTrajectorySummary](
+    N_("Trajectory on each line"),
+    (
+        Column("line", N_("Line")),
+        Column("duration_s", N_("Duration"), Format("s", 1, is_grouped=False)),
+        Column("speed_m_s", N_("Speed"), Format("m/s", 2)),
+        Column("interval_s", N_("Sampling\ninterval"), SECONDS),
+        Column("longest_gap_s", N_("Longest\ngap (s)"), Format("", 3, is_grouped=False)),
+        Column(lambda line: line.motion_deg[0], N_("Roll"), MOTION),
+        Column(lambda line: line.motion_deg[1], N_("Pitch"), MOTION),
+        Column("sigma_horizontal_m", N_("Horizontal"), MILLIMETRES),
+        Column("sigma_vertical_m", N_("Vertical"), MILLIMETRES),
+        Column("sigma_roll_pitch_deg", N_("Roll, pitch"), DEGREES),
+        Column("sigma_heading_deg", N_("Heading"), DEGREES),
+    ),
+)
