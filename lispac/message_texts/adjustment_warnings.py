@@ -95,8 +95,8 @@ TEXTS: Mapping[str, Template] = {
         "instead of the three angles."
     ),
     "adjustment.surface_held": N_(
-        "The surface roughness is fixed at 0, so the sightings are not tested against each other. "
-        "Estimate the roughness from the data to test them."
+        "The form error of the targets is fixed at 0, so the sightings are not tested against each "
+        "other. Estimate the form error from the data to test them."
     ),
     "adjustment.surfaces_differ": N_(
         "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more than "

@@ -106,7 +106,9 @@ TEXTS: Mapping[str, Template] = {
     "settings.zero_correlation_time": N_(
         "A correlation time of the POS errors is zero or negative. Give times longer than 0 s."
     ),
-    "settings.negative_surface": N_("The surface roughness is negative. Give zero or more."),
+    "settings.negative_surface": N_(
+        "The form error of the targets is negative. Give zero or more."
+    ),
     "settings.zero_longest_gap": N_(
         "The longest trajectory gap to interpolate is zero or negative. Give a time longer than 0 "
         "s."
@@ -154,7 +156,7 @@ TEXTS: Mapping[str, Template] = {
     "setting.scan_angle_offset": N_("Scan-angle offset"),
     "setting.latency": N_("Latency"),
     "setting.correlation_time": N_("Correlation time of the POS errors"),
-    "setting.surface": N_("Surface roughness"),
+    "setting.surface": N_("Form error of the targets"),
     "setting.longest_gap": N_("Longest trajectory gap to interpolate"),
     # -- description of the calibration --------------------------------------------------------
     "identity.several_lines": N_(

@@ -67,7 +67,9 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
                 "no common error."
             )
         else:
-            untested = gettext("Sightings are not tested: the surface roughness was set to zero.")
+            untested = gettext(
+                "Sightings are not tested: the form error of the targets was set to zero."
+            )
         return [Paragraph(untested)]
     found = [each for each in adjustment.sightings if each.is_tested]
     return [

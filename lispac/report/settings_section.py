@@ -49,7 +49,7 @@ CORRELATION_TIMES_TEXT = N_(
     "processing report if it gives them. Too short a time is safer than too long a time."
 )
 SURFACE_SIGMA_TEXT = N_(
-    "Surface roughness: standard deviation of the offset of a whole sighting from the common "
+    "Form error of the targets: standard deviation of the offset of a whole sighting from the common "
     "surface of all lines."
 )
 VARIANCE_COMPONENTS_TEXT = N_(
@@ -156,7 +156,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
     if adjustment is not None and used.pos_errors == "correlated":
         values.append((gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
-        values.append((gettext("Surface roughness (1 sigma)"), _surface_sigma_text(used)))
+        values.append((gettext("Form error of the targets (1 sigma)"), _surface_sigma_text(used)))
     loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
     return [*values, (gettext("Outliers"), loss)]
 

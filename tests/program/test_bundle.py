@@ -43,7 +43,7 @@ def test_names_are_those_of_the_package() -> None:
 
 def test_both_programs_start_the_entry_points_of_the_package() -> None:
     start = (CHECKOUT / "installer" / "bundling" / "start.py").read_text(encoding="utf-8")
-    (line,) = re.findall(r"^MAIN = (.*)", start, re.MULTILINE)
+    (line,) = re.findall(r"^MAIN_MODULES = (.*)", start, re.MULTILINE)
     assert {name: f"{module}:main" for name, module in ast.literal_eval(line).items()} == scripts()
 
 

@@ -227,7 +227,7 @@ CASES = [
     ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
-    ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
+    ("surface_held", False, _model(surface=0.0), "The form error of the targets is fixed at 0"),
     ("released", False, _sighting(rejected=True, shift=-0.0483, w=-9.34), "was rejected: "
      "T1 on line L1 (displaced by 48.3 mm, test value w = -9.3)."),
     ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "but is used: T1 on line "

@@ -66,7 +66,7 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
         (0.0032, "offsets 3.2\u00a0mm, tilts 0.4\u00a0mm"),
     ):
         result = replace(project.result, offset=offset)
-        assert result_texts.roughness_text(result) == words
+        assert result_texts.form_error_text(result) == words
         said = result_values(result, None)
         assert (said["surface_sigma_m"], said["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))

@@ -85,7 +85,9 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     assert said["Correlation times (position, attitude)"].startswith(
         "300 s and 600 s: time over which a POS error persists"
     )
-    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, estimated from the data")
+    assert said["Form error of the targets (1 sigma)"].startswith(
+        "0.4\u00a0mm, estimated from the data"
+    )
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
     assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
@@ -98,7 +100,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
         "T2: 1.4\u00a0times the given noise; the sigmas"
     )
     assert "T1" not in said["Estimated LiDAR noise"]
-    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, as given")
+    assert said["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
     noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
@@ -298,7 +300,7 @@ def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> No
     content = sample_content(replace(project, result=None, cross_checks=None))
     titles = {section.title for section in report_document(content, {}).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
-    roughness = _settings(content)["Surface roughness (1 sigma)"]
+    roughness = _settings(content)["Form error of the targets (1 sigma)"]
     assert roughness.startswith("to be estimated from the data")
 
 

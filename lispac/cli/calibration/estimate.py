@@ -35,14 +35,14 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--subsample",
         type=non_negative_number,
         metavar="METRES",
-        help="point spacing (m): closer points are averaged, or with independent POS errors "
+        help="point spacing (m): closer points are averaged, or with uncorrelated POS errors "
         "thinned to one (default 0.10; 0 keeps all points)",
     )
     parser.add_argument(
         "--pos-errors",
         choices=("independent", "correlated"),
         help="model of the POS errors: correlated between neighbouring points (default), or "
-        "independent for each point (classical model; its sigmas are too small)",
+        "uncorrelated (classical model, one error for each point; its sigmas are too small)",
     )
     for name, default in (("position", 300), ("attitude", 600)):
         parser.add_argument(
@@ -56,13 +56,13 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--surface",
         type=_surface_sigma,
         metavar="METRES",
-        help="surface roughness (m): standard deviation of the offset of a whole sighting from the "
+        help="form error of the targets (m): standard deviation of the offset of a whole sighting from the "
         "common surface of all lines (default auto: estimated from the data)",
     )
     parser.add_argument(
         "--loss",
         choices=("auto", "none", "huber", "tukey"),
-        help="loss function for outliers (default auto: tukey; with independent POS errors none)",
+        help="loss function for outliers (default auto: tukey; with uncorrelated POS errors none)",
     )
     parser.add_argument(
         "--estimate",

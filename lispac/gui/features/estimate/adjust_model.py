@@ -1,4 +1,4 @@
-"""Advanced settings: correlation times, surface roughness, outliers, LiDAR noise."""
+"""Advanced settings: correlation times, form error, outliers, LiDAR noise."""
 
 from dataclasses import replace
 
@@ -86,13 +86,13 @@ class ModelSettings(QWidget):
         self.times = _WrappedText(gettext(CORRELATION_TIMES_HINT), "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional_field(
-            "surface", gettext("Surface roughness"), "mm", _MM_PER_M, gettext("estimated"),
+            "surface", gettext("Form error of the targets"), "mm", _MM_PER_M, gettext("estimated"),
             gettext(
                 "Standard deviation of the surface of a target in one line from its common "
                 "surface in all lines"
             ),
         )  # fmt: skip
-        form.addRow(gettext("Roughness, {unit}", unit=units.shown_unit("mm").sign), self.surface)
+        form.addRow(gettext("Form error, {unit}", unit=units.shown_unit("mm").sign), self.surface)
         self.loss = widgets.ChoiceBox(
             "loss", [gettext(title) for _, title, _ in LOSSES],
             gettext("Weight of outliers: points far from the surface of their target"),
@@ -228,7 +228,7 @@ class ModelSettings(QWidget):
         if loss := LOSSES[self.loss.currentIndex()][0]:
             settings.append(gettext(LOSS_SUMMARIES[loss]))
         if self.surface.text().strip():
-            settings.append(gettext("given surface roughness"))
+            settings.append(gettext("given form error"))
         if self.components.isChecked():
             settings.append(gettext("variance components estimated"))
         if self.one_facing.isChecked():

@@ -18,7 +18,7 @@ from lispac.present.parameters import (
     significance_text,
 )
 
-MIN_SHOWN_ROUGHNESS_M = 5e-5
+MIN_SHOWN_FORM_ERROR_M = 5e-5
 """Smallest surface sigma, metres, that is not shown as 0.0 mm."""
 _TENTH_MM_IN_M = 1e-4
 
@@ -38,24 +38,24 @@ def observation_counts(result: AdjustmentResult) -> str:
     return f"{points}, {sightings}; {outliers}"
 
 
-def roughness_text(result: AdjustmentResult) -> str:
+def form_error_text(result: AdjustmentResult) -> str:
     """Text of the standard deviation of the surfaces, or the reason why there is none."""
     if not result.model.correlated:
         return "–"
     if result.model.surface == 0:
         return gettext("fixed at 0")
-    if result.surfaces.max() < MIN_SHOWN_ROUGHNESS_M:
+    if result.surfaces.max() < MIN_SHOWN_FORM_ERROR_M:
         return gettext("not detected")
     if result.offset is None:
-        return _roughness_value_text(result.surface)
+        return _form_error_value_text(result.surface)
     return gettext(
         "offsets {offset}, tilts {tilt}",
-        offset=_roughness_value_text(result.offset), tilt=_roughness_value_text(result.surface),
+        offset=_form_error_value_text(result.offset), tilt=_form_error_value_text(result.surface),
     )  # fmt: skip
 
 
-def _roughness_value_text(metres: float) -> str:
-    if metres < MIN_SHOWN_ROUGHNESS_M:
+def _form_error_value_text(metres: float) -> str:
+    if metres < MIN_SHOWN_FORM_ERROR_M:
         return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM_IN_M, "mm", 1))
     return quantities.amount(1000 * metres, "mm", 1)
 
@@ -65,7 +65,7 @@ GOOD_FIT_TEXTS = (
     N_("The residuals agree with the given standard deviations."),
 )
 """Text for a result without warnings, and text for one with warnings; likewise below."""
-GOOD_FIT_WITH_ROUGHNESS_TEXTS = (
+GOOD_FIT_WITH_FORM_ERROR_TEXTS = (
     N_(
         "The residuals agree with the given standard deviations if the target surfaces vary by "
         "{most:mm.1} mm from line to line. The uncertainties are realistic."
@@ -97,7 +97,7 @@ def fit_verdict(
             result.model.surface is None
             and (most := float(result.surfaces.max())) > MAX_FLAT_FORM_SIGMA
         ):
-            sure, unsure = GOOD_FIT_WITH_ROUGHNESS_TEXTS
+            sure, unsure = GOOD_FIT_WITH_FORM_ERROR_TEXTS
             return gettext(sure if is_sure else unsure, most=most)
         return gettext(GOOD_FIT_TEXTS[0] if is_sure else GOOD_FIT_TEXTS[1])
     if result.variance_factor > 1:

@@ -183,7 +183,7 @@ class ResultsPanel(QWidget):
             ("chi", gettext("Chi-square test")),
             ("points", gettext("Points, sightings")),
             ("model", gettext("POS correlation time")),
-            ("surface", gettext("Surface roughness")),
+            ("surface", gettext("Form error of the targets")),
             ("iterations", gettext("Iterations, time")),
         ):
             value = widgets.label(name=f"result_{key}", rich=True)
@@ -202,7 +202,7 @@ class ResultsPanel(QWidget):
             "chi": result_texts.chi_square_text(result),
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
-            "surface": result_texts.roughness_text(result),
+            "surface": result_texts.form_error_text(result),
             "iterations": gettext(
                 "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
             ),

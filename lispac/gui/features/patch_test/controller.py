@@ -347,9 +347,7 @@ class PatchTestController(QObject):
             panel = self.panel
             panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             panel.angles.show_found(result.boresight, result.sigma, result.curvature)
-            panel.message_label.setText(
-                units.convert_unit_signs("\n".join(map(message_text, result.messages)), "°", "mm")
-            )
+            panel.message_label.setText("\n".join(map(message_text, result.messages)))
             panel.mark_objects({each.name: each.disagreement for each in result.disagreeing})
             self._draw_lines()
             self._enable_controls()

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
-from lispac.gui.appearance import units
 from lispac.gui.features.patch_test.angles import PatchAngles
 from lispac.gui.features.patch_test.pictures import CurvePicture, LinesPicture
 from lispac.language import N_, gettext
@@ -283,7 +282,7 @@ class PatchTestPanel(QWidget):
                 item = self.objects.item(row)
                 found = messages.get(_item_name(item))
                 item.setText(f"{_item_name(item)} ⚠" if found else _item_name(item))
-                tip = "" if found is None else units.convert_unit_signs(message_text(found), "°")
+                tip = "" if found is None else message_text(found)
                 item.setToolTip(widgets.plain_tip(tip))
 
     def show_empty(self, reason: str) -> None:
