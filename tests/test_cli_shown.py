@@ -245,11 +245,11 @@ def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_
     np.savetxt(matrix, np.eye(3))
     words = ("angles", "--from-matrix", matrix, "--from", "pdal", "--to", "lispac")
     out, _ = printed_by(capsys, *words)
-    before, after = out.split("\nTO ")
-    assert before.startswith("FROM        PDAL")
-    assert "degrees" not in before
-    assert "degrees" in after
-    assert "lever arm" not in out, "none was given"
+    before, after = out.split("\nTo ")
+    assert before.startswith("From PDAL")
+    assert "(deg)" not in before
+    assert "(deg)" in after
+    assert "Lever arm" not in out, "none was given"
 
 
 def test_a_budget_shows_what_nobody_knows(

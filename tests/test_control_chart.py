@@ -110,7 +110,8 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     names = [each["name"] for each in first["calibrations"]]
     assert names == ["2024/spring", "2025/spring", "autumn"]
     assert [each["moved"] for each in first["calibrations"]] == [False, False, True]
-    assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
+    difference = first["calibrations"][2]["change"]["difference_deg"]
+    assert difference["pitch"] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
     assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
     # A copy of a survey, estimated again, is no further survey.

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.language import LazyText, gettext_lazy, join_sentences
+from lispac.language import N_, LazyText, gettext_lazy, join_sentences
 from lispac.messages import Message, error, note
 from lispac.survey.conventions.axes import (
     FORWARD_PORT_UP,
@@ -25,6 +25,8 @@ Array = NDArray[np.float64]
 LOCKED = 1e-8
 """Cosine of the middle angle below which the two outer angles are not separable."""
 NEARLY_LOCKED = np.cos(np.radians(80.0))
+DEFINED_BY_FORMULA = N_("defined by the formula")
+"""Meaning of an angle about body axes that the user has given."""
 ORTHOGONAL = 5e-6
 """Largest deviation of a typed matrix from a rotation: rounding to six decimals."""
 
@@ -68,11 +70,13 @@ class ConventionSetup:
         return self.convention.status if self.is_as_documented else "unverified"
 
     @property
-    def signs(self) -> LazyText:
-        """Description of the signs of the angles, if the body axes are those of the convention."""
-        if self.axes == self.convention.axes:
-            return self.convention.signs
-        return gettext_lazy("the signs follow from the given axes, by the right-hand rule")
+    def meanings(self) -> tuple[LazyText, ...]:
+        """Sign of each angle; that of the convention holds for its own body axes only."""
+        is_kept = self.axes == self.convention.axes
+        return tuple(
+            gettext_lazy(turn.meaning if is_kept else DEFINED_BY_FORMULA)
+            for turn in self.convention.turns
+        )
 
     @property
     def permutation(self) -> Array:

@@ -15,6 +15,7 @@ from lispac.errors import LispacError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
+from lispac.present.calibrations import DatedCalibration
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.validation.control_chart import ChartedCalibration, control_chart
@@ -70,6 +71,13 @@ class HistoryEntry:
     project: Project
     day: date
     charted: ChartedCalibration
+
+    @property
+    def values(self) -> DatedCalibration:
+        """The calibration as a row of tables and JSON."""
+        return DatedCalibration.of(
+            self.day, self.project.folder, self.charted, _change_message(self.charted)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,9 +202,8 @@ def read_histories(
     return tuple(found), messages
 
 
-def change_message(entry: HistoryEntry) -> Message:
-    """Message that compares a calibration with the earlier ones."""
-    charted = entry.charted
+def _change_message(charted: ChartedCalibration) -> Message:
+    """Comparison of a calibration with the earlier ones."""
     name, change = charted.calibration.name, charted.change
     if change is None:
         return note("history.first", name=name)
