@@ -13,6 +13,7 @@ from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.message_texts import message_text
 from lispac.messages import note
+from lispac.present.calibrations import DatedCalibration
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import CHANCE, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
@@ -155,7 +156,7 @@ def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
     opened = read_project(tmp_path / "b")
     opened = replace(opened, identity=opened.identity.changed(dates="2023-01-01"))
     (history,), _ = read_histories([tmp_path], also=[opened])
-    assert [each.day for each in history.entries] == [date(2023, 1, 1), date(2024, 5, 2)]
+    assert [each.day for each in history.calibrations] == [date(2023, 1, 1), date(2024, 5, 2)]
     assert history.system.is_same_system(CalibratedSystem("NORDLYS", "vz-400i", "s1"))
 
 
@@ -163,7 +164,10 @@ def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
 def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int, ...]) -> None:
     chart = control_chart(calibrations(np.random.default_rng(5), np.zeros((len(days), 3))))
     at = [date(2025, 11, day) for day in days]
-    axes = control_chart_figure(at, chart).axes[-1]
+    first = note("history.first", name="first")
+    axes = control_chart_figure(
+        [DatedCalibration.of(day, Path(), each, first) for day, each in zip(at, chart, strict=True)]
+    ).axes[-1]
     first, last = axes.get_xlim()
     dots = [x for line in axes.lines for x in line.get_xdata()]
     bands = [path.vertices[:, 0] for each in axes.collections for path in each.get_paths()]
@@ -186,6 +190,6 @@ def test_what_is_not_estimated_or_not_named_is_reported(tmp_path: Path) -> None:
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = read_histories([tmp_path])
     assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
-    told = {history.entries[0].project.name: history.messages for history in found}
+    told = {history.calibrations[0].folder.name: history.messages for history in found}
     assert note("history.unnamed_system") not in told["a"]  # its scanner is named
     assert note("history.unnamed_system") in told["c"]

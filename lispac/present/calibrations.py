@@ -139,7 +139,7 @@ class DatedCalibration:
 
     day: date
     name: str
-    folder: str
+    folder: Path
     boresight_deg: Angles
     sigma_deg: Angles
     series: int
@@ -158,7 +158,7 @@ class DatedCalibration:
         return cls(
             day=day,
             name=charted.calibration.name,
-            folder=str(folder),
+            folder=folder,
             boresight_deg=degrees(charted.calibration.boresight),
             sigma_deg=degrees(charted.calibration.sigma),
             series=charted.series,

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from operator import itemgetter
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,7 +80,21 @@ class ConventionRules:
     @classmethod
     def of(cls, setup: ConventionSetup) -> "ConventionRules":
         """Rules of a convention."""
-        return ConventionRules(**_rules(setup))
+        convention = setup.convention
+        return ConventionRules(
+            system=convention.key,
+            name=convention.name,
+            status=setup.status,
+            status_text=gettext_lazy(STATUS_WORDS[setup.status]),
+            source=gettext_lazy(convention.source),
+            assumption=setup.assumption,
+            check_first=None if setup.status == "verified" else CHECK_FIRST,
+            angles=tuple(map(AngleRule, map(gettext_lazy, convention.names), setup.meanings)),
+            formula=convention.formula,
+            direction_text=DIRECTION_WORDS[convention.direction],
+            body_axes=tuple(map(gettext_lazy, setup.axes)),
+            scanner_text=gettext_lazy(SCANNER_WORDS[setup.scanner_frame]),
+        )
 
 
 @dataclass(frozen=True)
@@ -116,7 +129,7 @@ class ConventionValues(ConventionRules):
         mounting : Mounting
             The mounting in the convention of this program.
         """
-        rules = _rules(converted.setup) | {
+        rules = vars(ConventionRules.of(converted.setup)) | {
             "angles": _angle_values(converted),
             "scanner_text": converted.setup.scanner_axes(mounting.rotation_body_lidar),
         }
@@ -248,27 +261,6 @@ def _mounting_in_convention(project: Project, key: str) -> MountingInSystem | No
         return None
     covariance = np.asarray(project.result.covariance)[:3, :3]
     return convert_to_system(project.mounting("estimated"), setup, covariance)
-
-
-def _rules(setup: ConventionSetup) -> dict[str, Any]:
-    convention = setup.convention
-    return {
-        "system": convention.key,
-        "name": convention.name,
-        "status": setup.status,
-        "status_text": gettext_lazy(STATUS_WORDS[setup.status]),
-        "source": gettext_lazy(convention.source),
-        "assumption": setup.assumption,
-        "check_first": None if setup.status == "verified" else CHECK_FIRST,
-        "angles": tuple(
-            AngleRule(gettext_lazy(turn.name), meaning)
-            for turn, meaning in zip(convention.turns, setup.meanings, strict=True)
-        ),
-        "formula": convention.formula,
-        "direction_text": DIRECTION_WORDS[convention.direction],
-        "body_axes": tuple(map(gettext_lazy, setup.axes)),
-        "scanner_text": gettext_lazy(SCANNER_WORDS[setup.scanner_frame]),
-    }
 
 
 def _angle_values(converted: MountingInSystem) -> tuple[ConventionAngle, ...]:

@@ -45,15 +45,7 @@ def run(arguments: Namespace) -> None:
     if arguments.picture is not None:
         _draw_chart(arguments, found[0])
     if arguments.json:
-        systems = [
-            {
-                "system": each.system,
-                "calibrations": [entry.values for entry in each.entries],
-                "messages": each.messages,
-            }
-            for each in found
-        ]
-        print_json(json_values({"systems": systems, "messages": messages}))
+        print_json(json_values({"systems": found, "messages": messages}))
         return
     for each in found:
         _print_history(each)
@@ -65,10 +57,9 @@ def _print_history(history: CalibrationHistory) -> None:
     from lispac.present.calibrations import CHANGES_TABLE, DATED_CALIBRATIONS_TABLE
 
     print(f"{history.system.full_name}\n")
-    rows = [each.values for each in history.entries]
-    print_table(DATED_CALIBRATIONS_TABLE, rows)
-    print_table(CHANGES_TABLE, rows)
-    for each in rows:
+    for table in (DATED_CALIBRATIONS_TABLE, CHANGES_TABLE):
+        print_table(table, history.calibrations)
+    for each in history.calibrations:
         print(message_text(each.message))
     print()
 
@@ -77,8 +68,6 @@ def _draw_chart(arguments: Namespace, history: CalibrationHistory) -> None:
     from lispac.io.files import atomic_write
     from lispac.report.control_charts import control_chart_figure
 
-    figure = control_chart_figure(
-        [each.day for each in history.entries], [each.charted for each in history.entries]
-    )
+    figure = control_chart_figure(history.calibrations)
     with atomic_write(arguments.picture) as temporary:
         figure.savefig(temporary, format=arguments.picture.suffix[1:].lower(), dpi=200)

@@ -64,28 +64,12 @@ class CalibratedSystem:
         ]
 
 
-@dataclass(frozen=True, eq=False)
-class HistoryEntry:
-    """One calibration of the history."""
-
-    project: Project
-    day: date
-    charted: ChartedCalibration
-
-    @property
-    def values(self) -> DatedCalibration:
-        """The calibration as a row of tables and JSON."""
-        return DatedCalibration.of(
-            self.day, self.project.folder, self.charted, _change_message(self.charted)
-        )
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class CalibrationHistory:
     """Calibrations of one system, the earliest first, with notes."""
 
     system: CalibratedSystem
-    entries: tuple[HistoryEntry, ...]
+    calibrations: tuple[DatedCalibration, ...]
     messages: tuple[Message, ...] = ()
 
 
@@ -195,7 +179,7 @@ def read_histories(
             groups.append(group := [])
         group.append(each)
     found = sorted(
-        (_system_history(group) for group in groups), key=lambda each: -len(each.entries)
+        (_system_history(group) for group in groups), key=lambda each: -len(each.calibrations)
     )
     progress(1.0)
     messages = tuple(note("history.excluded", reason=each) for each in excluded)
@@ -232,11 +216,11 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
     system = CalibratedSystem.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM_FIELDS):
         messages.append(note("history.unnamed_system"))
-    entries = [
-        HistoryEntry(project, day, charted)
+    calibrations = tuple(
+        DatedCalibration.of(day, project.folder, charted, _change_message(charted))
         for (day, project), charted in zip(group, chart, strict=True)
-    ]
-    return CalibrationHistory(system, tuple(entries), tuple(messages))
+    )
+    return CalibrationHistory(system, calibrations, tuple(messages))
 
 
 def _without_repeated_surveys(

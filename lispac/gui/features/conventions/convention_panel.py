@@ -289,8 +289,9 @@ class ConventionPanel(QWidget):
             self._show_refusal(str(error))
             return
         values = ConventionValues.of_mounting(
-            new.in_system, new.mounting, has_lever_arm=new.has_lever_arm
-        )
+            new.in_system, new.mounting,
+            has_lever_arm=new.has_lever_arm, warning=inputs.sigma_warning,
+        )  # fmt: skip
         correction = CorrectionValues.of(new)
         self.imu.show_z(setup.axes[2])
         self._show_rules(values)
@@ -367,8 +368,8 @@ class ConventionPanel(QWidget):
             lines.append(f"{text}<br>{_matrix_html(correction.transform or correction.matrix)}")
         if values.note is not None:
             lines.append(f"<b>{message_text(values.note)}</b>")
-        if self.inputs.sigma_warning and any(angle.sigma_deg for angle in values.angles):
-            lines.append(self.inputs.sigma_warning)
+        if values.warning is not None and any(angle.sigma_deg for angle in values.angles):
+            lines.append(message_text(values.warning))
         self.notes.setText("<br>".join(lines))
         self.notes.setVisible(bool(lines))
 

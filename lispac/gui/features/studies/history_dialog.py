@@ -54,7 +54,7 @@ class HistoryDialog(StudyDialog):
         self.show_rows(
             window_rows(
                 HISTORY_TABLE,
-                [each.values for each in history.entries],
+                history.calibrations,
                 marked=lambda row: row.moved,
                 tip=lambda row: message_text(row.message),
             )
@@ -62,11 +62,7 @@ class HistoryDialog(StudyDialog):
         messages = map(message_text, (*history.messages, *self._notes))
         self.message_label.setText("\n".join(messages))
         self.message_label.setVisible(bool(self.message_label.text()))
-        control_chart_figure(
-            [each.day for each in history.entries],
-            [each.charted for each in history.entries],
-            self.figure(),
-        )
+        control_chart_figure(history.calibrations, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(
             gettext("Control chart of {system}", system=_system_name(history.system))
