@@ -101,9 +101,8 @@ class ConventionRules:
 class ConventionValues(ConventionRules):
     """Boresight and lever arm in the convention of another program, and its status.
 
-    ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres;
-    ``angles`` are in the order in which they are entered, and empty if the program accepts a matrix
-    only.
+    ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres, with
+    zeros for an unknown lever arm; ``angles`` are empty if the program accepts a matrix only.
     """
 
     angles: tuple[ConventionAngle, ...]
@@ -405,7 +404,12 @@ def matrix_table(program: str) -> Table[tuple[float, ...]]:
 
 
 def matrix_text(matrix: Matrix | NDArray[np.float64], decimals: int) -> str:
-    """Rows of a matrix as text that can be read back."""
+    """Rows of a matrix as text that can be read back.
+
+    Parameters
+    ----------
+    matrix : ndarray or tuples of shape (3, 3) or (4, 4)
+    """
     return "\n".join(
         " ".join(f"{value + 0.0:{decimals + 4}.{decimals}f}" for value in np.round(row, decimals))
         for row in matrix
