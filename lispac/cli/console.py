@@ -126,11 +126,7 @@ def print_facts(title: str, facts: "Sequence[tuple[str, str]]") -> None:
     print(title)
     width = max(len(name) for name, _ in facts)
     for name, value in facts:
-        indent = " " * (width + 4)
-        print(
-            textwrap.fill(
-                to_plain_text(value), TEXT_WIDTH,
-                initial_indent=f"  {name:{width}s}  ", subsequent_indent=indent,
-            )
-        )  # fmt: skip
+        label = f"  {name:{width}s}  "
+        text = f"{label}{to_plain_text(value)}"
+        print(textwrap.fill(text, TEXT_WIDTH, subsequent_indent=" " * len(label)))
     print()

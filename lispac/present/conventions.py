@@ -287,7 +287,6 @@ ROTATION_TEXTS: Mapping[str, str] = {
 }
 NEW_ANGLES_TITLES: Mapping[bool, str] = {True: N_("New angles"), False: N_("Assumed angles")}
 """Titles of the angles to enter, by whether the convention is verified."""
-MATRIX_FORMAT = Format("", 10, is_grouped=False)
 
 
 def angles_title(values: ConventionRules) -> str:
@@ -397,9 +396,10 @@ def lever_arm_text(values: ConventionRules, lever_arm_m: tuple[float, ...]) -> s
 def matrix_table(program: str) -> Table[tuple[float, ...]]:
     """Table of the 4x4 matrix from scanner to body of a program."""
     titles = (N_("Scanner X"), N_("Scanner Y"), N_("Scanner Z"), N_("Lever arm (m)"))
+    form = Format("", 10, is_grouped=False)
     return Table(
         gettext_lazy("Matrix from scanner to body for {program}", program=gettext_lazy(program)),
-        tuple(Column(itemgetter(k), title, MATRIX_FORMAT) for k, title in enumerate(titles)),
+        tuple(Column(itemgetter(k), title, form) for k, title in enumerate(titles)),
     )
 
 

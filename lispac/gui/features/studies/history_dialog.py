@@ -14,7 +14,7 @@ from lispac.language import gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.calibrations import HISTORY_TABLE
-from lispac.workflow.checking.calibration_history import CalibratedSystem, CalibrationHistory
+from lispac.workflow.checking.calibration_history import CalibrationHistory
 
 
 class HistoryDialog(StudyDialog):
@@ -40,7 +40,7 @@ class HistoryDialog(StudyDialog):
         self._histories, self._notes = tuple(histories), tuple(messages)
         self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
         self.system.clear()
-        self.system.addItems([_system_name(each.system) for each in histories])
+        self.system.addItems([each.system.full_name for each in histories])
         self.system.setSizeAdjustPolicy(self.system.SizeAdjustPolicy.AdjustToContents)
         self.system.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.system)
@@ -65,10 +65,5 @@ class HistoryDialog(StudyDialog):
         control_chart_figure(history.calibrations, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(
-            gettext("Control chart of {system}", system=_system_name(history.system))
+            gettext("Control chart of {system}", system=history.system.full_name)
         )
-
-
-def _system_name(system: CalibratedSystem) -> str:
-    """Names of vessel, scanner and INS/GNSS."""
-    return gettext("unnamed system") if system == CalibratedSystem() else system.full_name
