@@ -23,11 +23,14 @@ NEW_SCRIPT_NAMES = {
     "released": "rejected",
     "remarks": "messages",
     "restart": "time_rollover",
+    "rms_after": "rms_after_m",
+    "rms_before": "rms_before_m",
     "settled": "resolved",
     "stated_times": "given_correlation_times",
     "strays": "outliers",
     "suspect_lines": "rejected_lines",
     "suspects": "rejected_sightings",
+    "test_passed": "chi_square_passed",
     "together": "all_lines",
 }
 """New names of parameters and attributes that scripts use, by the former names."""

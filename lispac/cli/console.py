@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+import textwrap
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -14,6 +15,10 @@ if TYPE_CHECKING:
     from lispac.present.tables import Row, Table
     from lispac.progress import Step
     from lispac.project import Project
+
+
+TEXT_WIDTH = 100
+"""Number of characters in a line of running text."""
 
 
 class UsageError(Exception):
@@ -111,4 +116,17 @@ def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:
             for cell, width, column in zip(line, widths, table.columns, strict=True)
         )
         print(f"  {'  '.join(cells).rstrip()}")
+    print()
+
+
+def print_facts(title: str, facts: "Sequence[tuple[str, str]]") -> None:
+    """Print names and values below a title: one in each row, and a blank line."""
+    from lispac.language import to_plain_text
+
+    print(title)
+    width = max(len(name) for name, _ in facts)
+    for name, value in facts:
+        label = f"  {name:{width}s}  "
+        text = f"{label}{to_plain_text(value)}"
+        print(textwrap.fill(text, TEXT_WIDTH, subsequent_indent=" " * len(label)))
     print()

@@ -4,7 +4,15 @@ from dataclasses import dataclass
 
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, YES_NO_TEXTS, Column, Table
+from lispac.present.tables import (
+    COUNT,
+    MILLIMETRES,
+    PERCENT,
+    PLAIN_MILLIMETRES,
+    YES_NO_TEXTS,
+    Column,
+    Table,
+)
 from lispac.present.validation import (
     STATE_TEXTS,
     DistanceValues,
@@ -190,6 +198,67 @@ REFERENCE_DISTANCES_TABLE = Table[LineState](
         Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),
 )  # fmt: skip
+LINE_CHECKS_TABLE = Table[LineReferenceDistances](
+    N_("Lines and reference"),
+    (
+        Column(
+            _line_name, N_("Line"),
+            tip=N_("Line compared with the reference, or all lines together"),
+        ),
+        Column(
+            "after.distances.n", N_("Compared places"), COUNT,
+            N_(
+                "Number of places where line and reference are compared, the same before and after "
+                "calibration"
+            ),
+        ),
+        Column(
+            "before.signed.mean_m", N_("Mean before calibration"), MILLIMETRES.signed,
+            N_(
+                "Mean distance of the line from the reference before calibration, positive towards "
+                "the vessel"
+            ),
+        ),
+        Column(
+            "before.mean_interval95_m", N_("± 95 % before calibration"), MILLIMETRES,
+            N_(
+                "Half-width of the 95 % confidence interval of the mean before calibration. It "
+                "includes the uncertainties of the POS and the reference."
+            ),
+        ),
+        Column(
+            "before.distances.rms_m", N_("RMS before calibration"), MILLIMETRES,
+            N_("Root mean square distance of the line from the reference before calibration"),
+        ),
+        Column(
+            "after.signed.mean_m", N_("Mean after calibration"), MILLIMETRES.signed,
+            N_(
+                "Mean distance of the line from the reference after calibration, positive towards "
+                "the vessel"
+            ),
+        ),
+        Column(
+            "after.mean_interval95_m", N_("± 95 % after calibration"), MILLIMETRES,
+            N_(
+                "Half-width of the 95 % confidence interval of the mean after calibration. It "
+                "includes the uncertainties of the POS, the reference and the boresight."
+            ),
+        ),
+        Column(
+            "after.distances.rms_m", N_("RMS after calibration"), MILLIMETRES,
+            N_("Root mean square distance of the line from the reference after calibration"),
+        ),
+        Column(
+            "after.mean_significant", N_("Result"),
+            tip=N_(
+                "The line agrees with the reference if the 95 % confidence interval of the mean "
+                "after calibration includes zero"
+            ),
+            texts={True: N_("differs from reference"), False: N_("agrees with reference")},
+        ),
+    ),
+)  # fmt: skip
+"""Table of the window, with a row for each line."""
 MEAN_UNCERTAINTY_TABLE = Table[LineReferenceDistances](
     N_("Uncertainty of the mean distance after the calibration, 1 sigma (mm)"),
     (

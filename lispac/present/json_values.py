@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
+from datetime import date
+from pathlib import Path
 from typing import Any
 
 from lispac.language import LazyText, in_english
@@ -15,6 +17,8 @@ def json_values(value: Any) -> Any:
         return english_text(value)
     if isinstance(value, LazyText):
         return in_english(value)
+    if isinstance(value, date | Path):
+        return str(value)
     if is_dataclass(value) and not isinstance(value, type):
         return {each.name: json_values(getattr(value, each.name)) for each in fields(value)}
     if isinstance(value, tuple | list):

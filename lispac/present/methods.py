@@ -8,8 +8,14 @@ from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.angles import Angles, angles, degrees
-from lispac.present.tables import COUNT, DEGREES, YES_NO_TEXTS, Column, Table, ratio
-from lispac.present.text_format import VALUE_TITLES
+from lispac.present.calibrations import (
+    DIFFER_COLUMN,
+    DIFFERENCE_COLUMNS,
+    ESTIMATE_COLUMNS,
+    estimate_columns,
+    significance_column,
+)
+from lispac.present.tables import COUNT, Column, Table
 
 METHOD_TITLES: Mapping[str, str] = {
     "targets": N_("Targets"),
@@ -65,17 +71,6 @@ SURFACES_COLUMN = Column[MethodValues](
     "surfaces", N_("Surfaces"), COUNT,
     N_("Number of targets, planes, natural surfaces or objects used"),
 )  # fmt: skip
-_SIGNIFICANCE_TIP = N_("Difference from the first row, divided by its standard deviation")
-
-
-def _estimate_columns(name: str) -> tuple[Column[MethodValues], Column[MethodValues]]:
-    return (
-        Column(f"boresight_deg.{name}", VALUE_TITLES[name], DEGREES.signed),
-        Column(
-            f"sigma_deg.{name}", N_("1 sigma"), DEGREES,
-            N_("Standard deviation of the angle to the left"),
-        ),
-    )  # fmt: skip
 
 
 METHOD_RESULTS_TABLE = Table[MethodValues](
@@ -84,7 +79,7 @@ METHOD_RESULTS_TABLE = Table[MethodValues](
         METHOD_COLUMN,
         LINES_COLUMN,
         SURFACES_COLUMN,
-        *(column for name in ANGLES for column in _estimate_columns(name)),
+        *ESTIMATE_COLUMNS,
     ),
 )
 WINDOW_METHODS_TABLE = Table[MethodValues](
@@ -94,10 +89,7 @@ WINDOW_METHODS_TABLE = Table[MethodValues](
         *(
             column
             for name in ANGLES
-            for column in (
-                *_estimate_columns(name),
-                Column(f"significance.{name}", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
-            )
+            for column in (*estimate_columns(name), significance_column(name))
         ),
     ),
 )  # fmt: skip
@@ -111,18 +103,5 @@ def method_differences(
     """Table of the differences from the first method, and its rows."""
     first = gettext_lazy(METHOD_TITLES[methods[0].method])
     title = gettext_lazy("Differences from the first method, {method}", method=first)
-    columns = (
-        METHOD_COLUMN,
-        *(
-            column
-            for name in ANGLES
-            for column in (
-                Column[MethodValues](f"difference_deg.{name}", VALUE_TITLES[name], DEGREES.signed),
-                Column[MethodValues](
-                    f"significance.{name}", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP
-                ),
-            )
-        ),
-        Column[MethodValues]("differ", N_("Significant\ndifference"), texts=YES_NO_TEXTS),
-    )
+    columns = (METHOD_COLUMN, *DIFFERENCE_COLUMNS, DIFFER_COLUMN)
     return Table(title, columns), [each for each in methods if each.difference_deg is not None]

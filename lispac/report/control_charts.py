@@ -1,7 +1,7 @@
 """Control chart of a system: its calibrations over time, angle by angle."""
 
 from collections.abc import Mapping, Sequence
-from datetime import date
+from operator import attrgetter
 
 import numpy as np
 from matplotlib.dates import AutoDateLocator, ConciseDateFormatter, date2num
@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
+from lispac.present.calibrations import DatedCalibration
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,
@@ -19,7 +20,6 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.validation.control_chart import ChartedCalibration, control_limits
 from lispac.validation.repeatability import NORMAL_QUANTILE_975
 
 AXIS_LABELS: Mapping[str, str] = {
@@ -34,43 +34,39 @@ DATE_FORMATS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
 
 
 def control_chart_figure(
-    days: Sequence[date],
-    charted: Sequence[ChartedCalibration],
-    figure: Figure | None = None,
+    calibrations: Sequence[DatedCalibration], figure: Figure | None = None
 ) -> Figure:
     """Control chart of each angle, with 95 % intervals and the limits from earlier calibrations.
 
     Parameters
     ----------
-    days : dates of the calibrations, the earliest first
-    charted : the calibrations in the same order, with the earlier ones they are compared with
+    calibrations : the earliest first, with the earlier ones they are compared with
     """
     figure = blank_figure(figure, (6.3, 4.6))
     panels = figure.subplots(3, 1, sharex=True)
     # Calibrations of the same day are drawn side by side.
-    at = np.array(date2num(list(days)), dtype=np.float64)  # type: ignore[no-untyped-call]
+    days = [each.day for each in calibrations]
+    at = np.array(date2num(days), dtype=np.float64)  # type: ignore[no-untyped-call]
     for k in range(1, len(at)):
         at[k] = max(at[k], at[k - 1] + 0.03 * max(at[-1] - at[0], 1.0))
     # Margin at both ends: the mean interval between two calibrations, at least three days.
     between = max(3.0, (at[-1] - at[0]) / max(len(at) - 1, 1))
     spacing = np.diff(at, prepend=at[0] - between, append=at[-1] + between)
-    has_moved = np.array([each.has_moved for each in charted])
-    for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
-        for j, each in enumerate(charted):
-            limits = control_limits(each)
-            if limits is not None and each.before is not None:
-                low, high = np.degrees(limits[:, k])
+    has_moved = np.array([each.moved for each in calibrations])
+    for axes, angle in zip(panels, ANGLES, strict=True):
+        of_angle = attrgetter(angle)
+        for j, each in enumerate(calibrations):
+            if each.lower_limit_deg is not None and each.upper_limit_deg is not None:
+                low, high = of_angle(each.lower_limit_deg), of_angle(each.upper_limit_deg)
                 sides = (
                     at[j] - BAND_HALF_WIDTH * spacing[j],
                     at[j] + BAND_HALF_WIDTH * spacing[j + 1],
                 )
                 axes.fill_between(sides, low, high, color=LIMITS_COLOUR, linewidth=0)
-                axes.hlines(
-                    np.degrees(each.before.boresight[k]), *sides, color=BEFORE_COLOUR, lw=1.0
-                )
-        values = np.degrees([each.calibration.boresight[k] for each in charted])
-        half_widths = NORMAL_QUANTILE_975 * np.degrees(
-            [each.calibration.sigma[k] for each in charted]
+                axes.hlines((low + high) / 2.0, *sides, color=BEFORE_COLOUR, lw=1.0)
+        values = np.array([of_angle(each.boresight_deg) for each in calibrations])
+        half_widths = NORMAL_QUANTILE_975 * np.array(
+            [of_angle(each.sigma_deg) for each in calibrations]
         )
         for own, colour in ((~has_moved, INK_COLOUR), (has_moved, AFTER_COLOUR)):
             axes.errorbar(
@@ -78,9 +74,9 @@ def control_chart_figure(
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
         style_axes(axes, "", gettext(AXIS_LABELS[angle]))
-    for x, each in zip(at, charted, strict=True):
+    for x, each in zip(at, calibrations, strict=True):
         panels[0].annotate(
-            short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),
+            short_name(each.name), (x, 1.0), xycoords=("data", "axes fraction"),
             xytext=(0, 3), textcoords="offset points", fontsize=SMALL_TEXT_SIZE,
             color=INK_COLOUR, rotation=25, ha="left", va="bottom",
         )  # fmt: skip

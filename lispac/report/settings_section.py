@@ -49,8 +49,8 @@ CORRELATION_TIMES_TEXT = N_(
     "processing report if it gives them. Too short a time is safer than too long a time."
 )
 SURFACE_SIGMA_TEXT = N_(
-    "Form error of the targets: standard deviation of the offset of a whole sighting from the common "
-    "surface of all lines."
+    "Form error of the targets: standard deviation of the offset of a whole sighting from the "
+    "common surface of all lines."
 )
 VARIANCE_COMPONENTS_TEXT = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "

@@ -1,6 +1,7 @@
 """Tests of ``lispac angles``: its output, its notes and its refusals."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,7 @@ def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, s
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     code, out, err = run(capsys, *words)
     assert code == 0, err
-    assert max(map(len, out.splitlines())) <= 100
+    assert max(map(len, out.splitlines())) <= 120
     return out
 
 
@@ -50,27 +51,35 @@ def refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -
     return err
 
 
-def row(text: str, label: str) -> list[float]:
-    """Numbers of the row that begins with a label."""
-    line = next(line for line in text.splitlines() if line.startswith(label))
-    return [float(word) for word in line[12:].split("(")[0].split()]
+def column(text: str, title: str) -> list[float]:
+    """The numbers of the column with a title, whose unit is degrees."""
+    rows = [re.split(r"\s{2,}", line.strip()) for line in text.splitlines()]
+    (head,) = (k for k, row in enumerate(rows) if f"{title} (deg)" in row)
+    at = rows[head].index(f"{title} (deg)")
+    return [float(row[at]) for row in rows[head + 1 : head + 4]]
+
+
+def degrees(side: dict[str, Any], key: str = "value_deg") -> list[float]:
+    """The angles of a mounting, or their sigmas, in their order."""
+    return [angle[key] for angle in side["angles"]]
 
 
 def test_without_arguments_every_system_is_listed(capsys) -> None:
     text = printed_by(capsys)
     for each in SYSTEMS:
-        assert f"\n{each.key} " in text
+        assert f"\n{each.key} (" in text
     assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
-    assert text.count("ASSUMED:") == sum(bool(each.assumption) for each in SYSTEMS)
+    assert text.count("  Assumption ") == sum(bool(each.assumption) for each in SYSTEMS)
     assert [each["system"] for each in answer(capsys)] == [each.key for each in SYSTEMS]
 
 
 def test_to_applanix(capsys) -> None:
     text = printed_by(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
                 "--lever-arm", -0.185596, 0.037658, 2.419063)  # fmt: skip
-    assert row(text, "given") == [0.4395, -1.8681, 0.3992]
-    assert row(text, "ENTER") == [0.4395, 1.8681, 0.3992]
-    assert "Applanix POS MV, LVX, POSPac: verified" in text
+    assert column(text, "Value") == [0.4395, -1.8681, 0.3992]
+    assert column(text, "New angles") == [0.4395, 1.8681, 0.3992]
+    assert "To Applanix POS MV, LVX, POSPac" in text
+    assert "  verified; source: " in text
     assert "X forward -0.1856 m, Y starboard -0.0377 m, Z down -2.4191 m" in text
     assert "is pitched 1.868 deg bow up" in text
     assert "yawed 0.399 deg to starboard" in text
@@ -78,42 +87,41 @@ def test_to_applanix(capsys) -> None:
 
 def test_angles_have_names_if_their_order_differs(capsys) -> None:
     text = printed_by(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
-    heads = next(line for line in text.splitlines() if "X rotation    Y rotation" in line)
-    assert heads.split() == ["degrees", "X", "rotation", "Y", "rotation", "Z", "rotation"]
-    content = answer(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
-    angles = content["to"]["angles_deg"]
-    assert set(angles) == {"X rotation", "Y rotation", "Z rotation"}
-    assert angles["X rotation"] == pytest.approx(-0.2, abs=0.002)
-    assert angles["Z rotation"] == pytest.approx(-0.3, abs=0.002)
+    shown = [line.split() for line in text.splitlines() if " rotation  " in line]
+    angles = answer(capsys, 0.1, 0.2, 0.3, "--to", "novatel")["to"]["angles"]
+    assert [f"{row[0]} {row[1]}" for row in shown] == ["X rotation", "Y rotation", "Z rotation"]
+    assert [angle["name"] for angle in angles] == ["X rotation", "Y rotation", "Z rotation"]
+    assert angles[0]["value_deg"] == pytest.approx(-0.2, abs=0.002)
+    assert angles[2]["value_deg"] == pytest.approx(-0.3, abs=0.002)
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.status != "verified"])
 def test_unverified_systems_are_marked_as_assumed(capsys, key: str) -> None:
     text = printed_by(capsys, 0.1, -0.2, 0.3, "--to", key)
-    assert "ENTER" not in text
-    assert "ASSUMED:" in text.split("\nTO ")[1]
+    assert "New angles" not in text
+    assert "  Assumption " in text.split("\nTo ")[1]
     assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
 
 
 def test_conversion_there_and_back_gives_the_same_angles(capsys) -> None:
     for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
         there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
-        back = answer(capsys, *there["angles_deg"].values(), "--lever-arm", *there["lever_arm_m"],
+        back = answer(capsys, *degrees(there), "--lever-arm", *there["lever_arm_m"],
                       "--from", key)["to"]  # fmt: skip
-        assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
+        assert degrees(back) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
         assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
 
 
 def test_negative_and_tiny_numbers_are_accepted(capsys) -> None:
     content = answer(capsys, "--to", "lispac", "-1e-3", "-.5", "-2")
-    assert list(content["to"]["angles_deg"].values()) == pytest.approx([-0.001, -0.5, -2])
+    assert degrees(content["to"]) == pytest.approx([-0.001, -0.5, -2])
 
 
 def test_correction_to_present_settings(capsys) -> None:
     words = (0.125, -1.192, 0.276, "--to", "applanix", "--current", 0.1, 1.0, -3)
     text = printed_by(capsys, *words)
-    assert row(text, "current") == [0.1, 1.0, -3.0]
-    assert row(text, "ENTER") == [0.125, 1.192, 0.276]
+    assert column(text, "Current angles") == [0.1, 1.0, -3.0]
+    assert column(text, "New angles") == [0.125, 1.192, 0.276]
     assert "Do not add the angles: the sum would be wrong by 0.0101 deg" in text
     found = answer(capsys, *words)["correction"]
     assert found["side"] == "left"
@@ -146,17 +154,16 @@ def test_the_current_angles_may_already_be_applied(capsys) -> None:
 def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
     words = (0.4395, -1.8681, 0.3992, "--lever-arm", -0.185596, 0.037658, 2.419063)
     text = printed_by(capsys, *words, "--to", "pdal")
-    rows = [line for line in text.splitlines() if line.count(".") == 4 and line[0] == " "]
-    assert len(rows) == 4
+    rows = text.splitlines()[-4:]
     file = tmp_path / "scan2imu.txt"
     file.write_text("# of the survey\n" + "\n".join(rows))
     back = answer(capsys, "--from", "pdal", "--from-matrix", file)["to"]
-    assert list(back["angles_deg"].values()) == pytest.approx([0.4395, -1.8681, 0.3992], abs=1e-7)
+    assert degrees(back) == pytest.approx([0.4395, -1.8681, 0.3992], abs=1e-7)
     assert back["lever_arm_m"] == pytest.approx([-0.185596, 0.037658, 2.419063])
     file.write_text("1,0,0; 0,0,-1; 0,1,0")
     text = printed_by(capsys, "--from-matrix", file)
-    assert row(text, "ENTER") == [90.0, 0.0, 0.0]
-    assert "lever arm" not in text
+    assert column(text, "New angles") == [90.0, 0.0, 0.0]
+    assert "Lever arm" not in text
 
 
 @pytest.mark.parametrize("key", ["applanix", "opals", "phoenix", "hypack"])
@@ -165,7 +172,7 @@ def test_a_printed_matrix_can_be_read_again(capsys, tmp_path: Path, key: str) ->
     file = tmp_path / "matrix.txt"
     file.write_text(json.dumps(there["transform"]))
     back = answer(capsys, "--from", key, "--from-matrix", file)["to"]
-    assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
+    assert degrees(back) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
     assert back["lever_arm_m"] == pytest.approx([1, -2, 3])
 
 
@@ -184,26 +191,24 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
     assert project.result is not None
     content = answer(capsys, project.folder, "--to", "novatel")
     own = content["from"]
-    np.testing.assert_allclose(
-        list(own["angles_deg"].values()), np.degrees(project.result.boresight)
-    )
-    np.testing.assert_allclose(list(own["sigma_deg"].values()), np.degrees(project.result.sigma))
-    roll, pitch, yaw = own["sigma_deg"].values()
-    theirs = content["to"]["sigma_deg"]
-    # For small angles X is the pitch and Y is the roll.
-    assert list(theirs.values()) == pytest.approx([pitch, roll, yaw], rel=0.05)
+    np.testing.assert_allclose(degrees(own), np.degrees(project.result.boresight))
+    np.testing.assert_allclose(degrees(own, "sigma_deg"), np.degrees(project.result.sigma))
+    roll, pitch, yaw = degrees(own, "sigma_deg")
+    theirs = degrees(content["to"], "sigma_deg")
+    # Small angles: X is the pitch, Y the roll.
+    assert theirs == pytest.approx([pitch, roll, yaw], rel=0.05)
     assert content["from"]["lever_arm_m"] == pytest.approx(list(project.settings.lever_arm))
     text = printed_by(capsys, project.folder, "--to", "applanix")
     assert text.count("sigma") >= 2
     alone = printed_by(capsys, project.folder)
-    assert alone.count("sigma") == alone.count("degrees") == 1
-    assert "lever arm   X forward" in alone
+    assert alone.count("1 sigma") == alone.count("New angles") == 1
+    assert re.search("Lever arm +X forward", alone)
 
 
 def test_gimbal_lock_is_reported(capsys) -> None:
     text = printed_by(capsys, 20, 90, 50, "--to", "applanix")
     assert "The pitch is -90 deg" in text
-    assert row(text, "given") == [20.0, 90.0, 50.0]
+    assert column(text, "Value") == [20.0, 90.0, 50.0]
 
 
 def test_refusals(capsys, tmp_path: Path) -> None:
@@ -264,8 +269,8 @@ def test_a_present_matrix_has_the_same_effect_as_present_angles(
         np.testing.assert_allclose(found["matrix"], by_angles["matrix"], atol=1e-10)
     applied = (*words, "--current-applied")
     np.testing.assert_allclose(
-        answer(capsys, *applied, "--current-matrix", path)["to"]["matrix"],
-        answer(capsys, *applied, "--current", *now)["to"]["matrix"],
+        answer(capsys, *applied, "--current-matrix", path)["matrix"],
+        answer(capsys, *applied, "--current", *now)["matrix"],
         atol=1e-10,
     )
 
@@ -275,12 +280,12 @@ def test_the_correction_of_a_program_that_accepts_only_a_matrix(capsys) -> None:
     words = (0.4395, -1.8681, 0.3992, "--to", "pdal")
     numbers = np.round(now, 12).ravel().tolist()
     found = answer(capsys, *words, "--current-matrix", *numbers)
-    new = np.array(found["to"]["matrix"])
+    new = np.array(found["matrix"])
     np.testing.assert_allclose(np.array(found["correction"]["matrix"]) @ now, new, atol=1e-9)
     assert found["correction"]["new_deg"] is None
     text = printed_by(capsys, *words, "--current-matrix", *numbers)
     assert "new = correction · current" in text
-    assert "replaces the current matrix" in text
+    assert "New 3x3 matrix" in text
 
 
 def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_path: Path) -> None:
@@ -297,8 +302,7 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
     np.testing.assert_allclose(correction @ now, new, atol=1e-11)
     np.testing.assert_allclose(new[:3, 3], now[:3, 3], atol=1e-12)
     text = printed_by(capsys, *words)
-    assert "now X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
-    assert "new X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
+    assert text.count("X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m") == 2
     assert message_text(note("convention.lever_arm_kept")) in " ".join(text.split())
     printed = text.splitlines()[-4:]
     np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
@@ -309,7 +313,7 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
         np.array(found["correction"]["transform"]) @ now, found["to"]["transform"], atol=1e-11
     )
     text = printed_by(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
-    assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
+    assert "X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
     assert message_text(note("convention.lever_arm_replaced")) in " ".join(text.split())
     applied = " ".join(printed_by(capsys, *words, "--current-applied").split())
     assert message_text(note("convention.lever_arm_turned")) in applied

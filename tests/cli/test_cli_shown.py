@@ -18,12 +18,13 @@ from lispac.io.text.plane_file import write_plane_file
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
+from lispac.present.angles import Angles
 from lispac.present.error_budget import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
+from lispac.present.subsampling import SubsamplingValues
 from lispac.simulation.thesis_site import MARINE_SITE
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.workflow.checking.subsampling import SubsamplingResult
 from lispac.workflow.planning import sensors
 from tests.cli.test_cli import answer, import_workflow, run
 from tests.support.narrow_site import narrow_site
@@ -245,11 +246,11 @@ def test_a_system_with_a_matrix_only_shows_no_angles(
     np.savetxt(matrix, np.eye(3))
     words = ("angles", "--from-matrix", matrix, "--from", "pdal", "--to", "lispac")
     out, _ = printed_by(capsys, *words)
-    before, after = out.split("\nTO ")
-    assert before.startswith("FROM        PDAL")
-    assert "degrees" not in before
-    assert "degrees" in after
-    assert "lever arm" not in out, "none was given"
+    before, after = out.split("\nTo ")
+    assert before.startswith("From PDAL")
+    assert "(deg)" not in before
+    assert "(deg)" in after
+    assert "Lever arm" not in out, "none was given"
 
 
 def test_a_budget_shows_sources_of_unknown_size(
@@ -274,22 +275,22 @@ def test_a_budget_shows_sources_of_unknown_size(
 def test_the_table_has_a_row_for_each_distance_and_one_for_all_points(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    angles, sigma = np.radians([0.27, -1.14, 0.36]), np.radians([0.01, 0.02, 0.03])
+    angles, sigma = Angles(0.27, -1.14, 0.36), Angles(0.01, 0.02, 0.03)
     rows = (
-        SubsamplingResult(0.0, 12_345, angles, sigma, 1.5),
-        SubsamplingResult(0.1, 2_345, angles, sigma, 0.25),
+        SubsamplingValues(0.0, 12_345, angles, sigma, 1.5),
+        SubsamplingValues(0.1, 2_345, angles, sigma, 0.25),
     )
     monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: None)
     monkeypatch.setattr(
         "lispac.workflow.checking.subsampling.subsampling_study", lambda *_, **__: rows
     )
     write_project(sample_project(tmp_path))
-    heads, every, some = (
+    _, heads, every, some, _ = (
         row.split() for row in printed_by(capsys, "subsample", tmp_path)[0].splitlines()
     )
-    assert heads[:3] == ["distance", "m", "points"]
+    assert heads[:4] == ["Point", "spacing", "(m)", "Points"]
     of_all = ["+0.2700", "0.0100", "-1.1400", "0.0200", "+0.3600", "0.0300"]
-    assert every == ["all", "12,345", *of_all, "1.50"]
+    assert every == ["all", "points", "12,345", *of_all, "1.50"]
     assert some == ["0.10", "2,345", *of_all, "0.25"]
 
 

@@ -24,6 +24,7 @@ from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.picked_targets import PickedSighting, Target
+from lispac.present.patch_test import PatchTestValues
 from lispac.project import LineSource, Project
 from lispac.targets.sighting_quality import undetermined_quality
 from lispac.validation.absolute_check import PointCheck
@@ -162,7 +163,10 @@ def test_a_patch_test_uses_the_given_objects_and_pairs(
     assert objects("--lines", "L1_000", "L2_180", "L3_045", "--count", 1) == ["A01"]
     assert len(bench.pairs) == 3
     rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
-    assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
+    objects_title = rows.index("Objects")
+    assert [row.split()[0] for row in rows[objects_title + 2 : objects_title + 4]] == [
+        "pole", "edge",
+    ]  # fmt: skip
     assert english_text(note("patch_test.basis", count=2, lines=3)) in rows
 
 
@@ -173,12 +177,15 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
         ObjectAgreement("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
         ObjectAgreement("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
     )
-    patchtest.print_patch_test(answered(angles, objects))
+    patchtest.print_patch_test(PatchTestValues.of(answered(angles, objects)))
     rows = capsys.readouterr().out.splitlines()
-    assert rows[2].split() == ["pitch", "-1.1000", "0.0200", "-1.1000", "3.5"]
-    assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
-    assert rows[6].split() == ["moved", "2", "40.0", "yaw", "-0.2000", "0.0500", "DIFFERS"]
-    assert rows[7].split() == ["ball", "1", "20.0", "none", "+0.0000", "0.0000"], "not judged"
+    assert rows[2].split() == ["+0.2500", "0.0100", "-1.1000", "0.0200", "+0.4000", "0.0300"]
+    assert rows[6].split() == ["+0.2500", "-1.1000", "+0.4000"]
+    assert rows[10].split() == ["1.7", "3.5", "5.2"]
+    rows = rows[rows.index("Objects") :]
+    assert rows[2].split() == ["pole", "1", "12.0", "Roll", "+0.0100", "0.0500", "agrees"]
+    assert rows[3].split() == ["moved", "2", "40.0", "Yaw", "-0.2000", "0.0500", "DIFFERS"]
+    assert rows[4].split() == ["ball", "1", "20.0", "-", "-", "-", "-"], "not judged"
     assert rows[-1].startswith("Object moved disagrees ")
 
 

@@ -15,9 +15,9 @@ from lispac.former_names import NEW_SCRIPT_NAMES
 from lispac.io.config.plan_file import read_site
 from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
+from lispac.present.batch import BatchRow
 from lispac.project import Settings
 from lispac.survey.store import layout
-from lispac.workflow.checking.batch import BatchRow
 from tests.support.report_sample import sample_project
 from tests.support.store_lines import small, stored
 from tests.support.trajectory_files import vessel, write_records

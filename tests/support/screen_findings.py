@@ -12,6 +12,7 @@ from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.subsampling import SubsamplingValues
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
@@ -22,7 +23,6 @@ from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.checking.subsampling import (
     DEFAULT_DISTANCES,
-    SubsamplingResult,
     subsampling_study,
 )
 from lispac.workflow.project.survey import Survey
@@ -46,7 +46,7 @@ class Findings:
     checked: AbsoluteCheckValues
     budget: ErrorBudgetValues
     histories: tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]
-    subsampled: tuple[SubsamplingResult, ...]
+    subsampled: tuple[SubsamplingValues, ...]
     visible: list[VisibilityStudy]
     proposal: Proposal
     seeds: Path

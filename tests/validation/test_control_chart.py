@@ -13,6 +13,7 @@ from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.message_texts import message_text
 from lispac.messages import note
+from lispac.present.calibrations import DatedCalibration
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import FALSE_ALARM_PROBABILITY, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
@@ -110,7 +111,8 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     names = [each["name"] for each in first["calibrations"]]
     assert names == ["2024/spring", "2025/spring", "autumn"]
     assert [each["moved"] for each in first["calibrations"]] == [False, False, True]
-    assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
+    difference = first["calibrations"][2]["change"]["difference_deg"]
+    assert difference["pitch"] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
     assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
     # A copy of a survey does not count as another survey.
@@ -156,7 +158,7 @@ def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
     opened = read_project(tmp_path / "b")
     opened = replace(opened, identity=opened.identity.changed(dates="2023-01-01"))
     (history,), _ = read_histories([tmp_path], also=[opened])
-    assert [each.day for each in history.entries] == [date(2023, 1, 1), date(2024, 5, 2)]
+    assert [each.day for each in history.calibrations] == [date(2023, 1, 1), date(2024, 5, 2)]
     assert history.system.is_same_system(CalibratedSystem("NORDLYS", "vz-400i", "s1"))
 
 
@@ -164,7 +166,10 @@ def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
 def test_the_time_axis_has_a_small_margin(days: tuple[int, ...]) -> None:
     chart = control_chart(calibrations(np.random.default_rng(5), np.zeros((len(days), 3))))
     at = [date(2025, 11, day) for day in days]
-    axes = control_chart_figure(at, chart).axes[-1]
+    first = note("history.first", name="first")
+    axes = control_chart_figure(
+        [DatedCalibration.of(day, Path(), each, first) for day, each in zip(at, chart, strict=True)]
+    ).axes[-1]
     first, last = axes.get_xlim()
     dots = [x for line in axes.lines for x in line.get_xdata()]
     bands = [path.vertices[:, 0] for each in axes.collections for path in each.get_paths()]
@@ -187,6 +192,6 @@ def test_projects_without_result_or_system_name_are_reported(tmp_path: Path) -> 
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = read_histories([tmp_path])
     assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
-    told = {history.entries[0].project.name: history.messages for history in found}
-    assert note("history.unnamed_system") not in told["a"]  # the scanner is named
+    told = {history.calibrations[0].folder.name: history.messages for history in found}
+    assert note("history.unnamed_system") not in told["a"]  # its scanner is named
     assert note("history.unnamed_system") in told["c"]

@@ -56,8 +56,8 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--surface",
         type=_surface_sigma,
         metavar="METRES",
-        help="form error of the targets (m): standard deviation of the offset of a whole sighting from the "
-        "common surface of all lines (default auto: estimated from the data)",
+        help="form error of the targets (m): standard deviation of the offset of a whole sighting "
+        "from the common surface of all lines (default auto: estimated from the data)",
     )
     parser.add_argument(
         "--loss",

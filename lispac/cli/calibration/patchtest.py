@@ -5,22 +5,17 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, get_args
 
 from lispac.cli.argument_types import add_json_option, split_named_value, whole_number_from
-from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
-from lispac.message_texts import english_text, message_text
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
+from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from lispac.patchtest.line_pairs import LinePair
     from lispac.patchtest.object_boxes import PatchObject
-    from lispac.patchtest.patch_test_result import PatchTestResult
+    from lispac.present.patch_test import PatchTestValues
     from lispac.workflow.project.survey import Survey
-
-    Array = NDArray[np.float64]
 
 BOX_NUMBER_COUNTS = (6, 7)
 """Numbers of values that define a box, without and with a rotation."""
@@ -64,6 +59,8 @@ def run(arguments: Namespace) -> None:
         If a box is invalid or a line is unknown.
     """
     from lispac.patchtest.object_proposal import MAX_OBJECTS
+    from lispac.present.json_values import json_values
+    from lispac.present.patch_test import PatchTestValues
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import patch_test as workflow
     from lispac.workflow.calibration.method_runs import patch_test_result
@@ -95,82 +92,22 @@ def run(arguments: Namespace) -> None:
             )
         if arguments.save:
             save_project(project.with_alternative_result(patch_test_result(found)))
+    values = PatchTestValues.of(found)
     if arguments.json:
-        print_json(patch_test_values(found))
+        print_json(json_values(values))
     else:
-        print_patch_test(found)
+        print_patch_test(values)
 
 
-def print_patch_test(result: PatchTestResult) -> None:
+def print_patch_test(values: PatchTestValues) -> None:
     """Print the angles with their sigmas, the objects and the messages."""
-    import numpy as np
+    from lispac.present.patch_test import PATCH_OBJECTS_TABLE, PATCH_TEST_TABLES
 
-    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
-
-    print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
-    for k, angle in enumerate(ANGLE_NAMES):
-        sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
-        print(
-            f"  {angle:<18}{np.degrees(result.boresight[k]):>+13.4f}  {sigma:>6}"
-            f"{np.degrees(result.one_by_one[k]):>+12.4f}"
-            f"{1000 * np.radians(0.01) * result.curvature[k]:>18.1f}"
-        )
-    print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
-    for each in result.objects:
-        mark = "  DIFFERS" if each.disagrees else ""
-        angle = "none" if each.angle is None else ANGLE_NAMES[each.angle]
-        print(
-            f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
-            f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
-            f"{np.degrees(each.allowed):>13.4f}{mark}"
-        )
-    for message in result.messages:
+    for table in PATCH_TEST_TABLES:
+        print_table(table, [values])
+    print_table(PATCH_OBJECTS_TABLE, values.objects)
+    for message in values.messages:
         print(message_text(message))
-
-
-def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
-    """Patch test as plain values, angles in degrees."""
-    import numpy as np
-
-    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
-
-    sigma = result.sigma
-    return {
-        "boresight_deg": _values_by_angle(np.degrees(result.boresight)),
-        "sigma_deg": None if sigma is None else _values_by_angle(np.degrees(sigma)),
-        "covariance_deg2": None
-        if result.covariance is None
-        else (np.degrees(1.0) ** 2 * result.covariance).tolist(),
-        "separate_boresight_deg": _values_by_angle(np.degrees(result.one_by_one)),
-        "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * result.curvature),
-        "mismatch_before_m": result.mismatch_before
-        if np.isfinite(result.mismatch_before)
-        else None,
-        "mismatch_m": result.mismatch,
-        "iterations": result.rounds,
-        "converged": result.converged,
-        "lines": list(result.lines),
-        "objects": [
-            {
-                "name": each.name,
-                "pairs": list(each.pairs),
-                "mismatch_m": each.mismatch,
-                "angle": None if each.angle is None else ANGLE_NAMES[each.angle],
-                "difference_deg": float(np.degrees(each.off)),
-                "limit_deg": float(np.degrees(each.allowed)),
-                "disagrees": each.disagrees,
-            }
-            for each in result.objects
-        ],
-        "objects_without_pairs": list(result.without_pairs),
-        "messages": [english_text(each) for each in result.messages],
-    }
-
-
-def _values_by_angle(values: Array) -> dict[str, float]:
-    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
-
-    return {angle: float(value) for angle, value in zip(ANGLE_NAMES, values, strict=True)}
 
 
 def _parse_object(name: str, text: str) -> PatchObject:

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, print_json, print_table
 from lispac.errors import ProjectError
 from lispac.messages import error
 
 if TYPE_CHECKING:
-    from lispac.workflow.checking.batch import BatchRow
+    from lispac.present.batch import BatchRow
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -64,6 +62,8 @@ def run(arguments: Namespace) -> None:
     ProjectError
         If a project could not be calibrated; the exit code is then 1.
     """
+    from lispac.present.batch import BATCH_TABLE
+    from lispac.present.json_values import json_values
     from lispac.workflow.checking.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
 
@@ -80,43 +80,15 @@ def run(arguments: Namespace) -> None:
             if arguments.output is not None:  # keeps finished rows after an interruption
                 write_table(rows, arguments.output)
     if arguments.json:
-        print_json({"projects": [_row_values(row) for row in rows]})
+        print_json({"projects": json_values(rows)})
     else:
-        _print_table(rows)
+        print_table(BATCH_TABLE, rows)
+        for row in rows:
+            for message in row.messages:
+                print(f"{row.name}: {message}")
     sys.stdout.flush()
     refused = [row.name for row in rows if row.verdict == "refused"]
     if refused:
         raise ProjectError(
             error("cli.projects_failed", count=len(refused), total=len(rows), names=refused)
         )
-
-
-def _row_values(row: BatchRow) -> dict[str, Any]:
-    return asdict(row) | {"folder": str(row.folder), "messages": list(row.messages)}
-
-
-def _print_table(rows: Sequence[BatchRow]) -> None:
-    from lispac.adjustment.result import ANGLES
-
-    width = max(12, *(len(row.name) for row in rows)) + 2
-    angles = "".join(f"{f'{angle}, 1 sigma':>19s}" for angle in ANGLES)
-    print(f"{'project':{width}s}{angles} deg{'sigma 0':>9s}{'before':>9s}{'after':>8s} mm  verdict")
-    for row in rows:
-        cells = " " * 19 * 3
-        if row.boresight_deg is not None and row.sigma_deg is not None:
-            cells = "".join(
-                f"{angle:+11.4f} {sigma:7.4f}"
-                for angle, sigma in zip(row.boresight_deg, row.sigma_deg, strict=True)
-            )
-        rms_mm = [None if v is None else 1000 * v for v in (row.rms_before, row.rms_after)]
-        print(
-            f"{row.name:{width}s}{cells}    {_number_cell(row.sigma_0, 9, 2)}"
-            f"{_number_cell(rms_mm[0], 9, 1)}{_number_cell(rms_mm[1], 8, 1)}     {row.verdict}"
-        )
-    for row in rows:
-        for message in row.messages:
-            print(f"{row.name}: {message}")
-
-
-def _number_cell(value: float | None, width: int, decimals: int) -> str:
-    return f"{'-':>{width}s}" if value is None else f"{value:{width}.{decimals}f}"

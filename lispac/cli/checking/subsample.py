@@ -4,7 +4,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option, finite_number
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, print_json, print_table
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -19,9 +19,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print one row for each point spacing."""
-    import numpy as np
-
-    from lispac.adjustment.result import ANGLES
+    from lispac.present.json_values import json_values
+    from lispac.present.subsampling import SUBSAMPLING_TABLE
     from lispac.workflow.checking.subsampling import DEFAULT_DISTANCES, subsampling_study
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
@@ -32,27 +31,6 @@ def run(arguments: Namespace) -> None:
         distances = arguments.distances or DEFAULT_DISTANCES
         found = subsampling_study(project, survey, distances, progress=progress)
     if arguments.json:
-        print_json(
-            {
-                "adjustments": [
-                    {
-                        "distance_m": each.distance,
-                        "points": each.points,
-                        "boresight_deg": np.degrees(each.boresight).tolist(),
-                        "sigma_deg": np.degrees(each.sigma).tolist(),
-                        "seconds": each.seconds,
-                    }
-                    for each in found
-                ]
-            }
-        )
-        return
-    heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
-    print(f"{'distance m':>10s}{'points':>10s}{heads}{'s':>8s}  deg")
-    for each in found:
-        angles = "".join(
-            f"{angle:+12.4f} {sigma:7.4f}"
-            for angle, sigma in zip(np.degrees(each.boresight), np.degrees(each.sigma), strict=True)
-        )
-        name = f"{each.distance:.2f}" if each.distance else "all"
-        print(f"{name:>10s}{each.points:10,}{angles}{each.seconds:8.2f}")
+        print_json({"adjustments": json_values(found)})
+    else:
+        print_table(SUBSAMPLING_TABLE, found)

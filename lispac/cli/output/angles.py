@@ -156,7 +156,7 @@ def _conversion_input(arguments: Namespace) -> ConversionInput:
         # Interpreted in the same way as the printed matrix.
         mounting = convert_from_system(setup, angle_product_of_matrix(setup, rotation), lever_arm)
         return ConversionInput(
-            setup, mounting, has_lever_arm or shift is not None, name="from matrix"
+            setup, mounting, has_lever_arm or shift is not None, name="Angles of the matrix"
         )
     if count == 1:
         if has_lever_arm or setup.convention.key != "lispac":

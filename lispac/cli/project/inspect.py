@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_values
+from lispac.language import to_plain_text
 from lispac.message_texts import fact_text, message_text
 
 if TYPE_CHECKING:
@@ -62,46 +63,47 @@ def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileChec
 
 
 def _print_check(item: FileCheck) -> None:
-    from lispac.language import to_plain_text
-
+    values = _check_values(item)
     sure = (
         "certainly" if item.confidence >= 1 else "probably" if item.confidence > 0.5 else "perhaps"
     )
-    name = message_text(item.format.name)
-    print(f"\n{sure} {name} (--{OPTION_PREFIX[item.format.kind]}-format {item.format.key})")
+    option = f"--{OPTION_PREFIX[item.format.kind]}-format {values['format']}"
+    print(f"\n{sure} {values['name']} ({option})")
     if item.finding is None:
-        reason = to_plain_text(message_text(item.error)) if item.error else ""
-        print(f"  cannot be read: {reason}")
+        print(f"  cannot be read: {values['error']}")
         return
-    for name, value in item.finding.facts.items():
-        print(f"  {name:20s} {fact_text(value)}")
-    resolved = item.format.resolved(item.finding.choice)
-    for option in item.format.options:
-        among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
-        print(f"  option {option.name}={resolved[option.name]}{among}: {option.meaning}")
-    for assumption in item.finding.assumptions:
-        print(f"  assumed: {to_plain_text(message_text(assumption))}")
+    for name, value in values["facts"].items():
+        print(f"  {name:20s} {value}")
+    for each in item.format.options:
+        among = f" ({', '.join(c for c in each.choices if c)})" if each.choices else ""
+        print(f"  option {each.name}={values['options'][each.name]}{among}: {each.meaning}")
+    for assumption in values["assumptions"]:
+        print(f"  assumed: {assumption}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
-    for message in (*item.finding.file_warnings, *item.finding.messages):
-        print(f"  {message.level}: {to_plain_text(message_text(message))}")
+    for message in values["messages"]:
+        print(f"  {message['level']}: {message['text']}")
 
 
 def _check_values(item: FileCheck) -> dict[str, Any]:
-    from lispac.language import to_plain_text
-
     finding = item.finding
-    messages = (*finding.file_warnings, *finding.messages) if finding else ()
-    return {
+    values: dict[str, Any] = {
         "format": item.format.key,
         "name": message_text(item.format.name),
         "kind": item.format.kind,
         "confidence": item.confidence,
         "error": to_plain_text(message_text(item.error)) if item.error else "",
-        "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
-        "options": item.format.resolved(finding.choice) if finding else {},
-        "assumptions": [to_plain_text(message_text(a)) for a in finding.assumptions]
-        if finding
-        else [],
-        "messages": [message_values(each) for each in messages],
+        "facts": {},
+        "options": {},
+        "assumptions": [],
+        "messages": [],
     }
+    if finding is not None:
+        messages = (*finding.file_warnings, *finding.messages)
+        values |= {
+            "facts": {name: fact_text(fact) for name, fact in finding.facts.items()},
+            "options": item.format.resolved(finding.choice),
+            "assumptions": [to_plain_text(message_text(each)) for each in finding.assumptions],
+            "messages": [message_values(each) for each in messages],
+        }
+    return values

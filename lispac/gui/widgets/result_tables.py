@@ -1,12 +1,13 @@
 """Tables of results in the window, in the units and language of the user."""
 
 from collections.abc import Callable, Iterable, Mapping
+from datetime import date
 from html import escape
 
 from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.diagnostics_table import Cell, Column, Key, Row, number_cell
-from lispac.language import gettext
+from lispac.language import gettext, short_date
 from lispac.present.angles import ANGLE_TITLES
 from lispac.present.cross_checks import CrossCheckValues, spread_rows
 from lispac.present.tables import DEGREES, Format, Table, Unit, title_text
@@ -52,7 +53,7 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
     if value is None:
         return Cell(column.unknown_text())
     if form is None:
-        return Cell(str(value))
+        return Cell(str(value), shown=short_date(value) if isinstance(value, date) else "")
     if column.has_unit_in_cells:
         return Cell(_with_unit(value, form), value)
     sigma = column.sigma_of(row)

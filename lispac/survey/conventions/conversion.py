@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.language import LazyText, gettext_lazy, join_sentences
+from lispac.language import N_, LazyText, gettext_lazy, join_sentences
 from lispac.messages import Message, error, note
 from lispac.survey.conventions.axes import (
     FORWARD_PORT_UP,
@@ -32,6 +32,8 @@ GIMBAL_LOCK_COSINE = 1e-8
 """Cosine of the middle angle below which the two outer angles are not separable."""
 NEAR_GIMBAL_LOCK_COSINE = np.cos(np.radians(80.0))
 """Cosine of the middle angle below which the two outer angles are almost not separable."""
+DEFINED_BY_FORMULA = N_("defined by the formula")
+"""Meaning of an angle about body axes that the user has given."""
 ORTHOGONALITY_TOLERANCE = 5e-6
 """Largest element of M Mᵀ - I for a typed matrix M, which may be rounded to six decimals."""
 
@@ -76,11 +78,13 @@ class ConventionSetup:
         return self.convention.status if self.is_as_documented else "unverified"
 
     @property
-    def signs(self) -> LazyText:
-        """Description of the signs of the angles, if the body axes are those of the convention."""
-        if self.axes == self.convention.axes:
-            return self.convention.signs
-        return gettext_lazy("the signs follow from the given axes, by the right-hand rule")
+    def meanings(self) -> tuple[LazyText, ...]:
+        """Sign of each angle; that of the convention holds for its own body axes only."""
+        is_kept = self.axes == self.convention.axes
+        return tuple(
+            gettext_lazy(turn.meaning if is_kept else DEFINED_BY_FORMULA)
+            for turn in self.convention.turns
+        )
 
     @property
     def permutation(self) -> Array:

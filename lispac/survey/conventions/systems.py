@@ -137,22 +137,6 @@ class Convention:
         first, middle, last = (self.turns[k].factor for k in self.order)
         return gettext_lazy("{first} · {middle} · {last}", first=first, middle=middle, last=last)
 
-    @property
-    def signs(self) -> LazyText:
-        """The signs of the angles."""
-        signs = [
-            gettext_lazy(
-                "{angle} {meaning}",
-                angle=gettext_lazy(turn.name),
-                meaning=gettext_lazy(turn.meaning),
-            )
-            for turn in self.turns
-        ]
-        if not signs:
-            return LazyText("")
-        first, second, third = signs
-        return gettext_lazy("{first}; {second}; {third}", first=first, second=second, third=third)
-
 
 def _z_down_rotations(
     heading: str = N_("heading"),

@@ -4,22 +4,20 @@ import csv
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
-from typing import Literal
-
-import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.errors import InputError, LispacError, NotComparable
-from lispac.former_names import accept_script_names
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy, to_plain_text
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
+from lispac.present.angles import degrees
+from lispac.present.batch import BatchRow
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import Project, Triple
+from lispac.project import Project
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration.estimation import estimate
@@ -30,48 +28,8 @@ from lispac.workflow.project.projects import locked_project, open_project, save_
 from lispac.workflow.project.survey import load_survey
 from lispac.workflow.project.survey_dates import survey_dates
 
-Verdict = Literal["good", "notes", "warnings", "refused"]
 REPORT_FORMATS = ("pdf", "html", "json", "zip")
 """File types of a report, without the dot."""
-
-
-@accept_script_names
-@dataclass(frozen=True)
-class BatchRow:
-    """Result of one project in the table.
-
-    Attributes
-    ----------
-    folder : Path
-    name, vessel, dates : str
-        Empty if not known.
-    verdict : {"good", "notes", "warnings", "refused"}
-        Highest level of the messages in the report; ``warnings`` also stands for errors. A project
-        that cannot be calibrated is refused.
-    boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
-    sigma_0 : float or None, no unit
-        A posteriori sigma_0; 1 if the errors agree with the given sigmas.
-    test_passed : bool or None
-        Result of the chi-square test of the variance factor.
-    rms_before, rms_after : float or None, metres
-        RMS distances between the lines on all validation planes.
-    messages : tuple of str
-        Messages of the report, after the reason why a validation was not possible; for a refused
-        project, the reason.
-    """
-
-    folder: Path
-    name: str
-    verdict: Verdict
-    messages: tuple[str, ...]
-    vessel: str = ""
-    dates: str = ""
-    boresight_deg: Triple | None = None
-    sigma_deg: Triple | None = None
-    sigma_0: float | None = None
-    test_passed: bool | None = None
-    rms_before: float | None = None
-    rms_after: float | None = None
 
 
 def batch(
@@ -197,20 +155,18 @@ def _calibrate_project(
     serious = any(message.is_serious for message in warnings)
     result = project.result
     assert result is not None
-    roll, pitch, yaw = np.degrees(result.angles).tolist()
-    sigmas = np.degrees(result.sigma).tolist()
     return replace(
         known,
         verdict="warnings" if serious else "notes" if warnings or failures else "good",
         messages=(*failures, *(to_plain_text(message_text(message)) for message in warnings)),
-        boresight_deg=(roll, pitch, yaw),
-        sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
+        boresight_deg=degrees(result.angles),
+        sigma_deg=degrees(result.sigma),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
-        test_passed=result.chi_square.passed,
-        rms_before=_pooled_rms(
+        chi_square_passed=result.chi_square.passed,
+        rms_before_m=_pooled_rms(
             [(plane.before.rms, plane.before.n) for plane in project.validation]
         ),
-        rms_after=_pooled_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
+        rms_after_m=_pooled_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
     )
 
 
@@ -254,8 +210,8 @@ def write_table(rows: Sequence[BatchRow], path: Path) -> None:
         cells = (
             row.folder, row.name, row.vessel, row.dates, row.verdict,
             *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
-            None if row.test_passed is None else "yes" if row.test_passed else "no",
-            row.rms_before, row.rms_after, " | ".join(row.messages),
+            None if row.chi_square_passed is None else "yes" if row.chi_square_passed else "no",
+            row.rms_before_m, row.rms_after_m, " | ".join(row.messages),
         )  # fmt: skip
         writer.writerow(map(as_csv_cell, cells))
     with atomic_write(path) as temporary:

@@ -15,6 +15,7 @@ from lispac.errors import LispacError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
+from lispac.present.calibrations import DatedCalibration
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.validation.control_chart import ChartedCalibration, control_chart
@@ -63,21 +64,12 @@ class CalibratedSystem:
         ]
 
 
-@dataclass(frozen=True, eq=False)
-class HistoryEntry:
-    """One calibration of the history."""
-
-    project: Project
-    day: date
-    charted: ChartedCalibration
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class CalibrationHistory:
     """Calibrations of one system, the earliest first, with notes."""
 
     system: CalibratedSystem
-    entries: tuple[HistoryEntry, ...]
+    calibrations: tuple[DatedCalibration, ...]
     messages: tuple[Message, ...] = ()
 
 
@@ -187,16 +179,15 @@ def read_histories(
             groups.append(group := [])
         group.append(each)
     found = sorted(
-        (_system_history(group) for group in groups), key=lambda each: -len(each.entries)
+        (_system_history(group) for group in groups), key=lambda each: -len(each.calibrations)
     )
     progress(1.0)
     messages = tuple(note("history.excluded", reason=each) for each in excluded)
     return tuple(found), messages
 
 
-def change_message(entry: HistoryEntry) -> Message:
-    """Message that compares a calibration with the earlier ones."""
-    charted = entry.charted
+def _change_message(charted: ChartedCalibration) -> Message:
+    """Comparison of a calibration with the earlier ones."""
     name, change = charted.calibration.name, charted.change
     if change is None:
         return note("history.first", name=name)
@@ -225,11 +216,11 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
     system = CalibratedSystem.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM_FIELDS):
         messages.append(note("history.unnamed_system"))
-    entries = [
-        HistoryEntry(project, day, charted)
+    calibrations = tuple(
+        DatedCalibration.of(day, project.folder, charted, _change_message(charted))
         for (day, project), charted in zip(group, chart, strict=True)
-    ]
-    return CalibrationHistory(system, tuple(entries), tuple(messages))
+    )
+    return CalibrationHistory(system, calibrations, tuple(messages))
 
 
 def _without_repeated_surveys(

@@ -5,46 +5,23 @@ information, but only computing time.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
+from lispac.present.angles import degrees
+from lispac.present.subsampling import SubsamplingValues
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
 from lispac.workflow.project.survey import Survey
 
-Array = NDArray[np.float64]
-
 DEFAULT_DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
 """Default distances, metres: 0 for all points, those of the thesis, and an additional one."""
-
-
-@dataclass(frozen=True, eq=False)
-class SubsamplingResult:
-    """Result with one subsampling distance.
-
-    Attributes
-    ----------
-    distance : float, metres; 0 for all points
-    points : int
-        Number of points used; averaged points count as one.
-    boresight, sigma : ndarrays of shape (3,), radians
-    seconds : float
-        Computing time of the adjustment, without the selection of the points, which is common to
-        all distances.
-    """
-
-    distance: float
-    points: int
-    boresight: Array
-    sigma: Array
-    seconds: float
 
 
 def subsampling_study(
@@ -53,7 +30,7 @@ def subsampling_study(
     distances: Sequence[float] = DEFAULT_DISTANCES,
     *,
     progress: Progress = no_progress,
-) -> tuple[SubsamplingResult, ...]:
+) -> tuple[SubsamplingValues, ...]:
     """Adjust the project's targets for each distance, without changing the project.
 
     Parameters
@@ -89,11 +66,13 @@ def subsampling_study(
             project.with_settings(settings), selected, survey,
             cross_check=False, advise=False, progress=step,
         )  # fmt: skip
-        seconds = perf_counter() - started
+        elapsed = perf_counter() - started
         result = solved.result
         assert result is not None
         found.append(
-            SubsamplingResult(distance, result.points, result.boresight, result.sigma, seconds)
+            SubsamplingValues(
+                distance, result.points, degrees(result.boresight), degrees(result.sigma), elapsed
+            )
         )
     progress(1.0)
     return tuple(found)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.language import N_, capitalised, gettext
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, complete_axes
 from lispac.survey.conventions.conversion import ConventionSetup
@@ -22,6 +23,7 @@ from lispac.survey.conventions.mounting_replacement import (
     CurrentMountingInSystem,
     current_mounting_of_matrix,
 )
+from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import Convention
 from lispac.survey.georeferencing import Mounting
 
@@ -53,7 +55,7 @@ class BoresightInputs(QWidget):
     mounting : Mounting
         Mounting to convert, with all digits if it is that of the project.
     covariance : ndarray of shape (3, 3), radians squared, or None
-    sigma_warning : warning about the sigmas, in the user's language, or empty
+    sigma_warning : warning about the sigmas
     has_lever_arm : whether a project or the user has given the lever arm
     """
 
@@ -63,9 +65,9 @@ class BoresightInputs(QWidget):
         super().__init__()
         self.mounting = Mounting(np.zeros(3), np.zeros(3))
         self.covariance: np.ndarray | None = None
-        self.sigma_warning = ""
+        self.sigma_warning: Message | None = None
         self.has_lever_arm = False
-        self._project_values: tuple[Mounting, np.ndarray | None, str, str] | None = None
+        self._project_values: tuple[Mounting, np.ndarray | None, Message | None, str] | None = None
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -119,7 +121,7 @@ class BoresightInputs(QWidget):
         self.mounting = Mounting(
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
-        self.covariance, self.sigma_warning = None, ""
+        self.covariance = self.sigma_warning = None
         self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
         self.source.setText(gettext(USER_DEFINED_TEXT))
         self.changed.emit()
@@ -276,26 +278,20 @@ class ImuAxes(QWidget):
         self._z.setText(gettext("Z {direction}", direction=gettext(direction)))
 
 
-def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
+def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, Message | None, str]:
     """Mounting, covariance, warning and source text of a project."""
     result = project.result
     if result is None:
-        return project.mounting("prior"), None, "", (
+        return project.mounting("prior"), None, None, (
             gettext(
                 "Prior boresight of {project}. Nothing has been estimated yet.",
                 project=project.name,
             )
         )  # fmt: skip
-    independent = result.model.pos_errors == "independent"
-    sigma_warning = (
-        gettext("Uncorrelated POS errors: these standard deviations are several times too small.")
-        if independent
-        else ""
-    )
     return (
         project.mounting("estimated"),
         np.asarray(result.covariance)[:3, :3],
-        sigma_warning,
+        None if result.model.correlated else UNCORRELATED_WARNING,
         gettext("Estimated boresight of {project}.", project=project.name),
     )
 

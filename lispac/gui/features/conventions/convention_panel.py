@@ -31,19 +31,30 @@ from lispac.gui.features.conventions.convention_inputs import (
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
-from lispac.language import N_, capitalised, gettext
+from lispac.language import N_, capitalised, gettext, in_english
 from lispac.message_texts import message_text
-from lispac.survey.conventions.axes import Axes
-from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
-from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD
-from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting
+from lispac.present.conventions import (
+    ConventionAngle,
+    ConventionValues,
+    CorrectionValues,
+    Matrix,
+    angle_format,
+    angles_table,
+    angles_title,
+    lever_arm_text,
+    matrix_text,
+    rotation_facts,
+    signs_text,
+)
+from lispac.present.tables import Table, cell_text, title_text
+from lispac.survey.conventions.conversion import ConventionSetup
+from lispac.survey.conventions.mounting_replacement import replace_mounting
 from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.systems import (
     LISPAC_CONVENTION,
     SCANNER_WORDS,
     SYSTEMS,
     Convention,
-    Direction,
     Scanner,
     Status,
 )
@@ -51,8 +62,6 @@ from lispac.survey.georeferencing import Mounting
 
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ROW_HEIGHT_PX = 25
-Row = tuple[str, np.ndarray, str, bool]
-"""Title in the user's language, angles in radians, format of the sign, whether bold."""
 
 
 class ConventionAnglesTable(QTableWidget):
@@ -75,19 +84,20 @@ class ConventionAnglesTable(QTableWidget):
         head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         head.setHighlightSections(False)
 
-    def fill(self, convention: Convention, rows: Sequence[Row], decimals: int) -> None:
-        """Show the rows in degrees, with columns named as in the program."""
+    def fill(self, table: Table[ConventionAngle], angles: Sequence[ConventionAngle]) -> None:
+        """Show a table of angles with a column for each angle, named as in the program."""
+        name, *rows, sign = table.columns
         self.setRowCount(len(rows))
-        self.setHorizontalHeaderLabels([capitalised(gettext(name)) for name in convention.names])
-        self.setVerticalHeaderLabels([title for title, *_ in rows])
-        for column, turn in enumerate(convention.turns):
+        self.setHorizontalHeaderLabels([cell_text(name, angle) for angle in angles])
+        self.setVerticalHeaderLabels([title_text(each.title) for each in rows])
+        for column, angle in enumerate(angles):
             self.horizontalHeaderItem(column).setTextAlignment(_ALIGN_RIGHT)
-            self.horizontalHeaderItem(column).setToolTip(capitalised(gettext(turn.meaning)))
-        for row, (_, values, sign, bold) in enumerate(rows):
-            for column, value in enumerate(np.round(np.degrees(values), decimals)):
-                item = QTableWidgetItem(units.localised(f"{value + 0.0:{sign}.{decimals}f}"))
+            self.horizontalHeaderItem(column).setToolTip(capitalised(cell_text(sign, angle)))
+            for row, each in enumerate(rows):
+                item = QTableWidgetItem(cell_text(each, angle))
                 item.setTextAlignment(_ALIGN_RIGHT)
-                item.setFont(theme.tabular_font(self.font(), bold=bold))
+                is_new = each.value == "value_deg"
+                item.setFont(theme.tabular_font(self.font(), bold=is_new))
                 self.setItem(row, column, item)
         self._set_column_widths()
 
@@ -122,10 +132,6 @@ _STATUS_TEXTS: dict[Status, tuple[str, str]] = {
     "unverified": (N_("Convention not verified"), N_("{program} (not verified)")),
 }
 """Title of each status, and name of a program with its status."""
-_FORMULA_TEXTS: dict[Direction, str] = {
-    "lidar_to_body": N_("Rotation from LiDAR to body: {formula}."),
-    "body_to_lidar": N_("Rotation from body to LiDAR: {formula}."),
-}
 _SCANNER_AXES_TEXTS: dict[Scanner, tuple[str, str]] = {
     "turned": (N_("parallel to the body axes"), N_("parallel to the body axes (usual)")),
     "kept": (N_("as in the raw points"), N_("as in the raw points (usual)")),
@@ -282,10 +288,17 @@ class ConventionPanel(QWidget):
         except InputError as error:
             self._show_refusal(str(error))
             return
-        self._show_rules(setup, new.mounting)
-        self._show_values(new)
+        values = ConventionValues.of_mounting(
+            new.in_system, new.mounting,
+            has_lever_arm=new.has_lever_arm, warning=inputs.sigma_warning,
+        )  # fmt: skip
+        correction = CorrectionValues.of(new)
+        self.imu.show_z(setup.axes[2])
+        self._show_rules(values)
+        self._show_values(values, correction)
+        self._show_notes(values, correction)
         self._show_mounting_text(new.mounting)
-        self._show_matrix(new.in_system)
+        self._show_matrix(setup, values)
 
     def _show_refusal(self, text: str) -> None:
         self.assumption.setText(escape(text))
@@ -296,105 +309,69 @@ class ConventionPanel(QWidget):
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)
 
-    def _show_rules(self, setup: ConventionSetup, mounting: Mounting) -> None:
-        convention = setup.convention
-        colour = theme.colour(_STATUS_COLOURS[setup.status]).name()
-        x, y, z = setup.axes
-        status = f'<b style="color:{colour}">{gettext(_STATUS_TEXTS[setup.status][0])}</b>'
-        self.status.setText(
-            gettext("{status}: {source}.", status=status, source=gettext(convention.source))
+    def _show_rules(self, values: ConventionValues) -> None:
+        colour = theme.colour(_STATUS_COLOURS[values.status]).name()
+        status = f'<b style="color:{colour}">{gettext(_STATUS_TEXTS[values.status][0])}</b>'
+        self.status.setText(gettext("{status}: {source}.", status=status, source=values.source))
+        self.rules.setText(
+            "<br>".join(f"<b>{name}</b> {text}" for name, text in rotation_facts(values))
         )
-        rules = [
-            gettext(
-                "Body axes in that program: X {x}, Y {y}, Z {z}.",
-                x=gettext(x),
-                y=gettext(y),
-                z=gettext(z),
-            )
-        ]
-        if convention.has_angles:
-            formula = str(convention.formula).replace("-", "−")
-            rules.insert(0, gettext(_FORMULA_TEXTS[convention.direction], formula=formula))
-        if convention.key != LISPAC_CONVENTION.key:
-            rules.append(str(setup.scanner_axes(mounting.rotation_body_lidar)))
-        self.rules.setText(" ".join(rules))
-        self.imu.show_z(z)
         title = gettext("Assumption:")
-        self.assumption.setText(f"<b>{title}</b> {setup.assumption}")
-        self.assumption.setVisible(setup.assumption is not None)
+        self.assumption.setText(f"<b>{title}</b> {values.assumption}")
+        self.assumption.setVisible(values.assumption is not None)
 
-    def _show_values(self, new: MountingReplacement) -> None:
-        in_system, correction = new.in_system, new.correction
-        setup = in_system.setup
-        convention = setup.convention
-        is_verified = setup.status == "verified"
-        for widget in (self.notes, self.lever, self.rules, self.matrix):
+    def _show_values(self, values: ConventionValues, correction: CorrectionValues | None) -> None:
+        for widget in (self.lever, self.rules, self.matrix):
             widget.setVisible(True)
         self.copy.setEnabled(True)
-        self.copy_angles.setEnabled(in_system.angles is not None)
-        self.table.setVisible(convention.has_angles)
-        if in_system.angles is None:
-            self.values_head.setText(
-                gettext("This program uses a matrix instead of angles: see below")
+        self.copy_angles.setEnabled(bool(values.angles))
+        self.table.setVisible(bool(values.angles))
+        self.values_head.setText(angles_title(values))
+        if values.angles:
+            table = angles_table(values, "", correction=correction)
+            self.table.fill(table, values.angles)
+            self._all_angles = _angle_lines(values)
+        texts = []
+        if values.lever_arm_m is not None:
+            arm = lever_arm_text(values, values.lever_arm_m)
+            texts.append(
+                gettext(
+                    "Lever arm in that program, from the POS centre: {lever_arm}",
+                    lever_arm=f"<b>{arm}</b>",
+                )
             )
-            self.notes.setVisible(correction is not None)
-            if correction is not None:
-                self.notes.setText(_correction_text(correction.rotation, new.transform))
-        else:
-            self.values_head.setText(
-                gettext("Angles to enter, degrees")
-                if is_verified
-                else gettext("Angles to enter if the assumption is correct, degrees")
-            )
-            decimals = 4 if in_system.note is None else 8
-            title = gettext("New angles") if is_verified else gettext("Assumed angles")
-            last = (title, in_system.angles, "+", True)
-            rows: list[tuple[str, np.ndarray, str, bool]] = [last]
-            if correction is not None:
-                assert correction.current is not None
-                assert correction.correction is not None
-                rows = [
-                    (gettext("Current angles"), correction.current, "+", False),
-                    (gettext("Correction"), correction.correction, "+", False),
-                    last,
-                ]
-            if in_system.sigmas is not None:
-                rows.append((gettext("± 1 σ"), in_system.sigmas, "", False))
-            self.table.fill(convention, rows, decimals)
-            self._all_angles = _angle_lines(convention, in_system.angles, decimals)
-            self._show_notes(new)
-        arm = _lever_arm_text(setup.axes, in_system.lever_arm)
-        texts = [
-            gettext("Lever arm in that program, from the POS centre: {lever_arm}", lever_arm=arm)
-        ]
-        if new.current is not None and new.current.lever_arm is not None:
-            arm = _lever_arm_text(setup.axes, new.current.lever_arm)
-            texts.append(gettext("Current lever arm: {lever_arm}", lever_arm=arm))
-            texts += map(message_text, filter(None, [new.lever_arm_note]))
+        if correction is not None and correction.current_lever_arm_m is not None:
+            arm = lever_arm_text(values, correction.current_lever_arm_m)
+            texts.append(gettext("Current lever arm: {lever_arm}", lever_arm=f"<b>{arm}</b>"))
+            texts += map(message_text, filter(None, [correction.lever_arm_text]))
         self.lever.setText("<br>".join(texts))
 
-    def _show_notes(self, new: MountingReplacement) -> None:
-        in_system, correction = new.in_system, new.correction
-        signs = str(in_system.setup.signs)
-        lines = [f"{signs[:1].upper()}{signs[1:]}."]
-        if correction is not None:
+    def _show_notes(self, values: ConventionValues, correction: CorrectionValues | None) -> None:
+        lines = [f"{capitalised(signs_text(values))}."] if values.angles else []
+        if correction is not None and values.angles:
             lines.append(
                 gettext(
                     "Multiply the current matrix by the correction from the left: new = "
                     "correction · current."
                 )
             )
-            error = correction.sum_error
-            if error > SUM_TOLERANCE_RAD:
-                lines.append(_sum_error_text(error))
-        if new.transform is not None:
-            title = gettext("Correction of the 4x4 matrix:")
-            lines.append(f"{title}<br>{_matrix_html(new.transform)}")
-        if in_system.note is not None:
-            lines.append(f"<b>{message_text(in_system.note)}</b>")
-        if in_system.sigmas is not None and self.inputs.sigma_warning:
-            lines.append(self.inputs.sigma_warning)
+            if correction.sum_matters:
+                lines.append(_sum_error_text(np.radians(correction.sum_error_deg)))
+            if correction.transform is not None:
+                title = gettext("Correction of the 4x4 matrix:")
+                lines.append(f"{title}<br>{_matrix_html(correction.transform)}")
+        elif correction is not None:
+            text = gettext(
+                "The matrix below replaces the current matrix: new = correction · current. "
+                "Correction:"
+            )
+            lines.append(f"{text}<br>{_matrix_html(correction.transform or correction.matrix)}")
+        if values.note is not None:
+            lines.append(f"<b>{message_text(values.note)}</b>")
+        if values.warning is not None and any(angle.sigma_deg for angle in values.angles):
+            lines.append(message_text(values.warning))
         self.notes.setText("<br>".join(lines))
+        self.notes.setVisible(bool(lines))
 
     def _show_mounting_text(self, mounting: Mounting) -> None:
         sentences = (
@@ -405,21 +382,16 @@ class ConventionPanel(QWidget):
         self.mounting_text.setText("<br>".join(sentence for sentence in sentences if sentence))
         self.gizmo.show_boresight(np.asarray(mounting.without_nominal_axes.boresight, dtype=float))
 
-    def _show_matrix(self, in_system: MountingInSystem) -> None:
-        name = program_name(in_system.setup.convention)
+    def _show_matrix(self, setup: ConventionSetup, values: ConventionValues) -> None:
         self.matrix_head.setText(
-            gettext("Matrix from scanner to body in {program}, with the lever arm", program=name)
+            gettext(
+                "Matrix from scanner to body in {program}, with the lever arm",
+                program=program_name(setup.convention),
+            )
         )
-        self.matrix.setPlainText(_matrix_rows(in_system.transform, 7))
-        self._all_digits = _matrix_rows(in_system.transform, 12)
-        self.matrix.setToolTip(gettext(SCANNER_WORDS[in_system.setup.scanner_frame]))
-
-
-def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
-    text = gettext(
-        "The matrix below replaces the current matrix: new = correction · current. Correction:"
-    )
-    return f"{text}<br>{_matrix_html(rotation if transform is None else transform)}"
+        self.matrix.setPlainText(matrix_text(values.transform, 7))
+        self._all_digits = matrix_text(values.transform, 12)
+        self.matrix.setToolTip(gettext(SCANNER_WORDS[setup.scanner_frame]))
 
 
 def _sum_error_text(error: float) -> str:
@@ -433,29 +405,14 @@ def _sum_error_text(error: float) -> str:
     )
 
 
-def _matrix_html(matrix: np.ndarray) -> str:
-    rows = _matrix_rows(matrix, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
+def _matrix_html(matrix: Matrix) -> str:
+    rows = matrix_text(matrix, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
     return f"<code>{rows}</code>"
 
 
-def _lever_arm_text(axes: Axes, values: np.ndarray) -> str:
-    # Non-breaking spaces, so that lines are broken between two axes only.
-    return ", ".join(
-        f"{letter} {gettext(axis)} <b>{units.localised(f'{value + 0.0:+.4f}')}</b> m".replace(
-            " ", "&nbsp;"
-        )
-        for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)
-    )
-
-
-def _angle_lines(convention: Convention, angles: np.ndarray, decimals: int) -> str:
-    values = np.round(np.degrees(angles), decimals) + 0.0
-    named = zip(convention.names, values, strict=True)
-    return "\n".join(f"{name}\t{value:.{decimals}f}" for name, value in named)
-
-
-def _matrix_rows(matrix: np.ndarray, decimals: int) -> str:
+def _angle_lines(values: ConventionValues) -> str:
+    decimals = angle_format(values).decimals
     return "\n".join(
-        " ".join(f"{value + 0.0:{decimals + 4}.{decimals}f}" for value in np.round(row, decimals))
-        for row in matrix
+        f"{in_english(angle.name)}\t{round(angle.value_deg, decimals) + 0.0:.{decimals}f}"
+        for angle in values.angles
     )

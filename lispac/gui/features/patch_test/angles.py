@@ -10,6 +10,7 @@ from lispac.gui.appearance import quantities
 from lispac.gui.widgets.number_field import NumberField
 from lispac.language import N_, gettext
 from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
+from lispac.present.patch_test import PatchTestValues
 
 Array = NDArray[np.float64]
 
@@ -116,37 +117,21 @@ class PatchAngles(QWidget):
         for k in range(3):
             self._show_angle(k)
 
-    def show_found(
-        self, boresight: Array | None, sigma: Array | None = None, curvature: Array | None = None
-    ) -> None:
-        """Show the angles found, their standard deviations and their effect on the lines.
-
-        Parameters
-        ----------
-        boresight : ndarray of shape (3,) or None, radians
-        sigma : ndarray of shape (3,) or None, radians
-        curvature : ndarray of shape (3,), metres per radian
-            Misalignment of the lines per error of the angle.
-        """
-        for k, label in enumerate(self.result_labels):
-            if boresight is None:
+    def show_found(self, values: PatchTestValues | None) -> None:
+        """Show the angles found, their standard deviations and their effect on the lines."""
+        for name, label in zip(ANGLE_NAMES, self.result_labels, strict=True):
+            if values is None:
                 label.setText("")
                 continue
-            value = quantities.amount(float(np.degrees(boresight[k])), "°", 4, sign=True)
-            if sigma is None:
-                texts = [gettext("result {angle}, no standard deviation", angle=value)]
+            angle = quantities.amount(getattr(values.boresight_deg, name), "°", 4, sign=True)
+            if values.sigma_deg is None:
+                text = gettext("result {angle}, no standard deviation", angle=angle)
             else:
-                spread = quantities.amount(float(np.degrees(sigma[k])), "°", 4)
-                texts = [gettext("result {angle} ± {sigma}", angle=value, sigma=spread)]
-            if curvature is not None:
-                distance = 1000 * float(np.radians(0.01) * curvature[k])
-                texts.append(
-                    gettext(
-                        "0.01° error = {distance} misalignment",
-                        distance=quantities.amount(distance, "mm", 1),
-                    )
-                )
-            label.setText("; ".join(texts))
+                sigma = quantities.amount(getattr(values.sigma_deg, name), "°", 4)
+                text = gettext("result {angle} ± {sigma}", angle=angle, sigma=sigma)
+            distance = quantities.amount(1000 * getattr(values.misalignment_m, name), "mm", 1)
+            effect = gettext("0.01° error = {distance} misalignment", distance=distance)
+            label.setText(f"{text}; {effect}")
 
     def update_enabled(self, allowed: bool) -> None:
         """Enable or disable the search buttons; the angles can always be changed."""

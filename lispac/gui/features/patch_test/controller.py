@@ -27,6 +27,7 @@ from lispac.patchtest.mismatch_minimisation import MismatchMinimum
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.present.patch_test import PatchTestValues
 from lispac.progress import Progress
 from lispac.workflow.calibration.method_runs import patch_test_result
 from lispac.workflow.calibration.patch_test import (
@@ -346,7 +347,7 @@ class PatchTestController(QObject):
             self._result = result
             panel = self.panel
             panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
-            panel.angles.show_found(result.boresight, result.sigma, result.curvature)
+            panel.angles.show_found(PatchTestValues.of(result))
             panel.message_label.setText("\n".join(map(message_text, result.messages)))
             panel.mark_objects({each.name: each.disagreement for each in result.disagreeing})
             self._draw_lines()

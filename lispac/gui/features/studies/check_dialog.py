@@ -17,60 +17,19 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
-from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
+from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, system_text
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.present.absolute import (
-    AbsoluteCheckValues,
-    LineReferenceDistances,
-    ReferenceDistances,
-)
+from lispac.present.absolute import LINE_CHECKS_TABLE, AbsoluteCheckValues, lines_and_all
+from lispac.present.tables import title_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.output.output_crs import LOCAL_FRAME
 
 SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
-DISTANCE_COLUMNS = (
-    (
-        N_("Mean before calibration (mm)"),
-        N_(
-            "Mean distance of the line from the reference before calibration, positive towards the "
-            "vessel"
-        ),
-    ),
-    (
-        N_("± 95 % before calibration (mm)"),
-        N_(
-            "Half-width of the 95 % confidence interval of the mean before calibration. It "
-            "includes the uncertainties of the POS and the reference."
-        ),
-    ),
-    (
-        N_("RMS before calibration (mm)"),
-        N_("Root mean square distance of the line from the reference before calibration"),
-    ),
-    (
-        N_("Mean after calibration (mm)"),
-        N_(
-            "Mean distance of the line from the reference after calibration, positive towards the "
-            "vessel"
-        ),
-    ),
-    (
-        N_("± 95 % after calibration (mm)"),
-        N_(
-            "Half-width of the 95 % confidence interval of the mean after calibration. It includes "
-            "the uncertainties of the POS, the reference and the boresight."
-        ),
-    ),
-    (
-        N_("RMS after calibration (mm)"),
-        N_("Root mean square distance of the line from the reference after calibration"),
-    ),
-)
-"""Titles and tips of the columns of distances, in millimetres."""
 
 
 @dataclass(frozen=True)
@@ -214,7 +173,9 @@ class CheckResultDialog(StudyDialog):
     def __init__(self, values: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
         from lispac.report.absolute_figure import reference_distance_figure
 
-        table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
+        table = DiagnosticsTable(
+            "check_table", title_text(LINE_CHECKS_TABLE.title), window_columns(LINE_CHECKS_TABLE)
+        )
         super().__init__(
             "checked", gettext("Check against {reference}", reference=values.reference),
             gettext(
@@ -225,10 +186,11 @@ class CheckResultDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows(
-            [
-                *(_line_row(each, Cell(each.line)) for each in values.lines),
-                _line_row(values.all_lines, Cell(gettext("all lines"))),
-            ]
+            window_rows(
+                LINE_CHECKS_TABLE,
+                lines_and_all(values),
+                marked=lambda row: row.after.mean_significant,
+            )
         )
         not_compared = [
             gettext("Not compared: {reason}", reason=message_text(reason))
@@ -237,50 +199,3 @@ class CheckResultDialog(StudyDialog):
         self.message_label.setText("\n".join([*map(message_text, values.messages), *not_compared]))
         reference_distance_figure(values, self.figure())
         self.resize(1000, 760)
-
-
-def _columns() -> tuple[Column, ...]:
-    return (
-        Column(
-            gettext("Line"),
-            gettext("Line compared with the reference, or all lines together"),
-            is_text=True,
-        ),
-        Column(
-            gettext("Compared places"),
-            gettext(
-                "Number of places where line and reference are compared, the same before and "
-                "after calibration"
-            ),
-        ),
-        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCE_COLUMNS),
-        Column(
-            gettext("Result"),
-            gettext(
-                "The line agrees with the reference if the 95 % confidence interval of the "
-                "mean after calibration includes zero"
-            ),
-            is_text=True,
-        ),
-    )
-
-
-def _line_row(line: LineReferenceDistances, name: Cell) -> Row:
-    after = line.after
-    cells = [name, number_cell(after.distances.n, ",.0f")]
-    for state in (line.before, after):
-        cells += _distance_cells(state)
-    result = (
-        gettext("differs from reference")
-        if after.mean_significant
-        else gettext("agrees with reference")
-    )
-    return Row((*cells, Cell(result)), marked=after.mean_significant)
-
-
-def _distance_cells(state: ReferenceDistances) -> list[Cell]:
-    return [
-        number_cell(state.signed.mean_m, "+.1f", 1000.0),
-        number_cell(state.mean_interval95_m, ".1f", 1000.0),
-        number_cell(state.distances.rms_m, ".1f", 1000.0),
-    ]

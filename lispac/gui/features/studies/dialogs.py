@@ -19,12 +19,12 @@ from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.subsampling import SubsamplingValues
 from lispac.project import Project
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.calibration_history import CalibrationHistory
 from lispac.workflow.checking.line_quality import LineQuality
-from lispac.workflow.checking.subsampling import SubsamplingResult
 
 
 class StudyDialogs(Questions):
@@ -54,7 +54,7 @@ class StudyDialogs(Questions):
         """Show the calibrations of each system."""
         run_dialog(HistoryDialog(histories, messages, self.parent))
 
-    def subsampling(self, results: Sequence[SubsamplingResult], used: float) -> None:
+    def subsampling(self, results: Sequence[SubsamplingValues], used: float) -> None:
         """Show the results at several point spacings; ``used`` is the spacing of the project."""
         run_dialog(SubsamplingDialog(results, used, self.parent))
 

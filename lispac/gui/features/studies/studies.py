@@ -21,6 +21,7 @@ from lispac.messages import Message
 from lispac.method_comparison import method_results, missing_methods
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.subsampling import SubsamplingValues
 from lispac.progress import Progress, sub_progress
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
@@ -32,7 +33,6 @@ from lispac.workflow.checking.calibration_history import CalibrationHistory, rea
 from lispac.workflow.checking.line_quality import LineQuality, line_quality
 from lispac.workflow.checking.subsampling import (
     DEFAULT_DISTANCES,
-    SubsamplingResult,
     subsampling_study,
 )
 from lispac.workflow.project.survey import Survey
@@ -153,7 +153,7 @@ class Studies(QObject):
             return
         used = project.settings.subsample
 
-        def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
+        def work(progress: Progress) -> tuple[SubsamplingValues, ...]:
             return subsampling_study(
                 project, survey, sorted({*DEFAULT_DISTANCES, used}), progress=progress
             )

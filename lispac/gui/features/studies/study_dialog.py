@@ -7,8 +7,8 @@ from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.widgets.diagnostics_table import Column, DiagnosticsTable, Row
-from lispac.language import N_, gettext
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
+from lispac.language import gettext
 
 HEADER_HEIGHT_PX, ROW_HEIGHT_PX, MAX_ROWS = 64, 24, 10
 """Height of the table header and of a row, pixels, and limit of rows for the table height."""
@@ -16,20 +16,6 @@ SCREEN_MARGIN_PX = 40
 """Part of the width and of the height of the screen that a dialogue does not use, pixels."""
 MIN_TABLE_HEIGHT_PX, MIN_PLOT_HEIGHT_PX = HEADER_HEIGHT_PX + 3 * ROW_HEIGHT_PX, 180
 """Smallest heights of table and plot on a small screen, pixels."""
-ANGLE_COLUMNS = (
-    (N_("Roll (deg)"), N_("Estimated roll angle of the boresight, in degrees")),
-    (N_("Roll σ (deg)"), N_("Standard deviation of the roll angle, in degrees")),
-    (N_("Pitch (deg)"), N_("Estimated pitch angle of the boresight, in degrees")),
-    (N_("Pitch σ (deg)"), N_("Standard deviation of the pitch angle, in degrees")),
-    (N_("Yaw (deg)"), N_("Estimated yaw angle of the boresight, in degrees")),
-    (N_("Yaw σ (deg)"), N_("Standard deviation of the yaw angle, in degrees")),
-)
-"""Titles and tips of the columns of boresight angles."""
-
-
-def angle_columns() -> list[Column]:
-    """Columns for each angle of the boresight and its standard deviation."""
-    return [Column(gettext(title), gettext(tip), base="°") for title, tip in ANGLE_COLUMNS]
 
 
 class StudyDialog(QDialog):

@@ -2,26 +2,26 @@
 
 from collections.abc import Sequence
 
-import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import units
 from lispac.gui.features.studies.actions import ACTIONS
-from lispac.gui.features.studies.study_dialog import StudyDialog, angle_columns
-from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
+from lispac.gui.features.studies.study_dialog import StudyDialog
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
+from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import gettext
-from lispac.workflow.checking.subsampling import SubsamplingResult
+from lispac.present.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
 
 
 class SubsamplingDialog(StudyDialog):
     """Dialogue with a row for each point spacing."""
 
     def __init__(
-        self, results: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
+        self, results: Sequence[SubsamplingValues], used: float, parent: QWidget | None = None
     ) -> None:
         title = dialog_title(ACTIONS["subsampling"])
-        table = DiagnosticsTable("subsampling_table", title, _columns())
+        table = DiagnosticsTable("subsampling_table", title, window_columns(SUBSAMPLING_TABLE))
         super().__init__(
             "subsampling", title,
             gettext(
@@ -31,7 +31,9 @@ class SubsamplingDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.show_rows([_spacing_row(each, each.distance == used) for each in results])
+        self.show_rows(
+            window_rows(SUBSAMPLING_TABLE, results, marked=lambda row: row.distance_m == used)
+        )
         self.message_label.setText(
             gettext(
                 "The highlighted row has the point spacing of the project settings, {spacing} "
@@ -40,35 +42,5 @@ class SubsamplingDialog(StudyDialog):
                 unit=units.shown_unit("m").sign,
             )
         )
-        self.message_label.setVisible(any(each.distance == used for each in results))
+        self.message_label.setVisible(any(each.distance_m == used for each in results))
         self.resize(860, 330)
-
-
-def _columns() -> list[Column]:
-    return [
-        Column(
-            gettext("Point spacing (m)"),
-            gettext(
-                "Points of a sighting that are closer together than this distance are averaged"
-            ),
-            base="m",
-        ),
-        Column(
-            gettext("Points"), gettext("Number of points used; averaged points count as one point")
-        ),
-        *angle_columns(),
-        Column(
-            gettext("Computing time (s)"),
-            gettext("Computing time of the adjustment, without the selection of points"),
-        ),
-    ]
-
-
-def _spacing_row(each: SubsamplingResult, used: bool) -> Row:
-    cells = [
-        number_cell(each.distance, ".2f") if each.distance else Cell(gettext("all points"), 0.0),
-        number_cell(each.points, ",.0f"),
-    ]
-    for angle, sigma in zip(np.degrees(each.boresight), np.degrees(each.sigma), strict=True):
-        cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
-    return Row((*cells, number_cell(each.seconds, ".2f")), marked=used)
