@@ -112,7 +112,7 @@ def print_patch_test(result: PatchTestResult) -> None:
         sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
         print(
             f"  {angle:<18}{np.degrees(result.boresight[k]):>+13.4f}  {sigma:>6}"
-            f"{np.degrees(result.one_by_one[k]):>+12.4f}"
+            f"{np.degrees(result.separate_boresight[k]):>+12.4f}"
             f"{1000 * np.radians(0.01) * result.curvature[k]:>18.1f}"
         )
     print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
@@ -121,8 +121,8 @@ def print_patch_test(result: PatchTestResult) -> None:
         angle = "none" if each.angle is None else ANGLE_NAMES[each.angle]
         print(
             f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
-            f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
-            f"{np.degrees(each.allowed):>13.4f}{mark}"
+            f"  {angle:>10}{np.degrees(each.difference):>+11.4f}"
+            f"{np.degrees(each.limit):>13.4f}{mark}"
         )
     for message in result.messages:
         print(message_text(message))
@@ -141,13 +141,13 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
         "covariance_deg2": None
         if result.covariance is None
         else (np.degrees(1.0) ** 2 * result.covariance).tolist(),
-        "separate_boresight_deg": _values_by_angle(np.degrees(result.one_by_one)),
+        "separate_boresight_deg": _values_by_angle(np.degrees(result.separate_boresight)),
         "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * result.curvature),
         "mismatch_before_m": result.mismatch_before
         if np.isfinite(result.mismatch_before)
         else None,
         "mismatch_m": result.mismatch,
-        "iterations": result.rounds,
+        "iterations": result.iterations,
         "converged": result.converged,
         "lines": list(result.lines),
         "objects": [
@@ -156,13 +156,13 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
                 "pairs": list(each.pairs),
                 "mismatch_m": each.mismatch,
                 "angle": None if each.angle is None else ANGLE_NAMES[each.angle],
-                "difference_deg": float(np.degrees(each.off)),
-                "limit_deg": float(np.degrees(each.allowed)),
+                "difference_deg": float(np.degrees(each.difference)),
+                "limit_deg": float(np.degrees(each.limit)),
                 "disagrees": each.disagrees,
             }
             for each in result.objects
         ],
-        "objects_without_pairs": list(result.without_pairs),
+        "objects_without_pairs": list(result.objects_without_pairs),
         "messages": [english_text(each) for each in result.messages],
     }
 
