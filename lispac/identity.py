@@ -52,6 +52,7 @@ class Identity:
         Raises
         ------
         InputError
+            If a text has control characters or several lines where one is allowed, or is too long.
         """
         self.changed(**asdict(self))
 

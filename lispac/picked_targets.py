@@ -104,6 +104,7 @@ def require_target_name(name: str) -> None:
     Raises
     ------
     ProjectError
+        If the name is empty or too long, or contains a character that is not allowed.
     """
     if not name.strip() or len(name) > MAX_NAME_LENGTH or not name.isprintable():
         shown = repr(name[:MAX_NAME_LENGTH])
@@ -118,6 +119,7 @@ def require_valid_target(target: Target) -> None:
     Raises
     ------
     ProjectError
+        If the name is invalid, or the radius or the role does not suit the shape.
     """
     require_target_name(target.name)
     radius = target.sphere_radius

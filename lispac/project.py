@@ -138,6 +138,7 @@ class Settings:
         Raises
         ------
         InputError
+            If a setting is not finite, outside its limits or contradicts another one.
         """
         numbers = {
             "setting.lever_arm": self.lever_arm,
@@ -223,6 +224,7 @@ def require_prior_sigma(parameter: Parameter) -> None:
     Raises
     ------
     InputError
+        If the standard deviation is outside the limits.
     """
     low, high = PRIOR_SIGMA_LIMITS
     if parameter.sigma is not None and not low <= parameter.sigma <= high:

@@ -135,6 +135,7 @@ def require_usable_values(values: Any) -> None:
     Raises
     ------
     InvalidContentError
+        If one of these values occurs.
     """
     waiting = [(values, 0)]
     while waiting:
@@ -157,6 +158,7 @@ def require_usable_text(text: str) -> None:
     Raises
     ------
     InvalidContentError
+        If one of these characters occurs.
     """
     if "\0" in text:
         raise InvalidContentError(error("content.null_character"))

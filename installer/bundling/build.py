@@ -50,6 +50,7 @@ def run_pyinstaller() -> None:
     Raises
     ------
     BundleError
+        If PyInstaller fails.
     """
     shutil.rmtree(BUILD_FOLDER / "dist", ignore_errors=True)
     command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level", "ERROR"]
@@ -71,6 +72,7 @@ def build_manual() -> None:
     Raises
     ------
     BundleError
+        If the manual is not complete or contains an error.
     """
     from lispac.errors import InputError
     from lispac.workflow.output import manual
@@ -143,6 +145,7 @@ def require_fit(folder: Path) -> None:
     Raises
     ------
     BundleError
+        If the bundle contains a forbidden file, or reports another version.
     """
     places = [path.relative_to(folder).as_posix() for path in folder.rglob("*")]
     found = trimming.unwanted(places)
@@ -215,7 +218,10 @@ def build(*, packed: bool) -> Path:
 
     Raises
     ------
-    BundleError, LicenceMissingError
+    BundleError
+        If a program fails, or the bundle is not as required.
+    LicenceMissingError
+        If a component has no licence text.
     """
     say("Building the manual")
     build_manual()

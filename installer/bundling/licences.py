@@ -53,6 +53,7 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
     Raises
     ------
     LicenceMissingError
+        If neither the distribution nor the notices contain a licence text.
     """
     name = distribution.metadata["Name"]
     found = []
@@ -106,6 +107,7 @@ def debian_copyright(library: Path) -> tuple[str, str]:
     Raises
     ------
     LicenceMissingError
+        If no package of the system contains the library and its licence.
     """
     real = str(library.resolve())
     for path in dict.fromkeys((real, real.removeprefix("/usr"), str(library))):
@@ -144,6 +146,7 @@ def collected(
     Raises
     ------
     LicenceMissingError
+        If a component has no licence text, or a file belongs to no known component.
     """
     owned = owners(site)
     found: dict[str, list[str]] = {}
@@ -222,6 +225,7 @@ def _python_licence() -> str:
     Raises
     ------
     LicenceMissingError
+        If no licence file is found beside the standard library.
     """
     stdlib = Path(sysconfig.get_path("stdlib"))
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}"

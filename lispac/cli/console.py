@@ -73,10 +73,10 @@ def opened_project(path: Path, *, change: bool) -> "Iterator[Project]":
         yield open_project(path)
         return
 
-    def waiting() -> None:
+    def print_waiting_note() -> None:
         print(f"{path}: waiting for another program that changes this project", file=sys.stderr)
 
-    with locked_project(path, waiting=waiting) as project:
+    with locked_project(path, waiting=print_waiting_note) as project:
         yield project
 
 

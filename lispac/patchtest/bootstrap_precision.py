@@ -65,23 +65,23 @@ class ObjectAgreement:
     angle : int or None
         Angle with the most significant difference: 0 roll, 1 pitch, 2 yaw. None if the object
         determines no angle; it is not tested then.
-    off : float, radians
+    difference : float, radians
         Minimum of this object alone in that angle, minus the minimum of all objects (linearised).
-    allowed : float, radians
-        Largest absolute value of ``off`` that is accepted.
+    limit : float, radians
+        Largest absolute value of ``difference`` that is accepted.
     """
 
     name: str
     pairs: tuple[str, ...]
     mismatch: float
     angle: int | None
-    off: float
-    allowed: float
+    difference: float
+    limit: float
 
     @property
     def disagrees(self) -> bool:
         """Whether the minimum of this object deviates from that of all by more than allowed."""
-        return self.angle is not None and abs(self.off) > self.allowed
+        return self.angle is not None and abs(self.difference) > self.limit
 
     @property
     def disagreement(self) -> Message:
@@ -90,7 +90,7 @@ class ObjectAgreement:
         return note(
             "patch_test.object_disagrees",
             object=self.name, angle=mounting_value_name(ANGLE_NAMES[self.angle]),
-            difference=self.off, usual=self.allowed,
+            difference=self.difference, usual=self.limit,
         )  # fmt: skip
 
 

@@ -40,10 +40,10 @@ UNDETERMINED_CODES = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.n
 """Codes of the messages that roll, pitch or yaw is not determined."""
 LOSS_SCALES = (0.5, 0.2, LOSS_SCALE)
 """Scale of the robust loss in each stage, metres."""
-MAX_STEPS, MAX_ROUNDS = 6, 12
-"""Largest number of steps of a stage, and of rounds over the three angles one by one."""
+MAX_STEPS, MAX_ITERATIONS = 6, 12
+"""Largest number of steps of a stage, and of iterations over the three angles one by one."""
 STEP_TOLERANCE = np.radians(2e-4)
-"""Largest change of an angle in the last step or round for convergence, radians."""
+"""Largest change of an angle in the last step or iteration for convergence, radians."""
 MAX_STEP = np.radians(1.0)
 """Largest change of an angle in one step, radians."""
 MIN_LEVERAGE = 2.0
@@ -60,14 +60,14 @@ class MismatchMinimum:
     Attributes
     ----------
     boresight : ndarray of shape (3,), radians
-    rounds : int
-        Number of rounds over the angles one by one; 1 if they were estimated together.
+    iterations : int
+        Number of iterations over the angles one by one; 1 if they were estimated together.
     converged : bool
-        Whether no angle changed by more than `STEP_TOLERANCE` in the last step or round.
+        Whether no angle changed by more than `STEP_TOLERANCE` in the last step or iteration.
     """
 
     boresight: Array
-    rounds: int
+    iterations: int
     converged: bool
 
 
@@ -130,16 +130,18 @@ def minimise_angle_by_angle(
         As `minimise_mismatch`.
     """
     boresight, whole = np.array(start, dtype=float), Mismatch(sample, blocks)
-    for rounds in range(1, MAX_ROUNDS + 1):
-        mismatch = whole.with_scale(LOSS_SCALES[min(rounds - 1, len(LOSS_SCALES) - 1)])
+    for iterations in range(1, MAX_ITERATIONS + 1):
+        mismatch = whole.with_scale(LOSS_SCALES[min(iterations - 1, len(LOSS_SCALES) - 1)])
         before = boresight.copy()
         for angle in range(3):
-            progress((rounds - 1 + angle / 3) / MAX_ROUNDS, gettext_lazy(PROGRESS_TEXTS[angle]))
+            progress(
+                (iterations - 1 + angle / 3) / MAX_ITERATIONS, gettext_lazy(PROGRESS_TEXTS[angle])
+            )
             boresight[angle] += _angle_step(mismatch, boresight, [angle])[0]
         change = float(np.abs(boresight - before).max())
-        if rounds >= len(LOSS_SCALES) and change <= STEP_TOLERANCE:
-            return MismatchMinimum(boresight, rounds, True)
-    return MismatchMinimum(boresight, MAX_ROUNDS, False)
+        if iterations >= len(LOSS_SCALES) and change <= STEP_TOLERANCE:
+            return MismatchMinimum(boresight, iterations, True)
+    return MismatchMinimum(boresight, MAX_ITERATIONS, False)
 
 
 def _angle_step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:

@@ -25,7 +25,7 @@ class PatchTestResult:
     ----------
     boresight : ndarray of shape (3,), radians
         Roll, pitch and yaw, estimated together.
-    one_by_one : ndarray of shape (3,), radians
+    separate_boresight : ndarray of shape (3,), radians
         Roll, pitch and yaw, estimated one after another.
     covariance : ndarray of shape (3, 3), square radians, or None
         Covariance of roll, pitch and yaw; None if there are too few objects.
@@ -36,25 +36,25 @@ class PatchTestResult:
         first is NaN if the lines do not overlap at the objects with the prior boresight.
     lines : tuple of str
     objects : tuple of ObjectAgreement
-    rounds : int
-        Number of rounds over the angles one by one.
+    iterations : int
+        Number of iterations over the angles one by one.
     converged : bool
         Whether both estimates converged.
-    without_pairs : tuple of str
+    objects_without_pairs : tuple of str
         Requested objects at which no pair of lines overlaps.
     """
 
     boresight: Array
-    one_by_one: Array
+    separate_boresight: Array
     covariance: Array | None
     curvature: Array
     mismatch_before: float
     mismatch: float
     lines: tuple[str, ...]
     objects: tuple[ObjectAgreement, ...]
-    rounds: int
+    iterations: int
     converged: bool
-    without_pairs: tuple[str, ...] = ()
+    objects_without_pairs: tuple[str, ...] = ()
 
     @property
     def sigma(self) -> Array | None:
@@ -78,14 +78,14 @@ class PatchTestResult:
             found.append(note("patch_test.no_sigma", count=count, needed=MIN_OBJECTS))
         if not self.converged:
             found.append(note("patch_test.not_converged"))
-        differences = np.abs(self.one_by_one - self.boresight)
+        differences = np.abs(self.separate_boresight - self.boresight)
         if differences.max() > MAX_ESTIMATE_DIFFERENCE:
             k = int(differences.argmax())
             angle = mounting_value_name(ANGLE_NAMES[k])
             found.append(note("patch_test.order_matters", angle=angle, difference=differences[k]))
         found.extend(each.disagreement for each in self.disagreeing)
-        if self.without_pairs:
-            found.append(note("patch_test.not_met", objects=self.without_pairs))
+        if self.objects_without_pairs:
+            found.append(note("patch_test.not_met", objects=self.objects_without_pairs))
         return tuple(found)
 
     @property

@@ -51,8 +51,8 @@ class PatchObjectValues:
             pairs=found.pairs,
             mismatch_m=found.mismatch,
             angle=None if found.angle is None else ANGLES[found.angle],
-            difference_deg=float(np.degrees(found.off)),
-            limit_deg=float(np.degrees(found.allowed)),
+            difference_deg=float(np.degrees(found.difference)),
+            limit_deg=float(np.degrees(found.limit)),
             disagrees=found.disagrees,
         )
 
@@ -89,15 +89,15 @@ class PatchTestValues:
             covariance_deg2=(
                 None if covariance is None else matrix(np.degrees(1.0) ** 2 * covariance)
             ),
-            separate_boresight_deg=degrees(result.one_by_one),
+            separate_boresight_deg=degrees(result.separate_boresight),
             curvature_m_per_deg=angles(np.radians(1.0) * result.curvature),
             mismatch_before_m=finite_or_none(result.mismatch_before),
             mismatch_m=result.mismatch,
-            iterations=result.rounds,
+            iterations=result.iterations,
             converged=result.converged,
             lines=result.lines,
             objects=tuple(map(PatchObjectValues.of, result.objects)),
-            objects_without_pairs=result.without_pairs,
+            objects_without_pairs=result.objects_without_pairs,
             messages=result.messages,
         )
 

@@ -21,8 +21,8 @@ from lispac.validation.plane_comparison import PlaneComparison
 from lispac.workflow.calibration import edits, picking
 from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration.proposal_acceptance import (
+    remove_picked_surfaces,
     with_accepted_targets,
-    without_picked_surfaces,
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
@@ -198,7 +198,7 @@ class OpenProject(LoadedProject):
     def propose(self) -> Proposal:
         """Detect planes that could be used as targets, with reasons; `accept` adds them."""
         found = propose_targets(self.project, self.survey, progress=self._progress)
-        return without_picked_surfaces(self.project, found)
+        return remove_picked_surfaces(self.project, found)
 
     def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
         """Add all or the named proposed targets; returns their names in the project."""
@@ -291,7 +291,7 @@ class OpenProject(LoadedProject):
         self.project, _ = absolute_check.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,
             trajectory_datum=trajectory_datum, epoch=epoch, sigma=sigma,
-            reach=search_distance,
+            search_distance=search_distance,
             progress=self._progress,
         )  # fmt: skip
         assert self.project.absolute is not None
@@ -395,8 +395,8 @@ class OpenProject(LoadedProject):
 
     def _set_use(self, name: str, line: str | None, used: bool) -> None:
         if line is None:
-            self.project = edits.with_use_of_target(self.project, name, used)
+            self.project = edits.set_target_use(self.project, name, used)
             return
         if self.project.target(name).sighting(line) is None:
             raise ProjectError(error("script.no_sighting", target=name, line=line))
-        self.project = edits.with_use_of_sighting(self.project, name, line, used)
+        self.project = edits.set_sighting_use(self.project, name, line, used)

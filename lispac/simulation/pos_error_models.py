@@ -136,7 +136,7 @@ class GnssOutage:
 
 
 def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Array, Array]:
-    """Random walks of unit density and their integrals, exact at the knots, shape (n, 3)."""
+    """Integrals of random walks and the walks, unit density, exact at the knots, shape (n, 3)."""
     first, second = generator.standard_normal((2, len(steps), 3))
     h = steps[:, None]
     increment = np.sqrt(h) * first

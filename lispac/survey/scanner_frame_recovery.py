@@ -152,6 +152,7 @@ def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
     Raises
     ------
     InputError
+        If fewer than half of the points are within `MAX_PLAUSIBLE_RANGE_M`.
     """
     if not len(points_lidar):
         return
@@ -191,6 +192,7 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     Raises
     ------
     InputError
+        If fewer than half of the points are within `MAX_PLAUSIBLE_RANGE_M`.
     """
     sample = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
     near = np.einsum("ij,ij->i", sample, sample) <= MAX_PLAUSIBLE_RANGE_M**2

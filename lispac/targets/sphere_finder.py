@@ -292,6 +292,7 @@ def _require_sphere(
     Raises
     ------
     SphereNotFound
+        If the points are too few, show too small a part, or belong to another surface.
     """
     if len(on) < settings.min_points:
         raise SphereNotFound(

@@ -310,6 +310,7 @@ def _require_same_points(
     Raises
     ------
     InputError
+        If lines, shapes or numbers of points differ, or a point is not finite.
     """
     if set(before) != set(after):
         only = tuple(sorted(set(before) ^ set(after)))

@@ -334,10 +334,10 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     assert refusal.isVisible()
     assert "The plane T1 is the only target" in refusal.text()
     model = driver.window.adjust.model
-    assert f"tick {model.one_facing.text()}" in refusal.text()
+    assert f"tick {model.accept_single_orientation.text()}" in refusal.text()
     assert f"under {driver.window.adjust.advanced.head.text()}" in refusal.text()
     unfold(driver, driver.window.adjust.advanced)
-    click(driver, model.one_facing)
+    click(driver, model.accept_single_orientation)
     assert (
         driver.window.adjust.advanced.head.text() == "Advanced: targets of one orientation accepted"
     )
@@ -348,7 +348,7 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     assert not refusal.isVisible()
     press(driver, Key.Key_Z, Control)
     driver.rest()
-    assert not model.one_facing.isChecked()
+    assert not model.accept_single_orientation.isChecked()
 
 
 def test_an_automatic_estimate_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):

@@ -20,12 +20,12 @@ def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
     for name in ("T1", "T2"):
         click_on(opened, name)
         assert box.isVisible()
-        assert not box.double.isVisible()
+        assert not box.duplicate_warning.isVisible()
         click(opened, box.accept)
     click_on(opened, "T2", aside=0.2)
     assert window.controller.candidate.name == "T3"
-    assert box.double.isVisible()
-    assert box.double.text().startswith("T3 and T2 are the same surface: ")
+    assert box.duplicate_warning.isVisible()
+    assert box.duplicate_warning.text().startswith("T3 and T2 are the same surface: ")
     click(opened, box.accept)
     assert [target.name for target in opened.project.targets] == ["T1", "T2", "T3"]
     open_step(opened, 2)

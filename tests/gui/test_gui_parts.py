@@ -280,7 +280,7 @@ def test_a_step_with_a_serious_warning_is_not_done(demo: Demo, estimated: Projec
 def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):
     renamed = edits.with_renamed_target(demo.picked, "T1", "A")
     assert [t.name for t in renamed.targets] == ["A", "T2", "V1"]
-    assert edits.with_use_of_target(demo.picked, "T1", True) is demo.picked
+    assert edits.set_target_use(demo.picked, "T1", True) is demo.picked
 
 
 def test_recent_projects_come_back_newest_first(tmp_path: Path):

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
 from lispac.project import Project
 from lispac.workflow.calibration.proposal_acceptance import (
+    remove_picked_surfaces,
     with_accepted_targets,
-    without_picked_surfaces,
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
@@ -119,7 +119,7 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
 def test_existing_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
-    left = without_picked_surfaces(demo.picked, proposal)
+    left = remove_picked_surfaces(demo.picked, proposal)
     assert len(left.targets) < len(proposal.targets)
     assert set(left.picked) <= {"T1", "T2"}
     taken = {target.name for target in demo.picked.targets}
@@ -149,7 +149,7 @@ def test_the_heading_names_the_targets_of_the_sigmas(
     targets = [target for target in proposal.targets if target.role == "target"][:known]
     named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
     dialog = ProposedTargetsDialog(
-        without_picked_surfaces(replace(demo.project, targets=named), proposal)
+        remove_picked_surfaces(replace(demo.project, targets=named), proposal)
     )
     qtbot.addWidget(dialog)
     assert words in dialog.findChild(QLabel, "proposal_sigmas").text()

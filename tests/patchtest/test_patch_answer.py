@@ -13,14 +13,14 @@ from lispac.patchtest.patch_test_result import PatchTestResult
 
 GOOD_RESULT = PatchTestResult(
     boresight=np.radians([1.0, 2.0, -1.0]),
-    one_by_one=np.radians([1.0, 2.0, -1.0]),
+    separate_boresight=np.radians([1.0, 2.0, -1.0]),
     covariance=np.diag([1e-8, 4e-8, 9e-8]),
     curvature=np.ones(3),
     mismatch_before=0.2041,
     mismatch=0.0123,
     lines=("L1", "L2"),
     objects=(),
-    rounds=4,
+    iterations=4,
     converged=True,
 )
 BASIS_NOTE = note("patch_test.basis", count=0, lines=2)
@@ -38,13 +38,16 @@ def test_a_good_result_has_no_further_notes() -> None:
         ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=MIN_OBJECTS)),
         ({"converged": False}, note("patch_test.not_converged")),
         (
-            {"one_by_one": np.radians([1.005, 2.0, -1.05])},
+            {"separate_boresight": np.radians([1.005, 2.0, -1.05])},
             note(
                 "patch_test.order_matters",
                 angle=mounting_value_name("yaw"), difference=pytest.approx(np.radians(0.05)),
             ),
         ),
-        ({"without_pairs": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
+        (
+            {"objects_without_pairs": ("mast", "wall")},
+            note("patch_test.not_met", objects=("mast", "wall")),
+        ),
     ],
 )  # fmt: skip
 def test_each_limitation_adds_a_note(change: dict[str, object], expected: Message) -> None:

@@ -87,7 +87,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.lines == thinned[1].lines
     assert clean.mismatch < 0.5 * clean.mismatch_before
     # Both methods find the same minimum.
-    assert np.degrees(np.abs(clean.one_by_one - clean.boresight)).max() < 1e-3
+    assert np.degrees(np.abs(clean.separate_boresight - clean.boresight)).max() < 1e-3
 
 
 @pytest.mark.long
@@ -134,7 +134,7 @@ def test_a_box_placed_with_a_wrong_boresight_is_moved(
     for each, before in zip(others, placed_objects.objects, strict=True):
         assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
     found = find_boresight(project, survey, both, start=placed_objects.boresight)
-    assert MAST.name not in found.without_pairs
+    assert MAST.name not in found.objects_without_pairs
     assert (error(found, project) < 3).all()
 
 

@@ -205,8 +205,11 @@ def test_angles_that_never_converge_are_reported(
     assert not found.converged
     steps = mismatch_minimisation.MAX_STEPS * len(mismatch_minimisation.LOSS_SCALES)
     np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
-    one_by_one = mismatch_minimisation.minimise_angle_by_angle(EMPTY_SAMPLE, (), np.zeros(3))
-    assert (one_by_one.rounds, one_by_one.converged) == (mismatch_minimisation.MAX_ROUNDS, False)
+    angle_by_angle = mismatch_minimisation.minimise_angle_by_angle(EMPTY_SAMPLE, (), np.zeros(3))
+    assert (angle_by_angle.iterations, angle_by_angle.converged) == (
+        mismatch_minimisation.MAX_ITERATIONS,
+        False,
+    )
     np.testing.assert_allclose(
-        np.degrees(one_by_one.boresight), [mismatch_minimisation.MAX_ROUNDS] * 3
+        np.degrees(angle_by_angle.boresight), [mismatch_minimisation.MAX_ITERATIONS] * 3
     )

@@ -132,7 +132,7 @@ def test_a_zero_distance_and_a_missing_result_are_refused(
 ) -> None:
     project, survey = calibrated
     with pytest.raises(InputError) as raised:
-        line_quality(project, survey, reach=0.0)
+        line_quality(project, survey, search_distance=0.0)
     assert raised.value.code == "check.search_distance"
     bare = Project(project.folder, project.trajectory, project.lines, project.settings)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
@@ -141,10 +141,10 @@ def test_a_zero_distance_and_a_missing_result_are_refused(
 
 def test_one_pair_has_no_row_for_all_pairs() -> None:
     project, survey = picked()
-    found = line_quality(project, survey, reach=0.5)
+    found = line_quality(project, survey, search_distance=0.5)
     assert {(one, other) for one, other, _, _ in found.rows()} >= {("L1", "L2"), ("all", "all")}
     two = {name: survey.clouds[name] for name in ("L1", "L2")}
-    pair = line_quality(project, replace(survey, clouds=two), reach=0.5)
+    pair = line_quality(project, replace(survey, clouds=two), search_distance=0.5)
     assert {(one, other) for one, other, _, _ in pair.rows()} == {("L1", "L2")}
 
 
@@ -152,7 +152,7 @@ def test_a_single_line_is_refused() -> None:
     project, survey = picked()
     alone = replace(survey, clouds={"L1": survey.clouds["L1"]})
     with pytest.raises(NotComparable) as caught:
-        line_quality(project, alone, reach=0.25)
+        line_quality(project, alone, search_distance=0.25)
     assert caught.value.code == "check.no_common_place"
     assert caught.value.message is not None
     assert caught.value.message.params == {"project": "site", "distance": 0.25}

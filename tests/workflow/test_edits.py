@@ -7,11 +7,11 @@ import pytest
 from lispac.errors import ProjectError
 from lispac.project import Project
 from lispac.workflow.calibration.edits import (
+    set_line_use,
+    set_sighting_use,
+    set_target_use,
     with_renamed_target,
     with_switched_role,
-    with_use_of_line,
-    with_use_of_sighting,
-    with_use_of_target,
 )
 from tests.support.report_sample import sample_project
 
@@ -26,20 +26,20 @@ def unused(project: Project) -> set[tuple[str, str]]:
 
 
 def test_excluding_a_line_affects_all_targets_and_no_validation_plane(project: Project) -> None:
-    without = with_use_of_line(project, "L3", False)
+    without = set_line_use(project, "L3", False)
     assert unused(without) == {("T1", "L3"), ("T2", "L3")}
     assert without.result is None
-    again = with_use_of_line(without, "L3", True)
+    again = set_line_use(without, "L3", True)
     assert unused(again) == set()
     assert [t.name for t in again.targets] == [t.name for t in project.targets]
 
 
 def test_an_edit_without_change_keeps_the_result(project: Project) -> None:
-    assert with_use_of_target(project, "T1", True) is project
-    assert with_use_of_sighting(project, "T1", "L1", True) is project
-    assert with_use_of_sighting(project, "T1", "no such line", False) is project
-    assert with_use_of_line(project, "no such line", False) is project
-    left_out = with_use_of_target(project, "T1", False)
+    assert set_target_use(project, "T1", True) is project
+    assert set_sighting_use(project, "T1", "L1", True) is project
+    assert set_sighting_use(project, "T1", "no such line", False) is project
+    assert set_line_use(project, "no such line", False) is project
+    left_out = set_target_use(project, "T1", False)
     assert left_out.target("T1").used_sightings == ()
     assert left_out.result is None
 

@@ -16,8 +16,8 @@ from lispac.workflow.calibration.estimation import complete_result
 from lispac.workflow.calibration.patch_test import propose_objects
 from lispac.workflow.calibration.picking import find_target, pick_target
 from lispac.workflow.calibration.proposal_acceptance import (
+    remove_picked_surfaces,
     with_accepted_targets,
-    without_picked_surfaces,
 )
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.checking.survey_sections import section_at_target
@@ -136,10 +136,10 @@ def test_picked_targets_are_not_proposed_again() -> None:
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = without_picked_surfaces(project, proposal)
+    left = remove_picked_surfaces(project, proposal)
     assert (left.targets, left.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = without_picked_surfaces(bare, proposal)
+    left = remove_picked_surfaces(bare, proposal)
     assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
     assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
     accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])

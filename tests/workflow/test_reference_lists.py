@@ -35,7 +35,9 @@ def test_a_surveyed_point_away_from_its_plane_is_reported(
     known: tuple[Project, Survey], tmp_path: Path, off: float
 ) -> None:
     """The point is the centre of five, so the fitted plane moves by a fifth of its offset."""
-    found = read_reference(corners(tmp_path / "b.csv", off), *known, sigma=0.005, reach=1.0)
+    found = read_reference(
+        corners(tmp_path / "b.csv", off), *known, sigma=0.005, search_distance=1.0
+    )
     told = [each for each in found.notes if each.code.startswith("reference.")]
     if off:
         assert [(each.code, each.params["plane"]) for each in told] == [
@@ -59,12 +61,12 @@ def test_a_scan_with_too_many_points_is_sampled_evenly(
     far = near[:500] + [0.0, 0.0, 500.0]
     path = tmp_path / "scan.xyz"
     np.savetxt(path, np.concatenate([near, far]), fmt="%.4f")
-    whole = read_reference(path, *known, sigma=0.0, reach=1.0)
+    whole = read_reference(path, *known, sigma=0.0, search_distance=1.0)
     assert len(whole.surface) == 3000
     used = note("reference.points_used", file="scan.xyz", used=3000, total=3500, one_in=1)
     assert used in whole.notes
     monkeypatch.setattr(references, "MAX_SCAN_POINTS", 1000)
-    some = read_reference(path, *known, sigma=0.0, reach=1.0)
+    some = read_reference(path, *known, sigma=0.0, search_distance=1.0)
     assert 600 < len(some.surface) <= 1000
     assert {*map(tuple, some.surface)} < {*map(tuple, whole.surface)}
     assert np.abs(some.surface.mean(axis=0) - whole.surface.mean(axis=0)).max() < 0.05
@@ -80,7 +82,7 @@ def test_a_scan_away_from_the_lines_is_refused(
     path = tmp_path / "scan.xyz"
     np.savetxt(path, on_board("T1", 0, 0) + [200.0, 0.0, 0.0] + np.eye(3)[np.arange(1200) % 3])
     with pytest.raises(InputError) as caught:
-        read_reference(path, *known, sigma=0.0, reach=0.5)
+        read_reference(path, *known, sigma=0.0, search_distance=0.5)
     assert caught.value.code == "check.reference_elsewhere"
     assert str(path) in str(caught.value)
 
@@ -91,8 +93,8 @@ def test_a_scan_away_from_the_lines_is_refused(
         ({"sigma": -0.01}, "check.reference_sigma"),
         ({"sigma": np.inf}, "check.reference_sigma"),
         ({"sigma": np.nan}, "check.reference_sigma"),
-        ({"reach": 0.0}, "check.search_distance"),
-        ({"reach": 10.5}, "check.search_distance"),
+        ({"search_distance": 0.0}, "check.search_distance"),
+        ({"search_distance": 10.5}, "check.search_distance"),
     ],
 )
 def test_sigmas_and_search_distances_out_of_range_are_refused(

@@ -133,7 +133,7 @@ def checked(tmp_path: Path) -> tuple[Project, Survey, Path]:
     places = [on_board("T2", a, u) for a, u in ((-0.4, -0.4), (0.4, -0.4), (0.4, 0.4), (-0.4, 0.4))]
     rows = [f"B{k},{x[0]:.4f},{x[1]:.4f},{x[2]:.4f},T2" for k, x in enumerate(places)]
     path.write_text("\n".join(["name,north,west,up,plane", *rows]) + "\n")
-    project, _ = check_absolute(project, survey, path, reach=0.8)
+    project, _ = check_absolute(project, survey, path, search_distance=0.8)
     return project, survey, path
 
 

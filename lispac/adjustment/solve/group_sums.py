@@ -168,7 +168,12 @@ def sum_by_group(
 
 
 class EffectArrays(NamedTuple):
-    """Groups, form errors and POS errors, as arguments of the compiled kernels."""
+    """Effects on the misclosures of the points, as arguments of the compiled kernels.
+
+    An effect is an estimated error that displaces the points of a group apart from the mounting:
+    the form error of the surface (``surface``), or the POS error interpolated between the knots
+    (``pos``). The other arrays assign points to groups and groups to knots, and interpolate.
+    """
 
     start: NDArray[np.int64]
     knot: NDArray[np.int64]

@@ -22,7 +22,7 @@ from lispac.adjustment.solve.group_sums import AdjustmentState
 from lispac.adjustment.solve.iteration import IterationResult, iterate
 from lispac.adjustment.solve.noise_estimation import find_displaced_sightings
 from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
-from lispac.adjustment.solve.variance_components import need_own_offset_sigma
+from lispac.adjustment.solve.variance_components import is_separate_offset_sigma_needed
 from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress
 
@@ -76,7 +76,9 @@ def reject_disagreeing_sightings(
     """
     solution = _reject_unexplained_sightings(start, rejected, progress)
     linearised = solution.linearised
-    if linearised.problem.model.surface is not None or not need_own_offset_sigma(linearised):
+    if linearised.problem.model.surface is not None or not is_separate_offset_sigma_needed(
+        linearised
+    ):
         return solution
     if find_contradicted_parameters(linearised, min_angle_change=0.0):
         return solution

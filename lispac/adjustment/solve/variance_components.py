@@ -54,7 +54,7 @@ def most_likely_surface_sigma(
     return _maximise_surface_likelihood(linearised, alike & ~linearised.problem.rejected)[0]
 
 
-def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
+def is_separate_offset_sigma_needed(linearised: LinearisedProblem) -> bool:
     """Whether the offsets need a sigma different from that of the tilts.
 
     This is the case for boards that are displaced between lines but not bent. The most displaced

@@ -67,7 +67,7 @@ def run(arguments: Namespace) -> None:
         print_json(
             result_values(found.result, None)
             | {
-                "rounds": found.rounds,
+                "rounds": found.iterations,
                 "converged": found.converged,
                 "candidates": found.candidates,
                 "given_targets": found.targets,

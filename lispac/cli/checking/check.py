@@ -54,7 +54,8 @@ def run(arguments: Namespace) -> None:
             project, notes = check_absolute(
                 project, survey, arguments.reference, crs=arguments.crs, height=arguments.height,
                 trajectory_datum=arguments.trajectory_datum, epoch=arguments.epoch,
-                sigma=arguments.reference_sigma, reach=arguments.search_distance, progress=progress,
+                sigma=arguments.reference_sigma, search_distance=arguments.search_distance,
+                progress=progress,
             )  # fmt: skip
         save_project(project)
     assert project.absolute is not None

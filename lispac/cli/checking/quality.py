@@ -61,7 +61,7 @@ def run(arguments: Namespace) -> None:
         project = open_project(arguments.project)
         survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
         found = line_quality(
-            project, survey, which=arguments.boresight, reach=arguments.search_distance,
+            project, survey, which=arguments.boresight, search_distance=arguments.search_distance,
             progress=sub_progress(progress, 0.3, 1.0),
         )  # fmt: skip
     if arguments.map is not None:

@@ -407,7 +407,7 @@ class Controller(QObject):
         """Include or exclude a target."""
         if self._project is not None:
             title = N_("inclusion of {target}") if used else N_("exclusion of {target}")
-            edited = edits.with_use_of_target(self._project, name, used)
+            edited = edits.set_target_use(self._project, name, used)
             self._document.edit(title, edited, recompute=True, target=name)
 
     def use_sighting(self, name: str, line: str, used: bool) -> None:
@@ -415,14 +415,14 @@ class Controller(QObject):
         if self._project is not None:
             included = N_("inclusion of {target} in {line}")
             title = included if used else N_("exclusion of {target} in {line}")
-            edited = edits.with_use_of_sighting(self._project, name, line, used)
+            edited = edits.set_sighting_use(self._project, name, line, used)
             self._document.edit(title, edited, recompute=True, target=name, line=line)
 
     def use_line(self, line: str, used: bool) -> None:
         """Include or exclude all sightings of a line."""
         if self._project is not None:
             title = N_("inclusion of line {line}") if used else N_("exclusion of line {line}")
-            edited = edits.with_use_of_line(self._project, line, used)
+            edited = edits.set_line_use(self._project, line, used)
             self._document.edit(title, edited, recompute=True, line=line)
 
     def change_settings(self, settings: Settings) -> None:

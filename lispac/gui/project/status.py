@@ -74,11 +74,6 @@ class ProjectState:
     refused_since: Message | str = ""
 
 
-def count_text(number: int, singular: str, plural: str = "") -> str:
-    """Text of a number with its noun: ``1 line``, ``6 lines``."""
-    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"
-
-
 def point_count(number: int) -> str:
     """Text of a number of points: ``812 points``, ``4.9 M points``."""
     if number >= 1_000_000:

@@ -42,7 +42,7 @@ class FoldableGroup(QWidget):
         self._show(False)
 
     def set_summary(self, summary: str) -> None:
-        """Show the settings inside, in the user's language."""
+        """Show a summary of the settings in the header; if it is empty, show only the title."""
         text = gettext("{title}: {summary}", title=self._title, summary=summary)
         self.head.setText(text if summary else self._title)
         self.head.setToolTip(widgets.plain_tip(self.head.text()))

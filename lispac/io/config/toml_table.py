@@ -164,6 +164,7 @@ class TomlTable:
         Raises
         ------
         InputError
+            If the table contains a key that was not read.
         """
         for key in self._values:
             if key not in self._known:

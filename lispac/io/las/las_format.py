@@ -46,6 +46,7 @@ def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path:
     Raises
     ------
     InputError
+        If a coordinate or time of any point is NaN or infinite.
     """
     bad = ~(np.isfinite(points).all(axis=1) & np.isfinite(time))
     if bad.any():

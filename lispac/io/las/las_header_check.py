@@ -40,6 +40,7 @@ def require_sound_header(path: Path) -> PointCounts:
     Raises
     ------
     InputError
+        If the file has no LAS signature, or its header does not fit its size.
     """
     size = path.stat().st_size
     with path.open("rb") as file:

@@ -92,6 +92,7 @@ def _require_sound_header(path: Path) -> None:
     Raises
     ------
     InputError
+        If the file has no E57 signature, or its size differs from that in the header.
     """
     size = path.stat().st_size
     with path.open("rb") as file:

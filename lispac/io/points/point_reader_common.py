@@ -301,6 +301,7 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     Raises
     ------
     InputError
+        If more than `MAX_UNUSABLE_SHARE` of the points are not usable, or the times are too coarse.
     """
     if not (_are_within_limit(xyz, MAX_COORDINATE) and _are_within_limit(time, MAX_TIME_S)):
         good = usable_mask(xyz, time)
@@ -330,6 +331,7 @@ def require_distinct_times(start: float, end: float, count: int, path: Path) -> 
     Raises
     ------
     InputError
+        If at least `MIN_EQUAL_TIMES` points all have the same time.
     """
     if count >= MIN_EQUAL_TIMES and start == end:
         raise InputError(error("file.one_time", file=str(path), count=count, time=start))

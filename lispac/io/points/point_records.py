@@ -108,6 +108,7 @@ class PointRecords:
         Raises
         ------
         InputError
+            If the header states no points, or more than the file has room for.
         """
         if not self.count:
             raise InputError(error("file.no_points", file=str(self.path)))
@@ -214,6 +215,7 @@ def require_xyz_fields(path: Path, names: tuple[str, ...]) -> None:
     Raises
     ------
     InputError
+        If one of the three fields is missing.
     """
     if missing := [axis for axis in "xyz" if axis not in names]:
         raise InputError(

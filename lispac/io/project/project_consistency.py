@@ -21,6 +21,7 @@ def require_consistent(project: Project) -> None:
     Raises
     ------
     InvalidContentError
+        If a value, name or stored message is impossible, or contradicts another one.
     """
     project.settings.require_sound()
     project.identity.require_sound()
@@ -83,6 +84,7 @@ def require_unique_names(project: Project) -> None:
     Raises
     ------
     InvalidContentError
+        If a name occurs twice.
     """
     lines, targets = (
         [each.name for each in named_items] for named_items in (project.lines, project.targets)

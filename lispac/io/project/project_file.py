@@ -171,6 +171,7 @@ def _require_readable(project: Project, text: str) -> None:
     Raises
     ------
     ProjectError
+        If the content cannot be read again; the message gives the reason.
     """
     points = {target.name: [s.indices for s in target.sightings] for target in project.targets}
     try:

@@ -138,6 +138,7 @@ def _require_count(path: Path, row: int, text: str, head: int, count: int) -> No
     Raises
     ------
     InputError
+        If the row is not a single integer.
     """
     if _COUNT_PATTERN.fullmatch(text):
         return
@@ -154,6 +155,7 @@ def _require_no_count(path: Path, block: list[Row], head: int, count: int, done:
     Raises
     ------
     InputError
+        If a row of the block is a single integer.
     """
     for k, (row, text) in enumerate(block, start=done):
         if _COUNT_PATTERN.fullmatch(text):
@@ -168,6 +170,7 @@ def _require_rows(path: Path, block: list[Row], width: int) -> None:
     Raises
     ------
     InputError
+        If a row contains a comma or semicolon, or its number of columns is not ``width``.
     """
     for row, text in block:
         if "," in text or ";" in text:

@@ -265,6 +265,7 @@ def _require_complete_columns(
     Raises
     ------
     InputError
+        If a coordinate has no column or several, or a column has another axis.
     """
     if other_axes := [name.rstrip("?") for name in meanings if name.endswith("?")]:
         raise InputError(_columns_error("other_axes", path, row, other_axes))
@@ -444,6 +445,7 @@ def _require_unique_points(path: Path, points: Sequence[ListedPoint]) -> None:
     Raises
     ------
     InputError
+        If a name or a position occurs twice.
     """
     names: dict[str, int] = {}
     places: dict[tuple[float, float, float], int] = {}

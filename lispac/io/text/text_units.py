@@ -48,6 +48,7 @@ def require_one_unit(path: Path, layout: RowLayout) -> None:
     Raises
     ------
     InputError
+        If the titles of x, y and z have different units, or a unit that is no length.
     """
     units = layout.units()
     axis_units = {axis: units.get(axis, "") for axis in AXES}
@@ -65,6 +66,7 @@ def require_degrees(path: Path, layout: RowLayout) -> None:
     Raises
     ------
     InputError
+        If a column has another unit, or another or an ambiguous positive direction.
     """
     units = layout.units()
     for axis, negative_direction in (("x", "west"), ("y", "south")):
@@ -92,6 +94,7 @@ def require_cartesian(path: Path, layout: RowLayout) -> None:
     Raises
     ------
     InputError
+        If the columns have polar coordinates, and x, y or z is missing.
     """
     polar = [title for title in layout.titles if name_without_unit(title) in POLAR_COLUMN_NAMES]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):

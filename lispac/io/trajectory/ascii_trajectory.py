@@ -402,6 +402,7 @@ def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     Raises
     ------
     InputError
+        If several columns contain parts of the same angle.
     """
     parts = {"deg", "min", "sec", "s", "degrees", "minutes", "seconds", "d", "m"}
     for role in POSITION_ROLES:
@@ -431,6 +432,7 @@ def _require_all_columns_named(
     Raises
     ------
     InputError
+        If a row has more columns than there are names.
     """
     for line in lines:
         fields = _split_row(line, separator)

@@ -27,6 +27,7 @@ def require_time_base(path: Path, time: Array, base: TimeBase) -> None:
     Raises
     ------
     InputError
+        If the times are not possible in this time base, or in none.
     """
     possible = plausible_bases(time)
     if base in possible:
@@ -55,6 +56,7 @@ def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -
     Raises
     ------
     InputError
+        If a height is larger than `MAX_HEIGHT_M` in absolute value.
     """
     bad = np.abs(height) > MAX_HEIGHT_M
     if bad.any():
@@ -90,6 +92,7 @@ def require_attitude(
     Raises
     ------
     InputError
+        If roll, pitch or heading is outside its limits.
     """
     roll, pitch, heading = attitude
     bad = (np.abs(roll) > np.pi + 1e-6) | (np.abs(pitch) > np.pi / 2 + 1e-6)

@@ -373,6 +373,7 @@ def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a 
     Raises
     ------
     InputError
+        If the unit of the column is of another kind.
     """
     if kind == "an angle":
         fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_UNIT_CODES
@@ -389,6 +390,7 @@ def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
     Raises
     ------
     InputError
+        If a unit is unknown, or a title is ambiguous.
     """
     for column in columns:
         if column.unit.startswith(UNKNOWN):

@@ -313,6 +313,7 @@ def require_angles(convention: Convention) -> None:
     Raises
     ------
     InputError
+        If the convention has no angles.
     """
     if not convention.has_angles:
         raise InputError(error("survey.matrix_only", system=convention.name))

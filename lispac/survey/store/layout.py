@@ -89,6 +89,7 @@ def require_no_link(*paths: Path) -> None:
     Raises
     ------
     ProjectError
+        If one of the paths is a link.
     """
     for path in paths:
         if is_link(path):
@@ -270,6 +271,7 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
     Raises
     ------
     DamagedStore
+        If a value is impossible; the line then has to be imported again.
     """
     values = error("store.manifest_values", file=str(path))
     names = (manifest.folder, *(column.file for column in manifest.files))
@@ -322,6 +324,7 @@ def require_file_sizes(folder: Path, manifest: Manifest) -> None:
     Raises
     ------
     ProjectError
+        If a file is missing or its size differs; the line then has to be imported again.
     """
     for column in manifest.files:
         path = folder / manifest.folder / column.file

@@ -160,6 +160,7 @@ def require_same_attributes(
     Raises
     ------
     InputError
+        If an attribute is missing, new or of another type.
     """
     found = attribute_columns(piece, source)
     if set(found) != set(columns):

@@ -181,6 +181,7 @@ class StoredLine:
         Raises
         ------
         ProjectError
+            If a coordinate or a time is outside the limits of the manifest.
         """
         if not len(time):
             return

@@ -7,13 +7,13 @@ from lispac.messages import error
 from lispac.project import Project, Role
 
 
-def with_use_of_target(project: Project, name: str, used: bool) -> Project:
+def set_target_use(project: Project, name: str, used: bool) -> Project:
     """Include or exclude a target."""
     target = project.target(name)
     return project if target.used == used else project.with_target(replace(target, used=used))
 
 
-def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> Project:
+def set_sighting_use(project: Project, name: str, line: str, used: bool) -> Project:
     """Include or exclude one sighting."""
     target = project.target(name)
     sighting = target.sighting(line)
@@ -24,10 +24,10 @@ def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> 
     return project.with_target(replace(target, sightings=sightings))
 
 
-def with_use_of_line(project: Project, line: str, used: bool) -> Project:
+def set_line_use(project: Project, line: str, used: bool) -> Project:
     """Include or exclude the sightings of all targets on a line, without validation planes."""
     for target in project.targets_of_role("target"):
-        project = with_use_of_sighting(project, target.name, line, used)
+        project = set_sighting_use(project, target.name, line, used)
     return project
 
 

@@ -248,7 +248,7 @@ def _assess_patch_test(
     used = [b for b in blocks if b.first.object.name in used_names]
     return PatchTestResult(
         boresight=all_angles.boresight,
-        one_by_one=angle_by_angle.boresight,
+        separate_boresight=angle_by_angle.boresight,
         covariance=precision.covariance,
         curvature=precision.curvature,
         mismatch_before=mismatch(project.mounting("prior").boresight),
@@ -257,7 +257,9 @@ def _assess_patch_test(
             line for line in survey.lines if any(line in block.pair.lines for block in used)
         ),
         objects=precision.objects,
-        rounds=angle_by_angle.rounds,
+        iterations=angle_by_angle.iterations,
         converged=all_angles.converged and angle_by_angle.converged,
-        without_pairs=tuple(each.name for each in placed.objects if each.name not in used_names),
+        objects_without_pairs=tuple(
+            each.name for each in placed.objects if each.name not in used_names
+        ),
     )

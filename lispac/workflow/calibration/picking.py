@@ -166,6 +166,7 @@ def _require_same_surface(
     Raises
     ------
     TargetNotFound
+        If the new sighting disagrees with those of the other lines.
     """
     found: dict[str, Patch] = {}
     for sighting in known.used_sightings:
@@ -202,6 +203,7 @@ def require_survey_points(survey: Survey, target: Target) -> None:
     Raises
     ------
     ProjectError
+        If a point does not exist, a line has changed or the target is not valid.
     """
     require_valid_target(target)
     for sighting in target.sightings:

@@ -10,7 +10,7 @@ from lispac.workflow.calibration.picking import next_name
 from lispac.workflow.calibration.proposals import Proposal
 
 
-def without_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
+def remove_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
     """Remove the surfaces that the project already has from a proposal, and use free names."""
     targets: list[Target] = []
     reasons: dict[str, Message] = {}

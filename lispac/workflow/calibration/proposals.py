@@ -31,7 +31,7 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import are_reciprocal, comparable_pairs
 from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.calibration.estimation import estimate, observations_of
-from lispac.workflow.calibration.refusals import refused_by_method
+from lispac.workflow.calibration.method_errors import replace_suggested_actions
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import (
     MIN_TARGETS,
@@ -133,7 +133,7 @@ def propose_targets(
     if len(flat) < 2:
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.9, gettext_lazy("Selecting the targets"))
-    with refused_by_method(project.name, "propose"):
+    with replace_suggested_actions(project.name, "propose"):
         chosen, solved, planes = _choose_targets(project, survey, flat, named, judged)
     if len(chosen) < MIN_TARGETS:
         spare = [target for target in targets if judged[target.name].use == "at need"]

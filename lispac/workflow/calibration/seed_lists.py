@@ -131,6 +131,7 @@ def require_free_names(seeds: SeedList) -> None:
     Raises
     ------
     ProjectError
+        If a name of the list is already used.
     """
     for seed in seeds.seeds:
         if seed.exists:
@@ -160,6 +161,7 @@ def pick_seeds(
     Raises
     ------
     InputError
+        If a search setting is not valid; then no target is picked.
     ProjectError
         If a seed is not valid for a search; then no target is picked.
     """
@@ -200,6 +202,7 @@ def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
     Raises
     ------
     TargetNotFound
+        If the list has seeds, and no target was found at any of them.
     """
     if outcomes and all(outcome.target is None for outcome in outcomes):
         first = outcomes[0]

@@ -115,6 +115,7 @@ class TargetSearch:
         Raises
         ------
         ProjectError
+            If the shape or the known radius differs.
         """
         if known.shape != self.shape:
             raise ProjectError(

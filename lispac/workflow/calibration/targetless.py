@@ -2,7 +2,7 @@
 
 Patches of natural surfaces are used as targets in the same adjustment: their points are averaged,
 weighted and tested like those of boards. The scene is divided into patches again with each new
-boresight until the angles converge, at most as many times as `ROUND_THRESHOLDS` has values.
+boresight until the angles converge, at most as many times as `ITERATION_THRESHOLDS` has values.
 """
 
 from collections import Counter
@@ -28,19 +28,19 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud, place_clouds
 from lispac.workflow.calibration.estimation import observations_of, reselect_points
-from lispac.workflow.calibration.refusals import refused_by_method
+from lispac.workflow.calibration.method_errors import replace_suggested_actions
 from lispac.workflow.project.survey import Survey
 
 Indices = NDArray[np.int64]
 
-ROUND_THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
-"""Largest distance of a point of any line from its region in each round, metres, as in
+ITERATION_THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
+"""Largest distance of a point of any line from its region in each iteration, metres, as in
 `find_patches`. The threshold of the project is used if it is larger. The first value is the
 displacement of a point by a boresight error of 0.1 deg at a range of 34 m."""
 COARSE_SPACING = 0.3
-"""Distance over which points are averaged in the rounds before the final adjustment, metres."""
+"""Distance over which points are averaged in the iterations before the final adjustment, metres."""
 CONVERGENCE_LIMIT = 0.1
-"""Change of an angle, as a share of its predicted sigma, below which no further round is run."""
+"""Change of an angle, as a share of its predicted sigma, below which the iteration ends."""
 MIN_PATCHES = 4
 """Smallest number of chosen patches; with fewer the result could not be checked."""
 MAX_REJECTED_SHARE = 0.3
@@ -57,12 +57,13 @@ class TargetlessResult:
     project : Project
         Project whose targets are the chosen patches, with the project's own targets if these were
         adjusted together with them, and the result.
-    rounds : int
+    iterations : int
         Number of times that the scene was divided into patches.
     converged : bool
-        Whether each angle changed by less than `CONVERGENCE_LIMIT` of its sigma in the last round.
+        Whether each angle changed by less than `CONVERGENCE_LIMIT` of its sigma in the last
+        iteration.
     candidates : int
-        Number of patches found in the last round, of which the best were chosen.
+        Number of patches found in the last iteration, of which the best were chosen.
     disagreeing : tuple of str
         Lines that share no surface with the others or disagree with them; see
         `disagreeing_lines`.
@@ -74,7 +75,7 @@ class TargetlessResult:
     """
 
     project: Project
-    rounds: int
+    iterations: int
     converged: bool
     candidates: int
     disagreeing: tuple[str, ...]
@@ -91,7 +92,7 @@ class TargetlessResult:
     def messages(self) -> tuple[Message, ...]:
         """Messages on the data used and the limits of the result."""
         used = len(self.project.targets) - self.targets
-        found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
+        found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.iterations)]
         if self.targets:
             found.append(note("targetless.with_targets", targets=self.targets))
         if not self.converged:
@@ -135,10 +136,10 @@ def targetless(
     mounting = survey.alignment.mounting
     coarse = replace(settings, subsample=max(settings.subsample, COARSE_SPACING), parameters=())
     coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
-    picked, found, rounds, converged, mixed = project, 0, 0, False, 0
-    for rounds, threshold in enumerate(ROUND_THRESHOLDS, 1):
-        step = sub_progress(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
-        step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
+    picked, found, iterations, converged, mixed = project, 0, 0, False, 0
+    for iterations, threshold in enumerate(ITERATION_THRESHOLDS, 1):
+        step = sub_progress(progress, 0.1 * iterations, 0.1 * iterations + 0.1)
+        step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=iterations))
         clouds = place_clouds(survey.clouds, mounting)
         patches = find_patches(
             clouds, settings.lidar_sigma, max(threshold, settings.threshold),
@@ -159,7 +160,7 @@ def targetless(
             project, targets=_targets_of_patches(patches, choice, clouds, survey), result=None
         )
         observations = observations_of(picked, survey, settings=coarse, mounting=mounting)
-        with refused_by_method(project.name, "targetless"):
+        with replace_suggested_actions(project.name, "targetless"):
             result = adjust(
                 observations, mounting, coarse_model,
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
@@ -168,7 +169,7 @@ def targetless(
         changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The sigmas of the coarse model are far too small to be used as a tolerance.
-        converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
+        converged = iterations > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
     if own is not None:
@@ -176,7 +177,7 @@ def targetless(
         picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
         mixed = len(mine)
     observations = observations_of(picked, survey, mounting=mounting)
-    with refused_by_method(project.name, "targetless"):
+    with replace_suggested_actions(project.name, "targetless"):
         result = adjust(
             observations,
             project.mounting("prior"),
@@ -214,7 +215,7 @@ def targetless(
     raised = float((raised_result.sigma / result.sigma).max())
     final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
-    return TargetlessResult(final, rounds, converged, found, named, mixed, raised)
+    return TargetlessResult(final, iterations, converged, found, named, mixed, raised)
 
 
 def _targets_only(project: Project) -> Project:

@@ -73,7 +73,7 @@ def check_absolute(
     trajectory_datum: str | None = None,
     epoch: float | None = None,
     sigma: float = DEFAULT_SIGMA,
-    reach: float = SEARCH_DISTANCE,
+    search_distance: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> tuple[Project, tuple[Message, ...]]:
     """Measure every line against a reference, with the prior and the estimated boresight.
@@ -89,7 +89,7 @@ def check_absolute(
     sigma : float, metres
         Standard deviation of the reference. For a scan, the part common to all points (registration
         and control); for a list, that of points without a sigma.
-    reach : float, metres
+    search_distance : float, metres
         Largest distance of line points from the reference.
 
     Returns
@@ -112,14 +112,14 @@ def check_absolute(
         raise ProjectError(error("estimate.needed", project=project.name))
     if not 0.0 <= sigma < np.inf:
         raise InputError(error("check.reference_sigma", sigma=sigma))
-    if not 0.0 < reach <= 10.0:
-        raise InputError(error("check.search_distance", distance=reach))
+    if not 0.0 < search_distance <= 10.0:
+        raise InputError(error("check.search_distance", distance=search_distance))
     reference = read_reference(
-        path, project, survey, sigma=sigma, reach=reach, crs=crs, height=height,
+        path, project, survey, sigma=sigma, search_distance=search_distance, crs=crs, height=height,
         trajectory_datum=trajectory_datum, epoch=epoch, progress=sub_progress(progress, 0.0, 0.3),
     )  # fmt: skip
-    clouds = _lines_near_reference(project, survey, reference, reach)
-    where = _ComparisonPlaces.of(reference, survey, project.settings.lidar_sigma, reach)
+    clouds = _lines_near_reference(project, survey, reference, search_distance)
+    where = _ComparisonPlaces.of(reference, survey, project.settings.lidar_sigma, search_distance)
     lines, not_compared = [], list[Message]()
     for k, cloud in enumerate(clouds):
         progress(
@@ -138,7 +138,7 @@ def check_absolute(
                 "check.no_flat_place",
                 file=str(path),
                 count=MIN_PLACES[reference.kind],
-                distance=reach,
+                distance=search_distance,
             )
         )
     settings = project.settings
@@ -149,12 +149,14 @@ def check_absolute(
         points = check_points(lines, where.names, where.sigmas, times)
     missed = sorted(set(where.names) - {p.name for p in points})
     if reference.kind == "points" and missed:
-        not_compared.append(note("check.points_not_compared", distance=reach, points=missed))
+        not_compared.append(
+            note("check.points_not_compared", distance=search_distance, points=missed)
+        )
     edges, before, after = shared_histogram(lines)
     check = AbsoluteCheck(
         path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
-        reference.sigma, reach, each, together, tuple(not_compared), edges, before, after, points,
-        find_other_surfaces(lines),
+        reference.sigma, search_distance, each, together, tuple(not_compared), edges, before, after,
+        points, find_other_surfaces(lines),
     )  # fmt: skip
     progress(1.0)
     return project.with_absolute(check), reference.notes
@@ -171,12 +173,12 @@ class _LineNearReference:
 
 
 def _lines_near_reference(
-    project: Project, survey: Survey, reference: Reference, reach: float
+    project: Project, survey: Survey, reference: Reference, search_distance: float
 ) -> list[_LineNearReference]:
     everything = [reference.surface, reference.places, *(p.points for p in reference.planes)]
     points = np.concatenate(everything)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = float(np.linalg.norm(points - centre, axis=1).max()) + 2 * reach
+    radius = float(np.linalg.norm(points - centre, axis=1).max()) + 2 * search_distance
     placed = survey.placed(project, "estimated")
     clouds = []
     for line, cloud in survey.clouds.items():
@@ -204,7 +206,7 @@ class _ComparisonPlaces:
         Standard deviation of the scan, or those of the surveyed points, then of the planes.
     vessel : ndarray of shape (3,), metres, local frame
         Mean position of the vessel.
-    reach : float, metres
+    search_distance : float, metres
         Largest distance of line points from the reference.
     roughest : float, metres
         Largest roughness of the reference at a place.
@@ -216,12 +218,12 @@ class _ComparisonPlaces:
     names: tuple[str, ...]
     sigmas: Array
     vessel: Array
-    reach: float
+    search_distance: float
     roughest: float
 
     @classmethod
     def of(
-        cls, reference: Reference, survey: Survey, lidar_sigma: float, reach: float
+        cls, reference: Reference, survey: Survey, lidar_sigma: float, search_distance: float
     ) -> "_ComparisonPlaces":
         planes, surface = reference.planes, reference.surface
         places = candidate_places(surface) if len(surface) else surface
@@ -233,7 +235,7 @@ class _ComparisonPlaces:
             (*reference.names, *(plane.name for plane in planes)),
             np.array([reference.sigma]) if reference.kind == "scan"
             else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
-            survey.trajectory.position.mean(axis=0), reach,
+            survey.trajectory.position.mean(axis=0), search_distance,
             3 * max(reference.sigma, lidar_sigma),
         )  # fmt: skip
 
@@ -243,7 +245,7 @@ class _ComparisonPlaces:
         Yields for each surface its points, the places on it, the diameters there (from the density
         of line and reference), and its index in ``sigmas``.
         """
-        diameters = cylinder_diameters(tree, self.candidates, self.reach)
+        diameters = cylinder_diameters(tree, self.candidates, self.search_distance)
         near = np.flatnonzero(np.isfinite(diameters))
         if len(near):
             both = np.maximum(diameters, self.diameters)[near]
@@ -254,7 +256,7 @@ class _ComparisonPlaces:
         for k, plane in enumerate(self.reference.planes):
             # A plane is flat at any width, so the diameter may be increased for a sparse line.
             side = float(np.clip(plane.width / CYLINDERS_PER_WIDTH, MIN_DIAMETER_M, MAX_DIAMETER_M))
-            diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
+            diameters = cylinder_diameters(tree, plane.grid(side), self.search_distance)
             if np.isfinite(diameters).any():
                 side = max(side, float(np.nanmedian(diameters)))
                 grid = plane.grid(side / POINTS_PER_DIAMETER)
@@ -279,19 +281,19 @@ def _compare_line(
         try:
             measured = measure_to_surface(
                 cloud.before, cloud.after, surface, cores, facing=where.vessel - cores,
-                diameters=diameters, reach=where.reach, roughest=where.roughest,
+                diameters=diameters, reach=where.search_distance, roughest=where.roughest,
             )  # fmt: skip
         except NotComparable:
             continue
         found.append((measured, np.full(len(measured.after.distance), group)))
     places = where.reference.places
-    wide = cylinder_diameters(tree, places, where.reach)
+    wide = cylinder_diameters(tree, places, where.search_distance)
     if (near := np.flatnonzero(np.isfinite(wide))).size:
         tried += len(near)
         try:
             alone = measure_to_points(
                 cloud.before, cloud.after, places[near], facing=where.vessel - places[near],
-                diameters=wide[near], reach=where.reach, roughest=where.roughest,
+                diameters=wide[near], reach=where.search_distance, roughest=where.roughest,
             )  # fmt: skip
             found.append((alone, near[alone.after.at]))
         except NotComparable:
@@ -312,11 +314,11 @@ def _compare_line(
 def _too_few_message(where: _ComparisonPlaces, count: int, tried: int) -> Message:
     """Message with the reason why a line cannot be compared, and a suggested action."""
     if where.reference.kind == "points":
-        return error("check.no_surveyed_point_near", distance=where.reach)
+        return error("check.no_surveyed_point_near", distance=where.search_distance)
     if not tried:
-        return error("check.no_reference_near", distance=where.reach)
+        return error("check.no_reference_near", distance=where.search_distance)
     return error(
-        "check.few_places", places=count, tried=tried, distance=where.reach,
+        "check.few_places", places=count, tried=tried, distance=where.search_distance,
         least=MIN_PLACES["scan"],
     )  # fmt: skip
 

@@ -141,7 +141,7 @@ def line_quality(
     survey: Survey,
     *,
     which: BoresightChoice = "prior",
-    reach: float = SEARCH_DISTANCE,
+    search_distance: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> LineQuality:
     """Compare all pairs of lines of a survey on flat places, before or after the calibration.
@@ -149,20 +149,20 @@ def line_quality(
     Parameters
     ----------
     which : boresight with which the lines are placed, prior or estimated
-    reach : float, metres
+    search_distance : float, metres
         Largest distance between two lines.
 
     Raises
     ------
     InputError
-        If ``reach`` is out of range.
+        If ``search_distance`` is out of range.
     NotComparable
         If no two lines share a flat place.
     ProjectError
         If ``which`` is "estimated" and there is no result.
     """
-    if not 0.0 < reach <= 10.0:
-        raise InputError(error("check.search_distance", distance=reach))
+    if not 0.0 < search_distance <= 10.0:
+        raise InputError(error("check.search_distance", distance=search_distance))
     clouds = survey.placed(project, which)
     points = {name: _finite_sample(cloud) for name, cloud in clouds.items()}
     pairs = list(combinations(points, 2))
@@ -174,13 +174,15 @@ def line_quality(
             found.append(
                 compare_lines(
                     (one, points[one]), (other, points[other]), vessel,
-                    noise=project.settings.lidar_sigma, reach=reach,
+                    noise=project.settings.lidar_sigma, reach=search_distance,
                 )
             )  # fmt: skip
         except NotComparable as failure:
             missed.append(replace(as_message(failure.reason), level=Level.NOTE))
     if not found:
-        raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
+        raise NotComparable(
+            error("check.no_common_place", project=project.name, distance=search_distance)
+        )
     progress(1.0)
     return LineQuality(which, tuple(found), tuple(missed))
 

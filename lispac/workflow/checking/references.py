@@ -129,7 +129,7 @@ def read_reference(
     survey: Survey,
     *,
     sigma: float,
-    reach: float,
+    search_distance: float,
     crs: str = "",
     height: str = "",
     trajectory_datum: str | None = None,
@@ -142,7 +142,7 @@ def read_reference(
     ----------
     sigma : float, metres
         Standard deviation of the scan, or of points without a sigma in the list.
-    reach : float, metres
+    search_distance : float, metres
         Largest distance from the lines at which points of a scan are read.
     crs : str
         Coordinate system, or ``local``; if empty, the one in the file, else the local frame.
@@ -186,7 +186,7 @@ def read_reference(
             *file_facts, "points", system_name, usual, (*notes, columns, *messages),
             np.zeros((0, 3)), names, places, sigmas, planes,
         )  # fmt: skip
-    surface, used = _read_surface(found, system, survey, project, reach, progress)
+    surface, used = _read_surface(found, system, survey, project, search_distance, progress)
     nothing = np.zeros((0, 3))
     return Reference(
         *file_facts,
@@ -301,7 +301,7 @@ def _plane_reference(
 
 def _read_surface(
     scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
-    reach: float, progress: Progress,
+    search_distance: float, progress: Progress,
 ) -> tuple[Array, Message]:  # fmt: skip
     """Read the part of a scan in the area of the lines, with a note on the number of its points.
 
@@ -310,7 +310,7 @@ def _read_surface(
     InputError
         If no point of the scan is near the lines.
     """
-    seen = _CoveredCells.of(survey, project, reach)
+    seen = _CoveredCells.of(survey, project, search_distance)
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
@@ -335,7 +335,9 @@ def _read_surface(
             0.5, gettext_lazy("Reading {file}: {count:n} points", file=scan.path.name, count=done)
         )
     if not kept:
-        raise InputError(error("check.reference_elsewhere", file=str(scan.path), distance=reach))
+        raise InputError(
+            error("check.reference_elsewhere", file=str(scan.path), distance=search_distance)
+        )
     used = note(
         "reference.points_used_sample" if halvings else "reference.points_used",
         file=scan.path.name, used=kept, total=done, one_in=2**halvings,
@@ -363,8 +365,8 @@ class _CoveredCells:
     cells: NDArray[np.int64]
 
     @classmethod
-    def of(cls, survey: Survey, project: Project, reach: float) -> "_CoveredCells":
-        side = max(MIN_CELL_SIZE, reach)
+    def of(cls, survey: Survey, project: Project, search_distance: float) -> "_CoveredCells":
+        side = max(MIN_CELL_SIZE, search_distance)
         seen = [
             np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)
             for clouds in (survey.clouds, survey.placed(project, "estimated"))

@@ -56,7 +56,7 @@ FILE_ACTION_CODES = {
 }  # fmt: skip
 """Codes of all actions that apply to a file as a whole."""
 
-LEAVE_OUT_ACTION = Action("leave_out")
+EXCLUDE_FILE_ACTION = Action("leave_out")
 CLEAR_TIME_BASE_ACTION = Action("clear_time_base", {"name": "time_base", "value": ""})
 IGNORE_ROLLOVER_ACTION = Action(
     "ignore_rollover", {"name": TIME_ROLLOVER_OPTION, "value": NO_ROLLOVER}
@@ -88,7 +88,9 @@ def already_in_project_error(
     if name is None or input_file.role != "points":
         return ()
     file = printable(input_file.path.name)
-    return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT_ACTION,)),)
+    return (
+        error("import.already_in_project", file=file, line=name, actions=(EXCLUDE_FILE_ACTION,)),
+    )
 
 
 def without_project_changes(
@@ -130,7 +132,7 @@ def file_messages(
     if input_file.role is None:
         return (as_note(input_file.error),) if input_file.error else ()
     messages = _own_messages(input_file, longest_gap)
-    file, actions = printable(input_file.path.name), (LEAVE_OUT_ACTION,)
+    file, actions = printable(input_file.path.name), (EXCLUDE_FILE_ACTION,)
     if input_file.role == "trajectory":
         if trajectories > 1:
             messages.append(error("import.several_trajectories", file=file, actions=actions))
@@ -175,11 +177,13 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
     messages: list[Message] = []
     if input_file.error:
         about_system = input_file.error.code in COORDINATE_SYSTEM_ERROR_CODES
-        actions = (CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION) if about_system else (LEAVE_OUT_ACTION,)
+        actions = (
+            (CHOOSE_SYSTEM_ACTION, EXCLUDE_FILE_ACTION) if about_system else (EXCLUDE_FILE_ACTION,)
+        )
         messages.append(replace(input_file.error, actions=(*input_file.error.actions, *actions)))
     elif input_file.place is not None and input_file.place.error:
         messages.append(
-            replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION))
+            replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, EXCLUDE_FILE_ACTION))
         )
     if input_file.remembered and input_file.finding is not None:
         actions = (Action("detect_columns"),)
@@ -233,7 +237,7 @@ def _accuracy_time_messages(input_file: InputFile, trajectory: InputFile | None)
         return [
             error(
                 "import.accuracy_times", file=file, first=float(own[0]), last=float(own[-1]),
-                start=float(track[0]), end=float(track[-1]), actions=(LEAVE_OUT_ACTION,),
+                start=float(track[0]), end=float(track[-1]), actions=(EXCLUDE_FILE_ACTION,),
             )
         ]  # fmt: skip
     too_short = accuracy_coverage_warning(own, track, file)
@@ -250,7 +254,7 @@ def time_messages(
     file = printable(input_file.path.name)
     own, base = line_time_base(input_file), known.base
     if wrong := time_base_error(times.sample, own, file):
-        return [replace(wrong, actions=(CLEAR_TIME_BASE_ACTION, LEAVE_OUT_ACTION))]
+        return [replace(wrong, actions=(CLEAR_TIME_BASE_ACTION, EXCLUDE_FILE_ACTION))]
     if input_file.shift_follows_bases:
         messages = _given_base_notes(input_file, times, track, own, known)
     else:
@@ -366,14 +370,14 @@ def _outside_errors(
         and abs(found[0].shift - input_file.shift) > 1e-9
     ):
         best, rivals = found[0], equally_good_matches(found)[:2]
-        actions = (*map(_shift_action, (best, *rivals)), LEAVE_OUT_ACTION)
+        actions = (*map(_shift_action, (best, *rivals)), EXCLUDE_FILE_ACTION)
         span: dict[str, Value] = {
             "file": file, "first": start, "last": end, "start": first, "end": last,
             "share": best.share,
         }  # fmt: skip
         if abs(best.shift) < 1e-9:
             code = "import.outside_without_shift"
-            actions = (Action("clear_shift"), *map(_shift_action, rivals), LEAVE_OUT_ACTION)
+            actions = (Action("clear_shift"), *map(_shift_action, rivals), EXCLUDE_FILE_ACTION)
         else:
             code = "import.outside_with_shift"
             span |= {
@@ -387,7 +391,7 @@ def _outside_errors(
         error(
             "import.before_trajectory" if is_before else "import.after_trajectory", file=file,
             first=start, last=end, start=first, end=last,
-            distance=first - end if is_before else start - last, actions=(LEAVE_OUT_ACTION,),
+            distance=first - end if is_before else start - last, actions=(EXCLUDE_FILE_ACTION,),
         )
     ]  # fmt: skip
 
@@ -404,6 +408,6 @@ def _location_messages(input_file: InputFile, track: Trajectory) -> list[Message
     return [
         error(
             "import.far_from_trajectory", file=printable(input_file.path.name), system=place.system,
-            distance=distance, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION),
+            distance=distance, actions=(CHOOSE_SYSTEM_ACTION, EXCLUDE_FILE_ACTION),
         )
     ]  # fmt: skip

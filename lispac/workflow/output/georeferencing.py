@@ -188,6 +188,7 @@ def require_no_overwrite(project: Project, paths: Sequence[Path]) -> None:
     Raises
     ------
     InputError
+        If a path is that of a line, of the trajectory or of its accuracy.
     """
     own = [line.path for line in project.lines] + [project.trajectory]
     if project.accuracy is not None:

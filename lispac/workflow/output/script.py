@@ -247,7 +247,12 @@ def _reference_check_steps(
     for sigma in sigmas:
         try:
             again, _ = check_absolute(
-                project, survey, path, sigma=sigma, reach=check.search_distance, progress=progress
+                project,
+                survey,
+                path,
+                sigma=sigma,
+                search_distance=check.search_distance,
+                progress=progress,
             )
         except LispacError:
             continue
@@ -258,15 +263,18 @@ def _reference_check_steps(
     ]
 
 
-def _reference_check_call(path: str, sigma: float, reach: float) -> str:
+def _reference_check_call(path: str, sigma: float, search_distance: float) -> str:
     """Python call of `project.check` with the options that differ from their defaults.
 
     Parameters
     ----------
-    sigma, reach : float, metres
+    sigma, search_distance : float, metres
         Standard deviation of the reference, and search distance.
     """
-    values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
+    values = {
+        "sigma": (sigma, DEFAULT_SIGMA),
+        "search_distance": (search_distance, SEARCH_DISTANCE),
+    }
     named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)
 

@@ -99,6 +99,7 @@ def _require_scheduler(address: str, security: Any) -> None:
     Raises
     ------
     LispacError
+        If no scheduler replies at the address within `CONNECT_TIMEOUT`.
     """
     from distributed.comm import connect
 

@@ -203,6 +203,8 @@ def require_storable(folder: Path, figures: SensorSpecification, name: str = "")
     Raises
     ------
     InputError
+        If sigmas, title or source are missing, a text is not printable or too long, or the title is
+        already used.
     """
     sources = [figures] if isinstance(figures, ScannerSpecification) else figures.states
     if not sources:

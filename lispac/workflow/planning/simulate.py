@@ -126,6 +126,7 @@ def require_replaceable(folder: Path, marker: str) -> None:
     Raises
     ------
     ProjectError
+        If the path is a file, the folder has other content, or one of its folders is a link.
     """
     if folder.exists() and not folder.is_dir():
         raise ProjectError(error("simulate.folder_is_file", folder=str(folder)))

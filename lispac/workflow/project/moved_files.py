@@ -106,6 +106,7 @@ def require_files(project: Project) -> None:
     Raises
     ------
     InputError
+        If a file of the project is missing.
     """
     first, *others = missing_files(project) or (None,)
     if first is None:

@@ -146,9 +146,9 @@ class ModelSettings(QWidget):
         )
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
-        self.one_facing = QCheckBox(gettext("Accept a single orientation"))
-        self.one_facing.setObjectName("accept_single_orientation")
-        self.one_facing.setToolTip(
+        self.accept_single_orientation = QCheckBox(gettext("Accept a single orientation"))
+        self.accept_single_orientation.setObjectName("accept_single_orientation")
+        self.accept_single_orientation.setToolTip(
             gettext(
                 "Tick this if all targets are on one wall, or if there is only one target. The "
                 "angles are then separated only by the headings of the lines, and a bent or "
@@ -156,8 +156,8 @@ class ModelSettings(QWidget):
                 "is better."
             )
         )
-        self.one_facing.toggled.connect(self.changed)
-        form.addRow(self.one_facing)
+        self.accept_single_orientation.toggled.connect(self.changed)
+        form.addRow(self.accept_single_orientation)
         self._form = form
         self._show_noise()
 
@@ -189,7 +189,7 @@ class ModelSettings(QWidget):
             if kind == 2
             else None,
             variance_components=self.components.isChecked(),
-            accept_single_orientation=self.one_facing.isChecked(),
+            accept_single_orientation=self.accept_single_orientation.isChecked(),
         )
 
     def show_settings(self, settings: Settings) -> None:
@@ -211,7 +211,7 @@ class ModelSettings(QWidget):
         kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0
         self.noise.setCurrentIndex(kind)
         self.components.setChecked(settings.variance_components)
-        self.one_facing.setChecked(settings.accept_single_orientation)
+        self.accept_single_orientation.setChecked(settings.accept_single_orientation)
         self.blockSignals(False)
 
     def show_model(self, pos_errors: PosErrors) -> None:
@@ -231,7 +231,7 @@ class ModelSettings(QWidget):
             settings.append(gettext("given form error"))
         if self.components.isChecked():
             settings.append(gettext("variance components estimated"))
-        if self.one_facing.isChecked():
+        if self.accept_single_orientation.isChecked():
             settings.append(gettext("targets of one orientation accepted"))
         return ", ".join(settings)
 

@@ -137,8 +137,8 @@ class DetectedTargetPanel(QFrame):
         layout.addWidget(self.detail)
         self.lights = LineQualityIndicators("candidate_lights")
         layout.addWidget(self.lights)
-        self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
-        layout.addWidget(self.double)
+        self.duplicate_warning = widgets.label("", "warning", wrap=True, name="candidate_double")
+        layout.addWidget(self.duplicate_warning)
         self.accept = widgets.button(
             gettext("Accept  ⏎"), "accept_candidate", icon="check-bold", primary=True,
             tip=gettext("Enter"),
@@ -190,8 +190,8 @@ class DetectedTargetPanel(QFrame):
         )
         self.lights.show_target(candidate)
         overlap = overlap_warning(candidate, project.targets)
-        self.double.setText("" if overlap is None else message_text(overlap))
-        self.double.setVisible(overlap is not None)
+        self.duplicate_warning.setText("" if overlap is None else message_text(overlap))
+        self.duplicate_warning.setVisible(overlap is not None)
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:

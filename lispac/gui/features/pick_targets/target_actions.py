@@ -102,10 +102,10 @@ class TargetActions(SurveyActions):
             return
 
         def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.calibration.proposal_acceptance import without_picked_surfaces
+            from lispac.workflow.calibration.proposal_acceptance import remove_picked_surfaces
             from lispac.workflow.calibration.proposals import propose_targets
 
-            return without_picked_surfaces(
+            return remove_picked_surfaces(
                 project, propose_targets(project, survey, progress=progress)
             )
 

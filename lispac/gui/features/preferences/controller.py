@@ -47,7 +47,10 @@ class PreferencesController(QObject):
         )
 
     def show_dialog(self) -> None:
-        """Show the dialogue and apply the choices; a new language or theme rebuilds the window."""
+        """Show the dialogue and apply the choices.
+
+        A new language, theme, system of units or colour scale rebuilds the window.
+        """
         settings = self._settings
         before = _appearance(settings)
         entered = self._dialogs.preferences(Preferences.of(settings), settings)

@@ -41,7 +41,7 @@ class CheckRequest:
     crs, height : coordinate systems as in `lispac check`; empty for those of the file
     sigma : float, metres
         Standard deviation of the reference if the file contains none.
-    reach : float, metres
+    search_distance : float, metres
         Search distance for points of a line around the reference.
     """
 
@@ -49,7 +49,7 @@ class CheckRequest:
     crs: str
     height: str
     sigma: float
-    reach: float
+    search_distance: float
 
 
 class CheckDialog(QDialog):
@@ -103,14 +103,14 @@ class CheckDialog(QDialog):
             ),
         )  # fmt: skip
         self.sigma.setValue(1000 * DEFAULT_SIGMA)
-        self.reach = widgets.number(
+        self.search_distance = widgets.number(
             "check_reach", suffix=" m", decimals=2, low=0.05, high=20, step=0.25,
             tip=gettext(
                 "Largest distance at which a line is compared with the reference. It must exceed "
                 "the displacement caused by the error of the prior boresight."
             ),
         )  # fmt: skip
-        self.reach.setValue(SEARCH_DISTANCE)
+        self.search_distance.setValue(SEARCH_DISTANCE)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -118,7 +118,7 @@ class CheckDialog(QDialog):
         form.addRow(gettext("Coordinate system"), self.system)
         form.addRow(gettext("Vertical system"), self.height)
         form.addRow(gettext("Reference uncertainty (1 σ)"), self.sigma)
-        form.addRow(gettext("Search distance"), self.reach)
+        form.addRow(gettext("Search distance"), self.search_distance)
         layout.addLayout(form)
         self.check = widgets.button(gettext("Run check"), "check_run", primary=True)
         self.check.setDefault(True)
@@ -143,7 +143,7 @@ class CheckDialog(QDialog):
         height = self.height.text().strip() if code != LOCAL_FRAME else ""
         return CheckRequest(
             Path(self.file.text().strip()), code, height, self.sigma.value() / 1000,
-            self.reach.value(),
+            self.search_distance.value(),
         )  # fmt: skip
 
     def _show(self) -> None:

@@ -102,7 +102,7 @@ class Studies(QObject):
             preload_matplotlib()
             return check_absolute(
                 project, survey, request.path, crs=request.crs, height=request.height,
-                sigma=request.sigma, reach=request.reach, progress=progress,
+                sigma=request.sigma, search_distance=request.search_distance, progress=progress,
             )  # fmt: skip
 
         def done(checked: tuple[Project, tuple[Message, ...]]) -> None:

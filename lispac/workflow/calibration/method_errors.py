@@ -15,7 +15,7 @@ NO_RESULT_CODES = {"propose": "propose.no_result", "targetless": "targetless.no_
 
 
 @contextmanager
-def refused_by_method(project: str, method: Method) -> Iterator[None]:
+def replace_suggested_actions(project: str, method: Method) -> Iterator[None]:
     """Replace the suggested actions of a failed adjustment, which are about picked targets.
 
     Parameters
@@ -33,17 +33,17 @@ def refused_by_method(project: str, method: Method) -> Iterator[None]:
     try:
         yield
     except (NotConverged, RankDeficient) as failure:
-        reason = _refusal(as_message(failure.reason), project, method)
+        reason = _method_error(as_message(failure.reason), project, method)
         raise type(failure)(reason) from failure
 
 
-def _refusal(reason: Message, project: str, method: Method) -> Message:
+def _method_error(reason: Message, project: str, method: Method) -> Message:
     if reason.code == "estimate.possible_cause":
         inner = reason.params["reason"]
         assert isinstance(inner, Message)
         return error(
             "estimate.possible_cause",
-            reason=_refusal(inner, project, method), cause=reason.params["cause"],
+            reason=_method_error(inner, project, method), cause=reason.params["cause"],
         )  # fmt: skip
     if reason.code in ("adjustment.undetermined", "adjustment.undetermined_because"):
         return error(
