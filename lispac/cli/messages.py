@@ -1,13 +1,11 @@
-"""Messages on the command line, as text with suggested options, and as JSON."""
+"""Messages on the command line, with suggested options."""
 
 import sys
 from collections.abc import Iterable
-from typing import Any, TextIO
+from typing import TextIO
 
-from lispac.language import in_language
 from lispac.message_texts import action_text, message_text
-from lispac.message_texts.former_codes import former_code
-from lispac.messages import Action, Message, plain_params
+from lispac.messages import Action, Message
 
 OPTION_HINTS = {
     "adjustment.only_plane": "--accept-single-orientation",
@@ -52,27 +50,6 @@ def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> N
             print(f"    {option}", file=file)
         for action in message.actions:
             print(f"    {_action_text(action)}", file=file)
-
-
-def message_values(message: Message) -> dict[str, Any]:
-    """A message for JSON: code, level, parameters in SI units, subject, actions and text."""
-    from lispac.language import to_plain_text
-
-    subject = message.subject
-    return {
-        "code": message.code,
-        "level": message.level.value,
-        "params": plain_params(message),
-        "subject": subject and {"kind": subject.kind, "name": subject.name, "line": subject.line},
-        "actions": [{"code": each.code, "params": plain_params(each)} for each in message.actions],
-        "text": to_plain_text(message_text(message)),
-    }
-
-
-def warnings_as_json(messages: Iterable[Message]) -> list[dict[str, Any]]:
-    """Values of each message with its text in English, and its former code."""
-    with in_language("en"):
-        return [message_values(each) | {"former_code": former_code(each)} for each in messages]
 
 
 def _action_text(action: Action) -> str:

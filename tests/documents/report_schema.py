@@ -11,7 +11,8 @@ from typing import Any, get_type_hints
 from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
-from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION, JsonWarning
+from lispac.present.json_values import JsonMessage
+from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION
 from lispac.report.report_values import ReportContent
 
 PATH = Path(__file__).resolve().parents[2] / "resources" / SCHEMA_FILE
@@ -43,7 +44,7 @@ def schema_text() -> str:
 
 def _in_json() -> type:
     """Type of the content with messages as in JSON."""
-    hints = get_type_hints(ReportContent) | {"warnings": tuple[JsonWarning, ...]}
+    hints = get_type_hints(ReportContent) | {"warnings": tuple[JsonMessage, ...]}
     each = [
         (it.name, hints[it.name], field(default=it.default))
         if it.default is not MISSING
@@ -54,12 +55,14 @@ def _in_json() -> type:
 
 
 def _with_texts(value: Any) -> Any:
-    """Schema with texts instead of messages, without the definitions of parts of messages."""
+    """Schema with texts and messages as they are in JSON."""
     if isinstance(value, list):
         return [_with_texts(item) for item in value]
     if not isinstance(value, dict):
         return value
-    if value.get("$ref") in ("#/$defs/Message", "#/$defs/LazyText"):
+    if value.get("$ref") == "#/$defs/Message":
+        return {"$ref": "#/$defs/JsonMessage"}
+    if value.get("$ref") == "#/$defs/LazyText":
         return {"type": "string"}
     unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural")
     return {

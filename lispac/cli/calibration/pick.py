@@ -272,7 +272,7 @@ def _target_values(
         "stop": target.choices.stop,
         "random_seed": target.choices.seed,
         "lines": lines,
-        "missing": {line: english_text(reason) for line, reason in target.missing.items()},
+        "missing": json_values(target.missing),
     }
 
 
@@ -353,7 +353,7 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
     seed, target = outcome.seed, outcome.target
     content = {
         "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
-        "found": target is not None, "reason": _message_text(outcome),
+        "found": target is not None, "reason": json_values(outcome.message),
     }  # fmt: skip
     if target is None:
         return content | {"lines": {}, "missing": {}}
@@ -366,8 +366,7 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
         }
         for s in target.sightings
     }
-    missing = {line: english_text(reason) for line, reason in target.missing.items()}
-    return content | {"lines": lines, "missing": missing}
+    return content | {"lines": lines, "missing": json_values(target.missing)}
 
 
 def _message_text(outcome: SeedOutcome) -> str:

@@ -6,10 +6,11 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, opened_project, print_json
-from lispac.cli.messages import print_messages, warnings_as_json
+from lispac.cli.messages import print_messages
 from lispac.errors import ProjectError
-from lispac.message_texts import english_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import error
+from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -59,11 +60,11 @@ def run(arguments: Namespace) -> None:
                 "name": target.name, "role": target.role, "seed_m": list(target.seed),
                 "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
                           for s in target.sightings},
-                "reason": to_plain_text(english_text(proposal.reasons[target.name])),
+                "reason": json_values(proposal.reasons[target.name]),
             }
             for target in proposal.targets
         ]  # fmt: skip
-        warnings = warnings_as_json(proposal.warnings)
+        warnings = json_values(proposal.warnings)
         print_json({"targets": targets, "sigma_deg": sigma, "warnings": warnings,
                     "accepted": arguments.accept})  # fmt: skip
         return

@@ -6,7 +6,6 @@ from typing import Any
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.cli.console import print_table
-from lispac.cli.messages import warnings_as_json
 from lispac.duplicate_targets import project_warnings
 from lispac.language import number_with_noun, to_plain_text
 from lispac.message_texts import message_text
@@ -35,7 +34,7 @@ def result_values(
     return values | {
         "elapsed_s": result.elapsed,
         "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
-        "warnings": warnings_as_json(result_warnings(result, checks, also)),
+        "warnings": json_values(result_warnings(result, checks, also)),
     }
 
 

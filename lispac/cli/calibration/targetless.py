@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
-from lispac.message_texts import english_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import Message, note
+from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     from lispac.project import Project
@@ -67,12 +68,12 @@ def run(arguments: Namespace) -> None:
         print_json(
             result_values(found.result, None)
             | {
-                "rounds": found.iterations,
+                "matching_iterations": found.iterations,
                 "converged": found.converged,
                 "candidates": found.candidates,
                 "given_targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
-                "messages": [english_text(each) for each in found.messages],
+                "messages": json_values(found.messages),
             }
         )
         return

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from lispac.cli.argument_types import add_json_option, picture_file, positive_number
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.present.json_values import json_values
 from lispac.untrusted_values import as_csv_cell
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def run(arguments: Namespace) -> None:
                     | _statistics_in_metres(figures)
                     for one, other, facing, figures in found.rows()
                 ],
-                "not_compared": list(map(message_text, found.not_compared)),
+                "not_compared": json_values(found.not_compared),
             }
         )
         return

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, finite_number
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.cli.messages import print_messages, warnings_as_json
-from lispac.message_texts import english_text, message_text
+from lispac.cli.messages import print_messages
+from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
     from lispac.project import Project
@@ -80,10 +80,8 @@ def run(arguments: Namespace) -> None:
                     [ValidationPlane.of(each) for each in project.validation]
                 ),
                 "rms_truth_m": true,
-                "not_compared": {
-                    name: english_text(why) for name, why in project.not_compared.items()
-                },
-                "warnings": warnings_as_json(project_warnings(project)),
+                "not_compared": json_values(project.not_compared),
+                "warnings": json_values(project_warnings(project)),
             }
         )
     else:

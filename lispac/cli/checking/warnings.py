@@ -5,8 +5,8 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.cli.messages import warnings_as_json
 from lispac.message_texts import message_text
+from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -30,7 +30,7 @@ def run(arguments: Namespace) -> None:
         rated = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
     found = warnings_of(project, survey, rated)
     if arguments.json:
-        print_json({"warnings": warnings_as_json(found)})
+        print_json({"warnings": json_values(found)})
         return
     if not found:
         print("No warnings.")

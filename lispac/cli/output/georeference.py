@@ -6,7 +6,7 @@ from pathlib import Path
 from lispac.cli.argument_types import add_crs_options, add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -58,7 +58,7 @@ def run(arguments: Namespace) -> None:
             }
             for done in written
         ]  # fmt: skip
-        print_json({"lines": lines, "notes": list(map(message_text, found))})
+        print_json({"lines": lines, "notes": json_values(tuple(found))})
         return
     for done in written:
         print(f"{done.path}  {done.points:,} points")

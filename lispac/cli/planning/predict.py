@@ -38,7 +38,7 @@ def run(arguments: Namespace) -> None:
                 "title": titled.title,
                 **json_values(values),
                 "largest_sigma_without_deg": {row.name: row.without_deg for row in gains},
-                "messages": list(map(message_text, messages)),
+                "messages": json_values(messages),
             }
         )
         return

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.cli.messages import message_values
 from lispac.language import to_plain_text
 from lispac.message_texts import fact_text, message_text
+from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     from lispac.workflow.importing.file_reading import FileCheck
@@ -70,7 +70,7 @@ def _print_check(item: FileCheck) -> None:
     option = f"--{OPTION_PREFIX[item.format.kind]}-format {values['format']}"
     print(f"\n{sure} {values['name']} ({option})")
     if item.finding is None:
-        print(f"  cannot be read: {values['error']}")
+        print(f"  cannot be read: {to_plain_text(values['error']['text'])}")
         return
     for name, value in values["facts"].items():
         print(f"  {name:20s} {value}")
@@ -78,11 +78,11 @@ def _print_check(item: FileCheck) -> None:
         among = f" ({', '.join(c for c in each.choices if c)})" if each.choices else ""
         print(f"  option {each.name}={values['options'][each.name]}{among}: {each.meaning}")
     for assumption in values["assumptions"]:
-        print(f"  assumed: {assumption}")
+        print(f"  assumed: {to_plain_text(assumption['text'])}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
     for message in values["messages"]:
-        print(f"  {message['level']}: {message['text']}")
+        print(f"  {message['level']}: {to_plain_text(message['text'])}")
 
 
 def _check_values(item: FileCheck) -> dict[str, Any]:
@@ -92,7 +92,7 @@ def _check_values(item: FileCheck) -> dict[str, Any]:
         "name": message_text(item.format.name),
         "kind": item.format.kind,
         "confidence": item.confidence,
-        "error": to_plain_text(message_text(item.error)) if item.error else "",
+        "error": json_values(item.error),
         "facts": {},
         "options": {},
         "assumptions": [],
@@ -103,7 +103,7 @@ def _check_values(item: FileCheck) -> dict[str, Any]:
         values |= {
             "facts": {name: fact_text(fact) for name, fact in finding.facts.items()},
             "options": item.format.resolved(finding.choice),
-            "assumptions": [to_plain_text(message_text(each)) for each in finding.assumptions],
-            "messages": [message_values(each) for each in messages],
+            "assumptions": json_values(finding.assumptions),
+            "messages": json_values(messages),
         }
     return values

@@ -17,13 +17,14 @@ from lispac.cli.argument_types import (
 )
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.former_options import split_reading_option
-from lispac.cli.messages import message_values, print_messages
+from lispac.cli.messages import print_messages
 from lispac.cli.noise_options import (
     add_noise_options,
     add_offset_options,
     noise_and_offset_settings,
 )
 from lispac.identity import EMPTY_IDENTITY
+from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     pass
@@ -170,8 +171,8 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
-        found = [message_values(each) for each in survey.messages]
-        print_json({"project": str(project.folder), "points": points, "messages": found})
+        messages = json_values(survey.messages)
+        print_json({"project": str(project.folder), "points": points, "messages": messages})
         return
     for name, count in points.items():
         heading = math.degrees(survey.heading[name]) % 360
