@@ -20,13 +20,12 @@ from lispac.adjustment.result import (
     UncontrolledObservations,
 )
 from lispac.cli.calibration.result_output import print_result, result_values
-from lispac.cli.messages import message_values
 from lispac.gui.features.estimate import result_texts
 from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
-from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, note
+from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.support.report_sample import sample_content, sample_project
@@ -270,8 +269,8 @@ def test_each_warning_is_the_same_everywhere(
     assert text.isascii()
     print_result(result, checks)
     assert f"- {text}\n" in capsys.readouterr().out
-    told = message_values(found) | {"former_code": former_code(found)}
-    assert told["text"] == text
+    told = json_values(found)
+    assert to_plain_text(told["text"]) == text
     assert told in result_values(result, checks)["warnings"]
     assert "are realistic" not in result_texts.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]

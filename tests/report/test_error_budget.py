@@ -196,8 +196,8 @@ def test_the_command_and_the_report_give_the_same_budget(
     assert found == json.loads(json.dumps(json_values(budget)))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
-    for sentence in found["messages"]:
-        assert sentence in out
+    for message in found["messages"]:
+        assert message["text"] in out
     content = replace(sample_content(sample), budget=budget)
     section = report_document(content, {}).sections[0]
     tables = [b for b in section.blocks if isinstance(b, Table) and "Error of a point" in b.title]
