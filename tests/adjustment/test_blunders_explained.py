@@ -43,7 +43,7 @@ class Found:
     """Stand-in for a solution, with the attributes `_reject_unexplained_sightings` uses."""
 
     problem: Case
-    let_go: int
+    rejected_count: int
     state: None = None
     path: None = None
 
@@ -79,8 +79,8 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
     def agreeing(solution: Found, *_rest: object) -> Found:
         if solution is start:
             return rejected
-        wanted = tuple(each.name for each in solution.problem.parameters)
-        return Found(replace(solution.problem, rejected=REJECTED), remain[wanted])
+        estimated_names = tuple(each.name for each in solution.problem.parameters)
+        return Found(replace(solution.problem, rejected=REJECTED), remain[estimated_names])
 
     for name, stand_in in {
         "find_contradicted_parameters": lambda here, **_: [
@@ -88,7 +88,7 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
         ],
         "iterate": iterated,
         "_reject_blunders": agreeing,
-        "_count_rejected_sightings": lambda solution: solution.let_go,
+        "_count_rejected_sightings": lambda solution: solution.rejected_count,
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
         monkeypatch.setattr(sighting_rejection, name, stand_in)
@@ -102,23 +102,23 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
 
 
 def test_a_restored_sighting_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    found, spared = Blunder("shift", (3,)), []
+    found, known_blunders = Blunder("shift", (3,)), []
     todo, back = [found], [found]
 
     def worst(_here: object, known: set[Blunder]) -> Blunder | None:
-        spared.append(set(known))
+        known_blunders.append(set(known))
         return todo.pop() if todo else None
 
     monkeypatch.setattr(sighting_rejection, "worst_blunder", worst)
     monkeypatch.setattr(
         sighting_rejection,
         "find_restorable_blunder",
-        lambda _, gone: back.pop() if gone and back else None,
+        lambda _, rejected: back.pop() if rejected and back else None,
     )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
     assert result.rejected_sightings == ()
-    assert spared[:2] == [set(), {found}]
+    assert known_blunders[:2] == [set(), {found}]
 
 
 def test_a_cross_check_without_a_result_has_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -126,7 +126,7 @@ def test_a_cross_check_without_a_result_has_a_reason(monkeypatch: pytest.MonkeyP
     refused = error("adjustment.parallel_planes")
     whole = adjust(points, PRIOR, model, diagnostics=False)
 
-    def refuse(*_given: object, **_more: object) -> None:
+    def refuse(*_arguments: object, **_more: object) -> None:
         raise RankDeficient(refused)
 
     monkeypatch.setattr(crosscheck, "estimate", refuse)

@@ -116,7 +116,7 @@ def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
     return found
 
 
-def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> AdjustmentResult:
+def adjusted_flight(drone: Drone, chosen: list[Labels], model: StochasticModel) -> AdjustmentResult:
     survey = drone.survey
     parts = [(k, line, own) for k, each in enumerate(chosen) for line, own in each.items()]
     points = np.concatenate([survey.scans[line].points_lidar[own] for _, line, own in parts])
@@ -159,14 +159,14 @@ def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # t
 def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
     """Points selected with another boresight reproduce most of its change."""
     here: Drone = drone(name)
-    aside = np.array([0.0, 0.0, 0.1])
+    offset = np.array([0.0, 0.0, 0.1])
     ends = [
-        answer(here, cut(here, here.reference + sign * aside, 0.04), THESIS).boresight
+        adjusted_flight(here, cut(here, here.reference + sign * offset, 0.04), THESIS).boresight
         for sign in (1, -1)
     ]
     assert np.degrees(ends[0] - ends[1])[2] / 0.2 > follows
     wide = [
-        answer(here, cut(here, here.reference + sign * aside, BAND), THESIS).boresight
+        adjusted_flight(here, cut(here, here.reference + sign * offset, BAND), THESIS).boresight
         for sign in (1, -1)
     ]
     assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
@@ -175,7 +175,7 @@ def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
-    whole = answer(here, cut(here, here.reference, BAND), StochasticModel(loss="tukey"))
+    whole = adjusted_flight(here, cut(here, here.reference, BAND), StochasticModel(loss="tukey"))
     result = here.found.result
     off = np.abs(result.boresight - whole.boresight) / np.hypot(result.sigma, whole.sigma)
     assert (off < 3).all(), off

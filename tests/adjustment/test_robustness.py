@@ -35,12 +35,14 @@ def survey(seed: int, spacing: float = 0.06) -> Observations:
 def with_outliers(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
     """Displace 5 % of the points by 0.1 to 1 m along the beam."""
     generator = np.random.default_rng([8, seed])
-    stray = generator.random(len(clean)) < 0.05
+    is_outlier = generator.random(len(clean)) < 0.05
     points = clean.points_lidar.copy()
-    beams = points[stray] / np.linalg.norm(points[stray], axis=1, keepdims=True)
-    off = generator.uniform(0.1, 1.0, stray.sum()) * generator.choice([-1, 1], stray.sum())
-    points[stray] += off[:, None] * beams
-    return replace(clean, points_lidar=points), stray
+    beams = points[is_outlier] / np.linalg.norm(points[is_outlier], axis=1, keepdims=True)
+    off = generator.uniform(0.1, 1.0, is_outlier.sum()) * generator.choice(
+        [-1, 1], is_outlier.sum()
+    )
+    points[is_outlier] += off[:, None] * beams
+    return replace(clean, points_lidar=points), is_outlier
 
 
 def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
@@ -55,12 +57,12 @@ def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
 def test_outliers_change_no_angle_by_one_sigma(seed) -> None:
     model = StochasticModel(loss="tukey")
     clean = survey(seed)
-    dirty, stray = with_outliers(clean, seed)
+    dirty, is_outlier = with_outliers(clean, seed)
     before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
     assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
     found = sum(item.outliers for item in after.reliability)
     # At the level of the test, one point in a thousand is rejected by chance.
-    assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
+    assert is_outlier.sum() <= found < is_outlier.sum() + 0.006 * len(clean)
 
 
 def test_robust_losses_reduce_errors_and_sigmas_reflect_outliers() -> None:
@@ -84,9 +86,9 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
     """
     model = StochasticModel(loss="tukey")
     found = adjust(dirty, PRIOR, model)
-    gone = [dirty.sightings.index(s) for s in found.rejected_sightings]
+    rejected = [dirty.sightings.index(s) for s in found.rejected_sightings]
     with pytest.MonkeyPatch.context() as patch:
-        todo = [Blunder("shift", (s,)) for s in gone]
+        todo = [Blunder("shift", (s,)) for s in rejected]
         patch.setattr(sighting_rejection, "worst_blunder", lambda *_: todo.pop() if todo else None)
         patch.setattr(sighting_rejection, "find_restorable_blunder", lambda *_: None)
         patch.setattr(
@@ -200,7 +202,9 @@ def test_a_sighting_rejected_by_mistake_is_restored() -> None:
     with pytest.MonkeyPatch.context() as patch:
         own = sighting_rejection.worst_blunder
         patch.setattr(
-            sighting_rejection, "worst_blunder", lambda *given: todo.pop() if todo else own(*given)
+            sighting_rejection,
+            "worst_blunder",
+            lambda *arguments: todo.pop() if todo else own(*arguments),
         )
         found = adjust(dirty, PRIOR, StochasticModel(loss="tukey"))
     assert set(found.rejected_sightings) == {clean.sightings[2], clean.sightings[5]}

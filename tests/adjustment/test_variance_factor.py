@@ -31,9 +31,11 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
     """Simulate a survey; return observations with true labels and the sigmas of the simulator."""
     survey, pos, scanner = simulate_survey(setup, seed=seed), setup.pos, setup.scanner
     assert isinstance(pos, PosErrorModel)
-    said = survey.trajectory
-    attitude = np.stack([said.roll, said.pitch, said.heading], axis=1)
-    states = Trajectory(said.time, said.latitude, said.longitude, said.height, attitude)
+    measured = survey.trajectory
+    attitude = np.stack([measured.roll, measured.pitch, measured.heading], axis=1)
+    states = Trajectory(
+        measured.time, measured.latitude, measured.longitude, measured.height, attitude
+    )
     trajectory = LocalTrajectory.of(states, LocalFrame(*setup.origin))
     seen = [
         (Sighting(name, line.name), np.flatnonzero(line.label == k), line)

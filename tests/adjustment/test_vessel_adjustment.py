@@ -96,14 +96,14 @@ def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model)
     assert np.abs(moved).max() < 2.0
 
 
-@pytest.mark.parametrize("left_out", BALLS)
-def test_a_ball_excluded_from_the_adjustment_agrees_better_too(vessel, left_out):
-    names = [name for name in BALLS if name != left_out]
+@pytest.mark.parametrize("excluded", BALLS)
+def test_a_ball_excluded_from_the_adjustment_agrees_better_too(vessel, excluded):
+    names = [name for name in BALLS if name != excluded]
     result = adjust(observations(vessel, names), VESSEL, StochasticModel())
-    k = BALLS.index(left_out)
+    k = BALLS.index(excluded)
     before, after = agreement(vessel, VESSEL)[0][k], agreement(vessel, result.mounting)[0][k]
     print(
-        f"without {left_out}: its centres {1000.0 * before:.1f} -> {1000.0 * after:.1f} mm apart, "
+        f"without {excluded}: its centres {1000.0 * before:.1f} -> {1000.0 * after:.1f} mm apart, "
         f"boresight {np.degrees(result.boresight).round(3)} deg, sigma "
         f"{np.degrees(result.sigma).round(3)}"
     )

@@ -83,11 +83,11 @@ def test_all_commands_from_raw_files_to_the_report(
         picked = answer(capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role)
         assert len(picked["lines"]) == 6, picked["missing"]
     numbers = answer(capsys, "estimate", project, "--pos-errors", "correlated")
-    wanted = {
+    expected = {
         "boresight_deg", "sigma_deg", "correlation", "variance_factor", "chi_square", "iterations",
         "points", "sightings", "targets", "elapsed_s",
     }  # fmt: skip
-    assert wanted <= set(numbers)
+    assert expected <= set(numbers)
     truth = {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
     for angle, value in truth.items():
         error = abs(numbers["boresight_deg"][angle] - value)

@@ -241,7 +241,7 @@ def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> No
     assert "have not been estimated" in refused(capsys, demo_project.folder, "--to", "applanix")
 
 
-def given_matrix(capsys, angles, *words) -> list[float]:
+def printed_matrix(capsys, angles, *words) -> list[float]:
     """Numbers of the matrix from scanner to body, as the command prints them."""
     found = answer(capsys, *angles, "--lever-arm", 0, 0, 0, *words)["from"]["transform"]
     return np.round(np.array(found)[:3, :3], 12).ravel().tolist()
@@ -253,12 +253,12 @@ def test_a_present_matrix_has_the_same_effect_as_present_angles(
 ) -> None:
     now = (0.1, 1.0, -3.0)
     words = (0.125, -1.192, 0.276, "--to", key)
-    numbers = given_matrix(capsys, now, "--from", key)
+    numbers = printed_matrix(capsys, now, "--from", key)
     by_angles = answer(capsys, *words, "--current", *now)["correction"]
     path = tmp_path / "now.txt"
     path.write_text(f"# scanner to body\n{numbers[:3]}\n{numbers[3:6]}\n{numbers[6:]}\n")
-    for given in (numbers, [path]):
-        found = answer(capsys, *words, "--current-matrix", *given)["correction"]
+    for arguments in (numbers, [path]):
+        found = answer(capsys, *words, "--current-matrix", *arguments)["correction"]
         for name in ("current_deg", "new_deg", "correction_deg"):
             assert found[name] == pytest.approx(by_angles[name], abs=1e-8)
         np.testing.assert_allclose(found["matrix"], by_angles["matrix"], atol=1e-10)

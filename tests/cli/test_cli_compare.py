@@ -67,19 +67,19 @@ def test_shared_lines_and_lever_arms_are_reported(
     (tmp_path / "b").mkdir()
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
+    texts = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
     for found in (
         note("repeat.same_lines", name="b", other="a"),
         note("repeat.lever_arm", name="b", other="a"),
     ):
-        assert english_text(found) in remarks
+        assert english_text(found) in texts
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
+    texts = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
     found = note("repeat.shared_lines", name="c", other="a", count=1)
-    assert english_text(found) in remarks
+    assert english_text(found) in texts
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -144,8 +144,8 @@ def test_differences_that_limit_a_comparison_are_reported(tmp_path: Path) -> Non
     other = replace(second, settings=settings, lines=second.lines[:2])
     first.lines[0].path.unlink()
     changed = replace(first, lines=first.lines[:3])
-    told = comparability_notes(("a", "b"), (changed, other))
-    assert told == [
+    notes = comparability_notes(("a", "b"), (changed, other))
+    assert notes == [
         note("repeat.shared_lines", name="b", other="a", count=1),
         note("repeat.lever_arm", name="b", other="a"),
         note("repeat.pos_errors", name="b", other="a"),

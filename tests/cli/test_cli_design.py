@@ -39,9 +39,9 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(found["points"]) == 12
     assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
     assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
-    said = printed_by(capsys, "predict", PORT)
-    assert "Least precisely determined: pitch" in said
-    assert "correlation roll-pitch" in said
+    printed = printed_by(capsys, "predict", PORT)
+    assert "Least precisely determined: pitch" in printed
+    assert "correlation roll-pitch" in printed
 
 
 def test_undetermined_plans_are_reported(
@@ -66,9 +66,9 @@ def test_undetermined_plans_are_reported(
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     folder = tmp_path / "out"
-    said = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
-    assert "all six" in said
-    assert "not determined" in said
+    printed = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
+    assert "all six" in printed
+    assert "not determined" in printed
     with (folder / "scenarios.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 * (11 + 4)
@@ -91,9 +91,9 @@ def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     again = answer(capsys, "predict", folder / "plan.toml")
     assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
     assert answer(capsys, "design", site, "--workers", 2) == found
-    said = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
-    assert "smallest standard deviation of yaw" in said
-    assert "all that are possible" in said
+    printed = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
+    assert "smallest standard deviation of yaw" in printed
+    assert "all that are possible" in printed
     assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
 
 
@@ -125,21 +125,21 @@ def test_replay_of_the_built_in_survey(
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
     found = answer(capsys, "compare-plan", folder, "--plan", PORT)
-    stated, predicted = (
+    adjusted, predicted = (
         np.array(found["obtained_sigma_deg"]),
         np.array(found["surveyed_with_form_error_sigma_deg"]),
     )
-    assert stated == pytest.approx(predicted, rel=0.05)
+    assert adjusted == pytest.approx(predicted, rel=0.05)
     assert found["missing_lines"] == []
     assert found["missing_targets"] == []
     more = tmp_path / "more.toml"
     further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
-    said = printed_by(capsys, "compare-plan", folder, "--plan", more)
-    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
-    assert "Target T9 was not used." in said
-    assert said.count("With it the standard deviation of") == 2
+    printed = printed_by(capsys, "compare-plan", folder, "--plan", more)
+    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in printed
+    assert "Target T9 was not used." in printed
+    assert printed.count("With it the standard deviation of") == 2
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
     off = answer(capsys, "compare-plan", folder, "--plan", far)

@@ -37,9 +37,9 @@ def test_noise_and_offsets_of_a_project(
 ) -> None:
     project = picked(capsys, raw, tmp_path / "quay", "--lidar-sigma-xyz", 0.003, 0.004, 0.005,
                      "--longest-gap", 2.5)  # fmt: skip
-    stated = projects.open_project(project).settings
-    assert stated.lidar_sigma_xyz == (0.003, 0.004, 0.005)
-    assert stated.longest_gap == 2.5
+    sensor_settings = projects.open_project(project).settings
+    assert sensor_settings.lidar_sigma_xyz == (0.003, 0.004, 0.005)
+    assert sensor_settings.longest_gap == 2.5
 
     def estimated(*words: object) -> dict[str, Any]:
         return answer(capsys, "estimate", project, *WITHOUT_DIAGNOSTICS, *words)

@@ -80,7 +80,7 @@ def test_planes_that_were_not_compared_are_reported_with_the_reason(
 
 
 @pytest.mark.parametrize(
-    ("asked", "radius", "notes"),
+    ("given_radius", "radius", "notes"),
     [
         (None, 1.0, ()),
         (None, 3.0, (note("finder.radius_increased", target="T1", usual=2.0, radius=3.0),)),
@@ -88,9 +88,12 @@ def test_planes_that_were_not_compared_are_reported_with_the_reason(
     ],
 )  # fmt: skip
 def test_a_wider_search_for_a_target_is_noted(
-    asked: float | None, radius: float, notes: tuple[Message, ...]
+    given_radius: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
-    assert search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
+    assert (
+        search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), given_radius)
+        == notes
+    )
 
 
 def one_line(path: Path) -> Path:

@@ -129,10 +129,10 @@ class FakePatchTest:
         self.pairs = pairs
         named = [each.name for each in laid.objects]
         objects = tuple(ObjectAgreement(name, ("L1 L2",), 0.01, 0, 0.0, 0.001) for name in named)
-        return answered(laid.boresight, objects)
+        return patch_test_result(laid.boresight, objects)
 
 
-def answered(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchTestResult:
+def patch_test_result(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchTestResult:
     return PatchTestResult(
         angles, angles, np.diag(np.radians([0.01, 0.02, 0.03]) ** 2), np.array([10.0, 20.0, 30.0]),
         0.05, 0.01, ("L1", "L2", "L3"), objects, 3, True,
@@ -173,7 +173,7 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
         ObjectAgreement("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
         ObjectAgreement("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
     )
-    patchtest.print_patch_test(answered(angles, objects))
+    patchtest.print_patch_test(patch_test_result(angles, objects))
     rows = capsys.readouterr().out.splitlines()
     assert rows[2].split() == ["pitch", "-1.1000", "0.0200", "-1.1000", "3.5"]
     assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
@@ -236,17 +236,17 @@ def test_the_result_of_the_scene_is_printed_and_saved_on_request(
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr("lispac.workflow.calibration.targetless.targetless", lambda *_, **__: found)
     out, _ = printed_by(capsys, "targetless", project.folder)
-    remarks = list(map(english_text, found.messages))
-    assert out.splitlines()[-len(remarks) :] == remarks
+    texts = list(map(english_text, found.messages))
+    assert out.splitlines()[-len(texts) :] == texts
     assert out.startswith("Boresight\n")
     assert read_project(project.folder).alternative_results == ()
     numbers = answer(capsys, "targetless", project.folder, "--save")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
-    assert numbers["messages"] == remarks
-    wanted = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
-    assert {key: numbers[key] for key in wanted} == wanted
+    assert numbers["messages"] == texts
+    expected = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
+    assert {key: numbers[key] for key in expected} == expected
     assert numbers["disagreeing_lines"] == ["L6"]
     kept = read_project(project.folder).alternative_result("targetless")
     assert kept is not None

@@ -242,7 +242,7 @@ def test_unsuitable_trajectories_are_not_replayed(
 ) -> None:
     _, start = recorded(tmp_path, capsys)
     scene = tmp_path / "wall.toml"
-    for text, said in (
+    for text, reason in (
         (REPLAY_SCENE.format(scanner="profiler", start=10, stop=20), "Correct start_s and stop_s"),
         (
             REPLAY_SCENE.format(scanner="profiler", start=start, stop=start + 1).replace(
@@ -258,7 +258,7 @@ def test_unsuitable_trajectories_are_not_replayed(
         ),
     ):
         scene.write_text(text)
-        assert said in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
+        assert reason in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
         assert not (tmp_path / "no").exists()
     refusal = command_error(
         "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output", tmp_path / "no"
@@ -275,24 +275,24 @@ def test_wrong_options_of_simulate_are_reported(
     assert refusal.message.params["known"] == ("marine", "port", "terrestrial")
     refusal = command_error("simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
     assert refusal.code == "simulate.no_vessel"
-    for option, value, told in (
+    for option, value, reason in (
         ("--latency", 100, "latency of 100 s is larger than 10.0 s"),
         ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
         ("--scan-angle-offset", 400, "scan-angle offset of 400 deg is larger than 180 deg"),
     ):  # fmt: skip
-        said = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
-        assert told in said
+        printed = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
+        assert reason in printed
     hurried = tmp_path / "hurried.toml"
     hurried.write_text(
         (resource_path("vessels") / "van.toml")
         .read_text()
         .replace("ramp_s = 4", "ramp_s = 1\nwait_s = 1")
     )
-    said = refused(
+    printed = refused(
         capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
         tmp_path / "a", "--points-per-second", 5_000,
     )  # fmt: skip
-    assert "extend beyond the trajectory" in said
+    assert "extend beyond the trajectory" in printed
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")

@@ -193,9 +193,9 @@ class Slow:
         return number
 
 
-def stopped_at_once(answers: Iterable[int]) -> None:
+def stopped_at_once(results: Iterable[int]) -> None:
     """Cancel after the first result, like the progress of a search."""
-    for _ in answers:
+    for _ in results:
         raise Cancelled
 
 
@@ -235,10 +235,10 @@ def test_addresses_without_a_scheduler_are_refused(
         assert refusal.code == "cluster.no_scheduler"
         assert nobody in str(refusal)
     with socket.create_server(("127.0.0.1", 0)) as mute:  # another service, which does not answer
-        silent = f"127.0.0.1:{mute.getsockname()[1]}"
-        refusal = command_error("design", QUAY, "--cluster", silent)
+        address = f"127.0.0.1:{mute.getsockname()[1]}"
+        refusal = command_error("design", QUAY, "--cluster", address)
         assert refusal.code == "cluster.no_scheduler"
-        assert silent in str(refusal)
+        assert address in str(refusal)
     assert time.monotonic() - start < 20
     code, _, err = run(capsys, *words, nobody, "--workers", 2)
     assert code == 2
@@ -281,8 +281,8 @@ def test_a_cluster_without_workers_is_refused_without_waiting(
         monkeypatch.setattr(cluster_module, "POLL_INTERVAL", 0.1)
         monkeypatch.setattr(cluster_module, "WORKER_TIMEOUT", 0.3)
         with cluster_mapper(address) as mapper:
-            answers = mapper(abs, range(3))
-            assert next(answers) == 0
+            results = mapper(abs, range(3))
+            assert next(results) == 0
             tasks = empty.scheduler.tasks
             while sum(task.state == "memory" for task in list(tasks.values())) < 2:
                 time.sleep(0.05)
@@ -290,7 +290,7 @@ def test_a_cluster_without_workers_is_refused_without_waiting(
             while empty.scheduler.workers:
                 time.sleep(0.05)
             with pytest.raises(LispacError) as raised:
-                list(answers)
+                list(results)
             assert raised.value.code == "cluster.no_workers_left"
             with pytest.raises(LispacError) as raised:
                 list(mapper(abs, range(3)))
@@ -318,12 +318,12 @@ def test_a_lost_scheduler_is_reported(
         client = distributed.Client(address, timeout=4, set_as_default=False)
         scheduler.kill()
         scheduler.wait()
-        told = cluster_module._Cluster(client, address)
+        cluster = cluster_module._Cluster(client, address)
         with cluster_module._suppressed_logs():
             with pytest.raises(LispacError) as raised:
-                list(told.map(abs, range(3)))
+                list(cluster.map(abs, range(3)))
             assert raised.value.code == "cluster.connection_lost"
-            told.close()
+            cluster.close()
         assert capfd.readouterr().err == ""
     finally:
         scheduler.kill()
@@ -334,8 +334,8 @@ def test_a_missing_package_is_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
-    said = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
-    assert "pip install -e '.[cluster]'" in said
+    refusal = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
+    assert "pip install -e '.[cluster]'" in refusal
     with choose_mapper(1, None) as mapper:
         assert mapper is map
 
@@ -386,9 +386,9 @@ def test_the_summary_names_the_sigma_that_is_too_small() -> None:
     assert "agrees with 95 %" in others.summary_texts[0]
     assert "the errors agree with the prediction" in others.summary_texts[1]
     off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
-    assert any("mean error of pitch is significant: +0.00" in said for said in off.summary_texts)
+    assert any("mean error of pitch is significant: +0.00" in text for text in off.summary_texts)
     small = replace(others, errors=0.8 * others.errors)
-    assert any("are smaller than predicted" in said for said in small.summary_texts)
+    assert any("are smaller than predicted" in text for text in small.summary_texts)
 
 
 def test_chi_square_uses_the_correlation_of_the_angles() -> None:

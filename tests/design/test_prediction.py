@@ -135,12 +135,12 @@ def test_elimination_agrees_with_a_dense_matrix(lines: int) -> None:
     assert np.abs((normal.information(3) - expected) / size).max() < 1e-9
     assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(predict(plan).sigma, rel=1e-9)
     kept = len(normal.eliminate_surfaces.matrix)
-    answer = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
+    solution = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
         np.ones(len(normal.matrix)), np.arange(knots)
     ))[:kept] * scale[:kept]  # fmt: skip
     pushed = replace(normal, right=np.ones(len(normal.matrix)), pull=np.arange(knots) * 1.0)
     correction, _ = pushed.eliminate_surfaces.solve()
-    assert correction == pytest.approx(answer, rel=1e-6)
+    assert correction == pytest.approx(solution, rel=1e-6)
 
 
 def test_spheres_determine_the_boresight() -> None:

@@ -124,8 +124,8 @@ def test_an_invalid_user_file_is_named_and_the_others_are_read(tmp_path: Path) -
     path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
     found = sensors.read_library(tmp_path)
     assert found.pos == sensors.read_library(tmp_path / "none").pos
-    (remark,) = found.messages
-    assert english_text(remark).startswith(f"{path}: rtk.position_m contains zero")
+    (message,) = found.messages
+    assert english_text(message).startswith(f"{path}: rtk.position_m contains zero")
 
 
 @pytest.mark.parametrize(
@@ -233,7 +233,7 @@ def test_unknown_sensors_are_reported(
 def test_a_pos_without_sigmas_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text('title = "My INS"\n')
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_pos_specification(path)
-    assert told.value.code == "sensor.no_accuracies"
-    assert told.value.message.params == {"file": str(path), "tables": GNSS_SOLUTIONS}
+    assert caught.value.code == "sensor.no_accuracies"
+    assert caught.value.message.params == {"file": str(path), "tables": GNSS_SOLUTIONS}

@@ -129,8 +129,8 @@ def test_a_known_radius_helps_where_a_free_one_is_undetermined():
 def test_visible_share_is_that_of_the_cap(half_angle_deg):
     sphere = Sphere(np.array([5.0, 6.0, 7.0]), 0.2)
     points = cap(np.random.default_rng(6), sphere, half_angle_deg, 20_000)
-    wanted = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
-    assert visible_share(sphere, points) == pytest.approx(wanted, rel=0.01)
+    expected = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
+    assert visible_share(sphere, points) == pytest.approx(expected, rel=0.01)
     assert visible_share(sphere, points[:2]) == 0.0
     assert visible_share(sphere, points[:0]) == 0.0
 
