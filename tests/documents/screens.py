@@ -195,7 +195,7 @@ class Photographer:
         self._open_dialog("import-empty", lambda: dialogs.new_project(self._settings))
         self._open_dialog("import", lambda: dialogs.new_project(self._settings, raw))
         document = window.document
-        for name, open_dialog in self._found.asked(
+        for name, open_dialog in self._found.dialogs_by_name(
             dialogs, self._settings, document.project, document.survey
         ).items():
             self._open_dialog(name, open_dialog)

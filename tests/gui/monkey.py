@@ -38,7 +38,7 @@ from tests.support.report_sample import sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0
-PATIENCE_S = 0.25
+ACTION_TIMEOUT_S = 0.25
 HANG_LIMIT_S = 150.0
 """Time without an event after which the process dumps the stacks of its threads and exits."""
 NO_DRAG_PX = 100_000
@@ -63,7 +63,7 @@ class Findings:
     renewed : pauses in which a window was replaced by a new one
     memory_mb, widgets : before and after the run, with the program in the same state
     course_mb : memory during the run, at least ten seconds apart, while no task is active
-    left : threads and windows that remain after the end
+    leaked : threads and windows that remain after the end
     """
 
     done: Counter[str] = field(default_factory=Counter)
@@ -78,7 +78,7 @@ class Findings:
     memory_mb: list[float] = field(default_factory=list)
     course_mb: list[float] = field(default_factory=list)
     widgets: list[int] = field(default_factory=list)
-    left: list[str] = field(default_factory=list)
+    leaked: list[str] = field(default_factory=list)
 
 
 class Records(logging.Handler):
@@ -129,7 +129,7 @@ class Monkey(QObject):
         self._until = 0.0
         self.ending = False
         self.pulse = Pulse(STALL_MS, draws)
-        self._told, self._again = 0, 0
+        self._reported_pauses, self._again = 0, 0
         self._window = session.window
 
     # -- findings --------------------------------------------------------------------------------
@@ -141,7 +141,7 @@ class Monkey(QObject):
     def note_pauses(self) -> None:
         """Sort the pauses since the last call into the findings."""
         pauses = self.pulse.pauses
-        for pause in pauses[self._told :]:
+        for pause in pauses[self._reported_pauses :]:
             text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
             made = any("_made" in place or "session.py" in place for place in pause.places)
             if made or self.session.window is not self._window:
@@ -152,7 +152,7 @@ class Monkey(QObject):
             else:
                 self.seen.drawn.append(text)
             self._diary.write(f"--- {text}\n")
-        self._told = len(pauses)
+        self._reported_pauses = len(pauses)
         self._window = self.session.window
 
     # -- actions ---------------------------------------------------------------------------------
@@ -183,7 +183,7 @@ class Monkey(QObject):
         doing = self._doing
         if doing is not None and doing.gi_running:  # type: ignore[attr-defined]
             # The action is not finished; it may have opened a dialogue or a menu that needs input
-            if time.monotonic() - self._since < PATIENCE_S:
+            if time.monotonic() - self._since < ACTION_TIMEOUT_S:
                 return
             doing = None
             window = QApplication.activeWindow()
@@ -295,16 +295,16 @@ def main() -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=1)
-    wanted = parser.parse_args()
-    folder = wanted.folder.resolve()
+    options = parser.parse_args()
+    folder = options.folder.resolve()
     home, here = folder / "home", folder / "here"
     for each in (home, here, folder / "written"):
         each.mkdir(parents=True)
     project = folder / DEMO
-    shutil.copytree(wanted.project, project)
+    shutil.copytree(options.project, project)
     # The monkey may open and overwrite "away"; memory is measured with a copy out of its reach
     for each in (folder / "away", home / "compared"):
-        shutil.copytree(wanted.project, each)
+        shutil.copytree(options.project, each)
     os.environ["HOME"] = str(home)
     for name in ("CACHE", "CONFIG", "DATA"):
         os.environ[f"XDG_{name}_HOME"] = str(home / name.lower())
@@ -332,7 +332,7 @@ def main() -> int:
     session = Session(application, viewport, settings)
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
-    monkey = Monkey(session, folder, wanted.seed, draws)
+    monkey = Monkey(session, folder, options.seed, draws)
     # The first report allocates 250 MB permanently (fonts, caches of Typst), later reports nothing:
     # make one before the first measurement, or it looks like growth
     write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
@@ -343,7 +343,7 @@ def main() -> int:
     )
     monkey.stand(home / "compared")
     monkey.pulse.start()
-    monkey.play(wanted.seconds)
+    monkey.play(options.seconds)
     monkey.note_pauses()
     monkey.pulse.stop()
     seen = monkey.seen
@@ -379,7 +379,7 @@ def end(monkey: Monkey) -> None:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     wait(1000)
     gc.collect()
-    monkey.seen.left = [
+    monkey.seen.leaked = [
         *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),
         *(type(w).__name__ for w in QApplication.topLevelWidgets() if w.isVisible()),
     ]

@@ -152,7 +152,7 @@ class Hands:
             QTest.mouseMove(handle, place)
             QTest.mouseClick(handle, button, modifier, place)
 
-    def _double(self, widget: QWidget, spot: QPoint) -> None:
+    def _double_click(self, widget: QWidget, spot: QPoint) -> None:
         handle, place = self._at(widget, spot)
         if handle is not None:
             QTest.mouseDClick(handle, Button.LeftButton, Modifier.NoModifier, place)
@@ -184,9 +184,9 @@ class Hands:
         """Press a key with its modifiers."""
         self._record(f"key {keys}", window)
         handle = window.windowHandle()
-        *held, name = keys.split("+")
+        *modifiers, name = keys.split("+")
         modifier = Modifier.NoModifier
-        for each in held:
+        for each in modifiers:
             modifier |= {
                 "Ctrl": Modifier.ControlModifier,
                 "Shift": Modifier.ShiftModifier,
@@ -261,7 +261,7 @@ class Hands:
         elif draw < 0.6:
             self.click(view.viewport(), cell.center())
         elif draw < 0.75:
-            self._double(view.viewport(), cell.center())
+            self._double_click(view.viewport(), cell.center())
             yield
             editor = QApplication.focusWidget()
             if isinstance(editor, QLineEdit):
@@ -311,7 +311,7 @@ class Hands:
         elif draw < 0.5:
             self.click(canvas, spot)
         elif draw < 0.6:
-            self._double(canvas, spot)
+            self._double_click(canvas, spot)
         elif draw < 0.75:
             self._wheel(canvas, spot)
         elif draw < 0.8:

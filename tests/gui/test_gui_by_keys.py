@@ -18,7 +18,7 @@ from tests.gui.support import Control, Key, press
 
 MAX_STOPS = 60
 """More than the tab stops of the window."""
-Settled = Callable[[], bool]
+Condition = Callable[[], bool]
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def open_from_start_page(hands: Hands, folder: Path) -> None:
     tab_to(hands, "start_open")
     strike(hands, Key.Key_Return)
     hands.until(lambda: hands.window.document.project is not None)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 
@@ -67,7 +67,7 @@ def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
 
     hands.answers.expect(SeedCoordinatesDialog, act)
     press(hands, Key.Key_F3)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 

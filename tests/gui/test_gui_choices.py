@@ -53,14 +53,14 @@ def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
 
-    def answer(dialog) -> None:
+    def use_dialog(dialog) -> None:
         points = field(dialog, "again_min_points")
         assert points.isVisible()  # unfolded, because the choices are not the defaults
         assert field(dialog, "again_max_tilt").value() == 12.3
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    seen = answer_next_dialog(picked, answer)
+    seen = answer_next_dialog(picked, use_dialog)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
     assert seen
@@ -75,9 +75,9 @@ def test_the_candidate_buttons_are_visible_on_a_low_screen(opened: Driver, demo:
     window.resize(1366, 768 - MAX_TITLE_BAR_HEIGHT_PX)
     opened.rest()
     window.controller.set_candidate(demo.picked.target("T1"))
-    for answer in (window.targets.candidate.accept, window.targets.candidate.reject):
+    for button in (window.targets.candidate.accept, window.targets.candidate.reject):
         opened.bot.waitUntil(
-            lambda answer=answer: answer.visibleRegion().boundingRect() == answer.rect(),
+            lambda button=button: button.visibleRegion().boundingRect() == button.rect(),
             timeout=WAIT_MS,
         )
     click(opened, window.targets.candidate.reject)

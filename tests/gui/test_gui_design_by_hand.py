@@ -97,10 +97,10 @@ def test_results_of_a_plan_survive_a_change_of_theme(hands: Hands) -> None:
     hands.bot.keyClick(design, Key.Key_L, Control)
 
     dark = by_menu(hands, "View", "heme", "Dark")
-    answer = dark.surveys.result_table
-    assert answer.head.text() == str(head)
-    assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
-    assert answer.outdated.isVisibleTo(dark.surveys)  # the result belongs to an earlier plan
+    result_table = dark.surveys.result_table
+    assert result_table.head.text() == str(head)
+    assert [row[0] for row in result_table.cells[1:]] == [row[0] for row in found.rows]
+    assert result_table.outdated.isVisibleTo(dark.surveys)  # the result belongs to an earlier plan
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)
     figure = dark.pictures.pages.currentWidget().figure

@@ -74,8 +74,8 @@ def test_simulated_surveys_agree_with_the_command_line(
     shown = surveys.result_table
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
-    said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
-    assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
+    printed = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
+    assert printed == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
     assert tuple(shown.messages.text().split("\n")) == found.summary_texts
     assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)

@@ -80,11 +80,11 @@ def test_the_lasso_keeps_points_of_hidden_lines_and_outside_the_clip_box(picked:
     after = sizes(picked, "T1")
     assert after[first] == before[first]
     assert after[second] < before[second]
-    gone = np.setdiff1d(
+    removed = np.setdiff1d(
         window.document.undo_stack.command(0)._before.project.target("T1").sighting(second).indices,
         picked.project.target("T1").sighting(second).indices,
     )
-    assert len(clipping.box.inside(window.scene.clouds[second][gone])) == len(gone)
+    assert len(clipping.box.inside(window.scene.clouds[second][removed])) == len(removed)
 
 
 def test_a_lasso_around_all_points_is_refused(picked: Driver) -> None:

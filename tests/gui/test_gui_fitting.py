@@ -45,7 +45,7 @@ LOW_SCREEN = QSize(1326, 728)
 
 
 @pytest.fixture(params=LANGUAGES)
-def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
+def language(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
     """Code of each language, with the theme of the program applied."""
     theme.apply_theme(qapp)
     set_language(request.param)
@@ -75,8 +75,8 @@ def test_the_titles_of_panels_are_not_cut_off(driver: Driver, qapp: QApplication
         option = QStyleOptionDockWidget()
         dock.initStyleOption(option)
         part = QStyle.SubElement.SE_DockWidgetTitleBarText
-        room = dock.style().subElementRect(part, option, dock)
-        assert room.height() >= QFontMetricsF(dock.font()).height(), title
+        area = dock.style().subElementRect(part, option, dock)
+        assert area.height() >= QFontMetricsF(dock.font()).height(), title
 
 
 def test_letters_of_a_number_field_are_not_cut_off_below(qtbot: QtBot, qapp: QApplication) -> None:
@@ -116,7 +116,7 @@ class _LowScreenDialog(VisibilityDialog):
 
 
 def test_a_study_fits_a_low_screen(
-    qtbot: QtBot, spoken: str, errors: list[VisibilityStudy]
+    qtbot: QtBot, language: str, errors: list[VisibilityStudy]
 ) -> None:
     """The buttons used to be below the edge of the screen, and the last heading was cut off."""
     dialog = _LowScreenDialog(errors)
@@ -138,7 +138,7 @@ def test_a_study_fits_a_low_screen(
 
 
 def test_comparisons_are_read_without_scrolling_on_a_small_screen(
-    driver: Driver, demo: Demo, validated: Project, spoken: str
+    driver: Driver, demo: Demo, validated: Project, language: str
 ) -> None:
     window = driver.window
     window.resize(*SMALL_WINDOW)
@@ -207,7 +207,7 @@ def test_no_line_crosses_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApplicat
     assert not grey
 
 
-def test_side_labels_of_the_sketch_do_not_overlap_the_hull(spoken: str) -> None:
+def test_side_labels_of_the_sketch_do_not_overlap_the_hull(language: str) -> None:
     sketch = MountingSketch()
     sketch.resize(sketch.minimumSizeHint())
     for place, words in sketch.side_labels("above").items():

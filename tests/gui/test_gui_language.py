@@ -216,15 +216,15 @@ def test_floating_panels_are_shown_after_the_window(
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     session: Session, qtbot: QtBot
 ) -> None:
-    def spoken() -> str:
+    def chosen_text() -> str:
         return session.window.report.language.currentText()
 
     def written() -> str:
         return session.window.report.options().language
 
-    assert (spoken(), written()) == ("Same as window", "en")
+    assert (chosen_text(), written()) == ("Same as window", "en")
     renewed(session, qtbot, "fr")
-    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
+    assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
     QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)
     assert session.window.settings.report_choice()[1] == "letter"
     assert written() == "fr"
@@ -232,11 +232,11 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
         QTest.keyClick(session.window.report.language, Qt.Key.Key_Down)
     assert written() == "fr"  # chosen explicitly, though it is the language of the window
     renewed(session, qtbot, "en")
-    assert (spoken(), written()) == ("Français", "fr")
+    assert (chosen_text(), written()) == ("Français", "fr")
     QTest.keyClick(session.window.report.language, Qt.Key.Key_Home)
     assert written() == "en"
     renewed(session, qtbot, "fr")
-    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
+    assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
 
 
 def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: QtBot) -> None:
@@ -262,10 +262,10 @@ def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: Q
 def test_the_log_is_kept(session: Session, qtbot: QtBot) -> None:
     former = session.window
     former.log.note("Something happened")
-    said = former.log.toPlainText()
+    log_text = former.log.toPlainText()
     former.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
-    assert session.window.log.toPlainText().startswith(said)
+    assert session.window.log.toPlainText().startswith(log_text)
 
 
 def test_no_text_is_cut_off_in_a_small_french_window(

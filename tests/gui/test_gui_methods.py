@@ -36,15 +36,15 @@ def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
 def test_missing_methods_are_run_and_stored_as_one_undo_step(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[str] = []
+    methods: list[str] = []
 
-    def ask(project, survey, method, *, progress):
-        asked.append(method)
+    def record_method(project, survey, method, *, progress):
+        methods.append(method)
         if method == "natural planes":
             return adjust_natural_planes(project, survey, progress=progress)
         return replace(result_of_the_scene(project, survey, progress=progress), method=method)
 
-    monkeypatch.setattr(method_runs, "run_method", ask)
+    monkeypatch.setattr(method_runs, "run_method", record_method)
     action, before = adjusted.window.actions_["methods"], adjusted.project
     assert action.isEnabled()
     assert before.alternative_results == ()
@@ -75,7 +75,7 @@ def test_missing_methods_are_run_and_stored_as_one_undo_step(
 
     answer_next_dialog(adjusted, second)
     wait_until_idle(adjusted)
-    assert asked == ["natural planes", "targetless", "patch test"]
+    assert methods == ["natural planes", "targetless", "patch test"]
     assert [each.method for each in adjusted.project.alternative_results] == [
         "targetless",
         "patch test",

@@ -44,7 +44,7 @@ def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
 def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray:
     """Drawn centre of the scanner's dot, pixels to the right and up of the POS centre."""
     picture = sketch.grab().toImage()
-    wanted = QColor(colour)
+    dot_colour = QColor(colour)
     half = picture.width() // 2
     columns = range(half) if view == "above" else range(half, picture.width())
     scale = picture.devicePixelRatio()
@@ -52,8 +52,10 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
         (x, y)
         for x in columns
         for y in range(picture.height())
-        if picture.pixelColor(x, y) == wanted
-        and all(picture.pixelColor(x + d, y + e) == wanted for d, e in ((2, 0), (0, 2), (-2, 0)))
+        if picture.pixelColor(x, y) == dot_colour
+        and all(
+            picture.pixelColor(x + d, y + e) == dot_colour for d, e in ((2, 0), (0, 2), (-2, 0))
+        )
     ]
     assert found, f"no dot from {view}"
     origin = sketch.pixel_of(view, (0.0, 0.0, 0.0))
@@ -118,16 +120,18 @@ def test_the_drawn_scanner_axes_agree_with_the_georeferencing(opened: Driver, bo
     sketch = typed(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
     assert sketch.factor == 1
     local = placed((1.0, 0.4, 2.0), boresight)
-    drawn, wanted = [], []
+    drawn, expected = [], []
     for axis in range(3):
         north, west, up = local[1 + axis] - local[0]
         for view in VIEWS:
             start, tip = sketch.axis_ends(view, axis)
             drawn.append((tip.x() - start.x(), start.y() - tip.y()))
-            wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
-    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis in the picture plane
+            expected.append([way(north, west, up) for way in RIGHT_UP[view]])
+    pixels = np.vdot(drawn, expected) / np.vdot(
+        expected, expected
+    )  # of an axis in the picture plane
     assert pixels > 15
-    assert np.array(drawn) == pytest.approx(pixels * np.array(wanted), abs=1e-9)
+    assert np.array(drawn) == pytest.approx(pixels * np.array(expected), abs=1e-9)
 
 
 def test_a_small_rotation_is_drawn_in_its_direction(opened: Driver) -> None:
@@ -230,16 +234,16 @@ def test_the_import_dialogue_shows_warnings_on_every_page(
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)
-    for typed_in, file_warnings, said in (
+    for typed_in, file_warnings, suffix in (
         ("-2.419", 1, ""),
         ("-42.419", 2, " for this and 1 more warning"),
     ):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
-        told = page.view.warnings_label.text().splitlines()
-        assert len(told) == file_warnings
-        assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
+        warnings = page.view.warnings_label.text().splitlines()
+        assert len(warnings) == file_warnings
+        assert filled.reason.text() == f"{warnings[0]} See the tab Mounting and accuracies{suffix}."
         qtbot.waitUntil(lambda: is_whole(page.view.warnings_label) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")

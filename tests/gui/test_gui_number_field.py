@@ -26,14 +26,14 @@ class Form(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.told: list[float] = []
+        self.emitted: list[float] = []
         self.up = widgets.number("up", suffix=" m", decimals=4, low=-100, high=100, step=0.01)
         self.up.setValue(2.0)
         self.sigma = widgets.number("sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5)
         layout = QVBoxLayout(self)
         layout.addWidget(self.up)
         layout.addWidget(self.sigma)
-        self.up.valueChanged.connect(self.told.append)
+        self.up.valueChanged.connect(self.emitted.append)
 
 
 @pytest.fixture
@@ -73,9 +73,9 @@ def test_a_field_left_with_an_invalid_value_restores_the_former_one(form, qtbot)
     assert form.up.value() == 2.0
     assert form.up.text() == "2.0000 m"
     assert form.up.property("wrong") is False
-    assert form.told[-1] == 2.0  # the intermediate values 2 and 21 are reverted
-    said = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
-    qtbot.waitUntil(lambda: QToolTip.text() == said, timeout=SOON_MS)
+    assert form.emitted[-1] == 2.0  # the intermediate values 2 and 21 are reverted
+    tip = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
+    qtbot.waitUntil(lambda: QToolTip.text() == tip, timeout=SOON_MS)
     assert QToolTip.isVisible()
 
 

@@ -73,18 +73,18 @@ def test_no_task_is_running_while_a_dialogue_shows_its_result(qtbot, runner):
     seen = []
 
     def show(_value: int) -> None:
-        told.append(runner.current)
+        tasks.append(runner.current)
         dialog = QDialog()
         QTimer.singleShot(50, lambda: (seen.append(runner.busy), dialog.accept()))
         dialog.exec()
 
-    told: list[Task | None] = []
-    runner.changed.connect(lambda: told.append(runner.current))
+    tasks: list[Task | None] = []
+    runner.changed.connect(lambda: tasks.append(runner.current))
     runner.run("Setting the pages", lambda progress: 1, show, modal=True)
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [False]
-    first = next(k for k, task in enumerate(told) if task is None)
-    assert told[first:] == [None] * len(told[first:])  # reported before the dialogue is shown
+    first = next(k for k, task in enumerate(tasks) if task is None)
+    assert tasks[first:] == [None] * len(tasks[first:])  # reported before the dialogue is shown
 
 
 def test_a_task_that_ends_behind_a_dialogue_waits_for_it(qtbot, runner):
@@ -126,9 +126,9 @@ def test_an_ended_task_keeps_no_data_alive(qtbot, runner, fails):
 @pytest.mark.parametrize("persistent", [False, True])
 def test_a_written_file_counts_as_done_when_cancelled_too_late(qtbot, runner, tmp_path, persistent):
     """Cancel is pressed after the work has ended but before the window is notified."""
-    written, ended, got, told = tmp_path / "line.laz", threading.Event(), [], []
-    runner.stopped.connect(lambda title: told.append(f"{title}: cancelled"))
-    runner.cancelled_too_late.connect(told.append)
+    written, ended, got, notices = tmp_path / "line.laz", threading.Event(), [], []
+    runner.stopped.connect(lambda title: notices.append(f"{title}: cancelled"))
+    runner.cancelled_too_late.connect(notices.append)
 
     def work(_progress):
         written.write_text("points")
@@ -138,9 +138,9 @@ def test_a_written_file_counts_as_done_when_cancelled_too_late(qtbot, runner, tm
     runner.run("Export", work, got.append, persistent=persistent)
     assert ended.wait(10)
     runner.cancel()
-    qtbot.waitUntil(lambda: bool(told))
+    qtbot.waitUntil(lambda: bool(notices))
     late = "Export: completed before it could be cancelled"
-    assert told == [late if persistent else "Export: cancelled"]
+    assert notices == [late if persistent else "Export: cancelled"]
     assert got == ([written] if persistent else [])
     assert written.exists()
 

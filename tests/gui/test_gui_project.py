@@ -81,18 +81,18 @@ def test_a_folder_without_a_project_is_refused_with_a_message(driver: Driver, tm
     assert driver.window.document.project is None
 
 
-@pytest.mark.parametrize(("answer", "closes", "saved"), [
+@pytest.mark.parametrize(("choice", "closes", "saved"), [
     ("cancel", False, 0), ("discard", True, 0), ("save", True, 1),
 ])  # fmt: skip
 def test_closing_with_changes_asks(
-    driver: Driver, demo: Demo, demo_copy: Path, answer, closes, saved
+    driver: Driver, demo: Demo, demo_copy: Path, choice, closes, saved
 ):
     before = replace(demo.project, folder=demo_copy)
     driver.window.document.open(before, demo.survey)
     target = demo.picked.target("T1")
     driver.window.document.edit("detection of T1", before.with_target(target))
     assert driver.window.isWindowModified()
-    driver.dialogs.answer = answer
+    driver.dialogs.answer = choice
     assert driver.window.close() is closes
     assert driver.dialogs.asked == ["harbour"]
     assert len(open_project(demo_copy).targets) == saved

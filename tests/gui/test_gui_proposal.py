@@ -34,15 +34,15 @@ def proposal(demo: Demo) -> Proposal:
     return propose_targets(demo.project, demo.survey)
 
 
-def answer_next_dialog(driver: Driver, answer: Callable[[QDialog], None]) -> None:
-    """Call ``answer`` with the next modal dialogue."""
+def answer_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
+    """Call ``use_dialog`` with the next modal dialogue."""
 
     def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
         if dialog is None:
             QTimer.singleShot(50, inspect_window)
         else:
-            answer(dialog)
+            use_dialog(dialog)
 
     QTimer.singleShot(50, inspect_window)
 
@@ -56,7 +56,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
     before = opened.project
     seen = []
 
-    def answer(dialog: QDialog) -> None:
+    def use_dialog(dialog: QDialog) -> None:
         table = dialog.findChild(QTableWidget, "proposal_table")
         rows = range(table.rowCount())
         seen.append([[table.item(row, k).text() for k in range(4)] for row in rows])
@@ -64,7 +64,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
-    answer_next_dialog(opened, answer)
+    answer_next_dialog(opened, use_dialog)
     click(opened, opened.window.targets.propose)
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
@@ -119,18 +119,18 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
 def test_existing_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
-    left = without_picked_surfaces(demo.picked, proposal)
-    assert len(left.targets) < len(proposal.targets)
-    assert set(left.picked) <= {"T1", "T2"}
+    remaining = without_picked_surfaces(demo.picked, proposal)
+    assert len(remaining.targets) < len(proposal.targets)
+    assert set(remaining.picked) <= {"T1", "T2"}
     taken = {target.name for target in demo.picked.targets}
-    assert taken.isdisjoint(target.name for target in left.targets)
-    assert set(left.reasons) == {target.name for target in left.targets}
-    project, given = with_accepted_targets(
-        demo.picked, left, {target.name for target in left.targets}
+    assert taken.isdisjoint(target.name for target in remaining.targets)
+    assert set(remaining.reasons) == {target.name for target in remaining.targets}
+    project, new_names = with_accepted_targets(
+        demo.picked, remaining, {target.name for target in remaining.targets}
     )
-    assert given == tuple(target.name for target in left.targets), "as the list shows them"
+    assert new_names == tuple(target.name for target in remaining.targets), "as the list shows them"
     names = [target.name for target in project.targets]
-    assert len(set(names)) == len(names) == len(demo.picked.targets) + len(given)
+    assert len(set(names)) == len(names) == len(demo.picked.targets) + len(new_names)
     for target in demo.picked.targets:
         assert project.target(target.name) is target
 
@@ -169,12 +169,12 @@ def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Prop
 def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
     """Find the selected target again with the menu, and return the project."""
 
-    def answer(dialog: QDialog) -> None:
+    def use_dialog(dialog: QDialog) -> None:
         dialog.findChild(QDoubleSpinBox, "again_threshold").setValue(threshold_mm)
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    answer_next_dialog(driver, answer)
+    answer_next_dialog(driver, use_dialog)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project

@@ -104,17 +104,17 @@ def test_a_candidate_has_quality_lights_before_it_is_accepted(opened: Driver) ->
         lambda: not any("The quality is being computed" in tip for tip in lights(opened).values())
     )
     opened.rest()
-    told = lights(opened)
-    assert list(told) == [line.name for line in opened.project.lines]
-    assert "Quality: good" in told["L1_000"]
-    assert " points, " in told["L1_000"]
-    assert "Quality: doubtful\n" in told["L3_045"]
-    assert "surface normal is 73 deg" in told["L3_045"]
+    tips = lights(opened)
+    assert list(tips) == [line.name for line in opened.project.lines]
+    assert "Quality: good" in tips["L1_000"]
+    assert " points, " in tips["L1_000"]
+    assert "Quality: doubtful\n" in tips["L3_045"]
+    assert "surface normal is 73 deg" in tips["L3_045"]
     box = opened.window.targets.candidate
     assert box.lights.height() < 60, "six lines are two or three rows"
     press(opened, Key.Key_Return)
     opened.rest()
-    assert told["L3_045"].split("\n")[2] in shown(opened, "T1", "L3_045", Role.ToolTipRole)
+    assert tips["L3_045"].split("\n")[2] in shown(opened, "T1", "L3_045", Role.ToolTipRole)
     seed(opened, "V1")
     opened.rest()
     assert set(lights(opened)) == {s.line for s in opened.window.controller.candidate.sightings}
@@ -129,7 +129,7 @@ def test_quality_lights_belong_to_the_current_candidate(opened: Driver) -> None:
     seed(opened, "T2")
     opened.rest()
     points = [len(s.indices) for s in opened.window.controller.candidate.sightings]
-    told = lights(opened)
-    for tip, count in zip(told.values(), points, strict=True):
+    tips = lights(opened)
+    for tip, count in zip(tips.values(), points, strict=True):
         assert f": {count:,} points, " in tip
-    assert all("Quality: " in tip for tip in told.values())
+    assert all("Quality: " in tip for tip in tips.values())

@@ -39,12 +39,12 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     before = adjusted.project
     open_step(adjusted, REPORT_STEP)
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         for name in FIELD_NAMES:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    answer_next_dialog(adjusted, answer)
+    answer_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
         f"the {name}" for name in FIELD_NAMES
@@ -60,23 +60,23 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
     open_step(opened, 0)
     before = opened.project
 
-    def answer(dialog: QWidget) -> None:
-        said, keep = (
+    def use_dialog(dialog: QWidget) -> None:
+        label, keep = (
             dialog.findChild(QLabel, "identity_message"),
             dialog.findChild(QPushButton, "identity_keep"),
         )
         type_into(opened, field(dialog, "vessel"), "V" * 201)
-        assert said.text().startswith("Vessel: the text has 201 characters")
+        assert label.text().startswith("Vessel: the text has 201 characters")
         assert not keep.isEnabled()
         type_into(opened, field(dialog, "vessel"), "V")
-        assert said.text() == ""
+        assert label.text() == ""
         assert keep.isEnabled()
         opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
-        assert "do not contain a date" in said.text()
+        assert "do not contain a date" in label.text()
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(opened, answer)
+    answer_next_dialog(opened, use_dialog)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
@@ -147,7 +147,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     choose(adjusted, panel.page, 1)
     seen: list[QPixmap] = []
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         pages = [
             label for label in dialog.findChildren(QLabel)
             if label.objectName().startswith("preview_page_")
@@ -170,7 +170,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
-    answer_next_dialog(adjusted, answer)
+    answer_next_dialog(adjusted, use_dialog)
     click(adjusted, panel.preview)
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
@@ -187,13 +187,13 @@ def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: 
     open_step(adjusted, REPORT_STEP)
     (tmp_path / "file").write_text("")
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         adjusted.dialogs.path = tmp_path / "file" / "r.pdf"
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(adjusted, answer)
+    answer_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors

@@ -38,8 +38,8 @@ def opened(driver: Driver, folder: Path) -> None:
     driver.rest()
 
 
-def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
-    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == wanted, timeout=WAIT_MS)
+def unsaved(driver: Driver, folder: Path, exists: bool) -> None:
+    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == exists, timeout=WAIT_MS)
 
 
 @pytest.mark.long
@@ -57,7 +57,7 @@ def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -
     driver.window.document.undo_stack.redo()
     driver.window.actions_["save"].trigger()
     assert {"North wall", "South wall"} <= names(read_project(folder))
-    unsaved(driver, folder, wanted=False)
+    unsaved(driver, folder, exists=False)
 
 
 def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None:
@@ -72,11 +72,11 @@ def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None
 def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     driver.window.controller.rename("T1", "North wall")
-    unsaved(driver, folder, wanted=True)
+    unsaved(driver, folder, exists=True)
     driver.window.document.undo_stack.undo()
-    unsaved(driver, folder, wanted=False)
+    unsaved(driver, folder, exists=False)
     driver.window.document.undo_stack.redo()
-    unsaved(driver, folder, wanted=True)
+    unsaved(driver, folder, exists=True)
     driver.window.close()  # discards the changes
     assert not (folder / UNSAVED_NAME).exists()
     assert not (folder / LOCK_FILE_NAME).exists()
@@ -88,7 +88,7 @@ def test_a_project_opened_twice_is_detected(
 ) -> None:
     opened(driver, folder)
     driver.window.controller.rename("T1", "North wall")
-    unsaved(driver, folder, wanted=True)
+    unsaved(driver, folder, exists=True)
     other = Driver(qtbot, RecordingViewport(), tmp_path / "other")
     other.dialogs.opens_twice = False
     other.window.open_project(folder)
@@ -139,13 +139,15 @@ def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None
             command = processes.submit(run, ("identity", "--vessel", vessel), folder)
             driver.bot.wait(int(chance.integers(0, 40)))
             driver.window.controller.rename(driver.project.targets[0].name, name)
-            asked, errors = len(driver.dialogs.safety), len(driver.dialogs.errors)
+            notice_count, errors = len(driver.dialogs.safety), len(driver.dialogs.errors)
             saved = driver.window.controller.save()
             assert command.result()[0] == 0
             found = read_project(folder)
             assert found.identity.vessel == vessel
-            told = len(driver.dialogs.safety) > asked or len(driver.dialogs.errors) > errors
-            assert saved != told
+            reported = (
+                len(driver.dialogs.safety) > notice_count or len(driver.dialogs.errors) > errors
+            )
+            assert saved != reported
             assert (name in names(found)) == saved
             driver.window.document.open(None, None)
             opened(driver, folder)

@@ -60,31 +60,31 @@ def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, lis
     open_step(opened, 1)
     before = opened.project
     opened.dialogs.path = listed
-    seen = []
+    shown_content = []
 
     def preview(dialog: QDialog) -> None:
-        seen.append(cells(dialog, "seed_list_table"))
-        seen.append(dialog.findChild(QLabel, "list_message").text())
+        shown_content.append(cells(dialog, "seed_list_table"))
+        shown_content.append(dialog.findChild(QLabel, "list_message").text())
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
     def table(dialog: QDialog) -> None:
-        seen.append(cells(dialog, "seeds_found_table"))
-        seen.append(dialog.findChild(QLabel, "seeds_found").text())
+        shown_content.append(cells(dialog, "seeds_found_table"))
+        shown_content.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
     both(opened, preview, table)
     click(opened, opened.window.targets.list_seeds)
     opened.rest()
-    read, said, found, told = seen
+    read, list_text, found, summary = shown_content
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
     assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
     ordered = note("assumed.columns_by_order", columns=("name", "north", "west", "up"))
-    assert message_text(ordered) in said
+    assert message_text(ordered) in list_text
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
-    assert told == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
+    assert summary == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
     assert [target.name for target in opened.project.targets] == names[:3]
     assert opened.window.document.undo_stack.undoText() == "addition of targets from quay.csv"
     opened.window.document.undo_stack.undo()
@@ -184,14 +184,14 @@ def test_a_list_without_any_found_target_changes_nothing(opened: Driver, tmp_pat
     path = tmp_path / "far.txt"
     path.write_text("A 300 300 300\n")
     before = opened.project
-    told = []
+    texts = []
 
     def table(dialog: QDialog) -> None:
-        told.append(dialog.findChild(QLabel, "seeds_found").text())
+        texts.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
     both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
     opened.window.lifecycle.list_dropped.emit(path)
     opened.rest()
-    assert told == ["No target was found at the seed. Check its coordinates and their system."]
+    assert texts == ["No target was found at the seed. Check its coordinates and their system."]
     assert opened.project is before

@@ -39,15 +39,15 @@ def accepted(driver: Driver) -> Project:
     return driver.project
 
 
-@pytest.mark.parametrize(("radius", "said"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
-def test_a_sphere_is_seeded_with_and_without_its_radius(opened, balls, radius, said):
+@pytest.mark.parametrize(("radius", "text"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
+def test_a_sphere_is_seeded_with_and_without_its_radius(opened, balls, radius, text):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(radius)
     assert panel._threshold.specialValueText() == "default (30\u00a0mm)"
     seed(opened, balls, "S1")
     assert "RMS distance to the sphere" in detail(opened)
-    assert said in detail(opened)
+    assert text in detail(opened)
     assert "% of the surface is observed" in detail(opened)
     target = accepted(opened).target("T1")
     assert (target.shape, target.sphere_radius) == ("sphere", radius or None)

@@ -170,9 +170,9 @@ def test_the_window_follows_the_system(
     window, other = session.window, not theme.current_scheme().is_dark
     # Simulates a change of the system's theme, which a virtual screen does not have.
     monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
-    told = qapp.styleHints().colorSchemeChanged
+    scheme_changed = qapp.styleHints().colorSchemeChanged
     menu = open_menu(qtbot, window, "File")
-    told.emit(Scheming.Dark if other else Scheming.Light)
+    scheme_changed.emit(Scheming.Dark if other else Scheming.Light)
     qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window  # not replaced while a menu is open
     menu.close()
@@ -260,14 +260,14 @@ def corner(picture: QImage | QPixmap) -> str:
     return image.pixelColor(2, 2).name()
 
 
-def seen_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPixmap:
+def picture_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPixmap:
     """Raise the dock of a chart, wait until it is drawn, and return its picture."""
     drawn: list[object] = []
-    heard = chart.mpl_connect("draw_event", drawn.append)
+    connection = chart.mpl_connect("draw_event", drawn.append)
     session.window.docks[dock].raise_()
     chart.draw_idle()
     bot.waitUntil(lambda: bool(drawn) and not chart.is_drawing, timeout=SOON_MS)
-    chart.mpl_disconnect(heard)
+    chart.mpl_disconnect(connection)
     return chart.grab()
 
 
@@ -292,7 +292,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     qtbot.waitUntil(lambda: window.histograms.canvas is not None, timeout=SOON_MS)
     pictures = {}
     histograms = window.histograms
-    pictures["histogram"] = seen_in_front(session, qtbot, "Histograms", histograms.canvas)
+    pictures["histogram"] = picture_in_front(session, qtbot, "Histograms", histograms.canvas)
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(histograms.copy_picture, Qt.MouseButton.LeftButton)
     assert corner(copied(qtbot)) == "#ffffff"
@@ -302,7 +302,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     qtbot.keyClick(window, Qt.Key.Key_S)
     section = window.tools.sections.panel
     qtbot.waitUntil(lambda: section.has_section and not window.runner.active, timeout=SOON_MS)
-    pictures["section"] = seen_in_front(session, qtbot, "Section", section.canvas)
+    pictures["section"] = picture_in_front(session, qtbot, "Section", section.canvas)
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(section.copy_picture, Qt.MouseButton.LeftButton)
     assert corner(copied(qtbot)) == "#ffffff"
@@ -312,7 +312,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     row = pages.list.visualItemRect(pages.list.item(list(pages.pages).index("Convergence")))
     qtbot.mouseClick(pages.list.viewport(), Qt.MouseButton.LeftButton, pos=row.center())
     chart = pages.current.canvas
-    pictures["diagnostics"] = seen_in_front(session, qtbot, "Diagnostics", chart)
+    pictures["diagnostics"] = picture_in_front(session, qtbot, "Diagnostics", chart)
     for name, picture in pictures.items():
         assert picture.save(str(tmp_path / f"{name}.png"))
         assert corner(picture) == ground, name

@@ -15,7 +15,7 @@ from lispac.gui.widgets.chart import Chart, SlicedCalculation
 
 
 @pytest.fixture(autouse=True)
-def _none_is_left() -> Iterator[None]:
+def _no_thread_remains() -> Iterator[None]:
     yield
     assert not [each for each in threading.enumerate() if each.name == "slices"]
 

@@ -45,8 +45,8 @@ def test_a_slow_computer_draws_as_many_points_as_the_time_allows() -> None:
         )
         assert MIN_POINTS["resting"] <= pace.rest_points <= BUDGET.resting
         # A still picture is drawn once and may take longer.
-        wanted = max(MIN_POINTS["resting"], min(BUDGET.resting, MAX_PICTURE_S * rate / 2))
-        assert pace.picture_points == pytest.approx(wanted, rel=1e-5)
+        expected = max(MIN_POINTS["resting"], min(BUDGET.resting, MAX_PICTURE_S * rate / 2))
+        assert pace.picture_points == pytest.approx(expected, rel=1e-5)
 
 
 def test_only_repeated_slow_frames_change_the_budget() -> None:
