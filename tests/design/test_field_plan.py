@@ -79,9 +79,9 @@ def test_north_is_up_and_the_scale_bar_has_the_given_length() -> None:
     bar_text = next(text.get_text() for text in above.texts if text.get_text().endswith(" m"))
     bar = above.lines[-1].get_xdata()
     assert bar[1] - bar[0] == pytest.approx(float(bar_text.split()[0]))
-    (west, east), (low, high) = above.get_xlim(), above.get_ylim()
+    (left, right), (low, high) = above.get_xlim(), above.get_ylim()
     box = above.get_window_extent()
-    assert (east - west) / (high - low) == pytest.approx(box.width / box.height, rel=1e-3)
+    assert (right - left) / (high - low) == pytest.approx(box.width / box.height, rel=1e-3)
 
 
 @pytest.mark.parametrize(("lines", "balls"), [(6, 1), (24, 10)])

@@ -156,7 +156,7 @@ def test_spheres_determine_the_boresight() -> None:
 def test_forty_surveys_scatter_as_predicted() -> None:
     """The limits are those of the chi-square distribution at 0.1 % for each angle."""
     count = 40
-    found = compared(PLAN, count, stated=True, workers=1)
+    found = compared(PLAN, count, flatness_known=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     ratio = found.empirical_sigma / found.predicted
     assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
@@ -165,8 +165,8 @@ def test_forty_surveys_scatter_as_predicted() -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-@pytest.mark.parametrize("stated", [True, False])
-def test_a_thousand_surveys_scatter_as_predicted(stated: bool) -> None:
-    found = compared(PLAN, 1000, stated=stated)
+@pytest.mark.parametrize("flatness_known", [True, False])
+def test_a_thousand_surveys_scatter_as_predicted(flatness_known: bool) -> None:
+    found = compared(PLAN, 1000, flatness_known=flatness_known)
     print(scatter_table(found))
     assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08), scatter_table(found)

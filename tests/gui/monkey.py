@@ -63,7 +63,7 @@ class Findings:
     renewed : pauses in which a window was replaced by a new one
     memory_mb, widgets : before and after the run, with the program in the same state
     course_mb : memory during the run, at least ten seconds apart, while no task is active
-    leaked : threads and windows that remain after the end
+    left : threads and windows that remain after the end
     """
 
     done: Counter[str] = field(default_factory=Counter)
@@ -78,7 +78,7 @@ class Findings:
     memory_mb: list[float] = field(default_factory=list)
     course_mb: list[float] = field(default_factory=list)
     widgets: list[int] = field(default_factory=list)
-    leaked: list[str] = field(default_factory=list)
+    left: list[str] = field(default_factory=list)
 
 
 class Records(logging.Handler):
@@ -379,7 +379,7 @@ def end(monkey: Monkey) -> None:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     wait(1000)
     gc.collect()
-    monkey.seen.leaked = [
+    monkey.seen.left = [
         *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),
         *(type(w).__name__ for w in QApplication.topLevelWidgets() if w.isVisible()),
     ]

@@ -222,8 +222,8 @@ def test_the_system_of_a_las_header_is_read(
     las.x = np.array([1.0])
     las.write(tmp_path / "a.las")
     with laspy.open(tmp_path / "a.las") as reader:
-        stated = read_header_crs(reader.header)
-    assert (stated.text, stated.file_warnings) == ("EPSG:2949", ())
+        header_crs = read_header_crs(reader.header)
+    assert (header_crs.text, header_crs.file_warnings) == ("EPSG:2949", ())
 
 
 def test_blocks_in_several_threads_give_the_same_coordinates(

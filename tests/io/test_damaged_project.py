@@ -29,10 +29,10 @@ JARGON = ("Error", "delimiter", "object", "NoneType", "subscript", "convert", "c
 def refused(folder: Path) -> ProjectError:
     with pytest.raises(ProjectError) as caught:
         read_project(folder)
-    said = str(caught.value)
+    text = str(caught.value)
     assert caught.value.code == "project.damaged"
-    assert said.startswith(f"{folder / PROJECT_FILE_NAME}: ")
-    assert not [word for word in JARGON if word in said]
+    assert text.startswith(f"{folder / PROJECT_FILE_NAME}: ")
+    assert not [word for word in JARGON if word in text]
     assert caught.value.__cause__ is not None  # shown in the details
     return caught.value
 
@@ -130,10 +130,10 @@ def test_invalid_point_numbers_are_refused(folder: Path, numbers: np.ndarray, co
     with np.load(path) as arrays:
         kept = dict(arrays)
     np.savez(path, **(kept | {"line1": numbers}))
-    with pytest.raises(ProjectError) as told:
+    with pytest.raises(ProjectError) as caught:
         read_project(folder)
-    assert told.value.code == "project.points_damaged"
-    params = told.value.message.params
+    assert caught.value.code == "project.points_damaged"
+    params = caught.value.message.params
     assert (params["file"], params["target"]) == (str(path), "T1")
     assert params["reason"].code == code
 
@@ -160,13 +160,13 @@ def test_values_that_could_not_be_read_again_are_not_written(folder: Path) -> No
         replace(first, sightings=(replace(first.sightings[0], rms=float("nan")),)),
     ):  # fmt: skip
         for write in (write_project, write_unsaved):
-            with pytest.raises(ProjectError) as told:
+            with pytest.raises(ProjectError) as caught:
                 write(replace(project, targets=(wrong,)))
-            assert told.value.code == "project.cannot_be_read_again"
+            assert caught.value.code == "project.cannot_be_read_again"
     twice = replace(project, targets=(first, replace(project.targets[1], name=first.name)))
-    with pytest.raises(ProjectError) as told:
+    with pytest.raises(ProjectError) as caught:
         write_project(twice)
-    assert told.value.code == "project.cannot_be_read_again"
+    assert caught.value.code == "project.cannot_be_read_again"
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
 
 

@@ -215,8 +215,8 @@ def test_compressed_files_are_refused_with_a_suggestion(
     packed = folder / "packed.laz"
     for source in (lines, trajectory):
         packed.write_bytes(pack(source.read_bytes()))
-        said = refused(capsys, "inspect", packed)
-        assert packing in said
+        refusal = refused(capsys, "inspect", packed)
+        assert packing in refusal
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
     assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)
     assert packing in refused(capsys, *new, lines, "--trajectory", packed)
@@ -284,19 +284,19 @@ def special(request: pytest.FixtureRequest, tmp_path: Path):
 
 def ends_within(seconds: float, task: Callable[[], object]) -> str:
     """Error text of a task; the test fails if the task does not end in time."""
-    said: list[str] = []
+    texts: list[str] = []
 
     def run_it() -> None:
         try:
-            said.append(f"no error: {task()}")
+            texts.append(f"no error: {task()}")
         except InputError as error:
-            said.append(str(error))
+            texts.append(str(error))
 
     thread = threading.Thread(target=run_it, daemon=True)
     thread.start()
     thread.join(seconds)
-    assert said, "it waits"
-    return said[0]
+    assert texts, "it waits"
+    return texts[0]
 
 
 @pytest.mark.parametrize(
@@ -313,9 +313,9 @@ def test_special_files_are_refused_with_their_kind(
     special: tuple[Path, str], task: Callable[[Path], object]
 ) -> None:
     path, name = special
-    said = ends_within(20, lambda: task(path))
-    assert name in said
-    assert str(path) in said
+    refusal = ends_within(20, lambda: task(path))
+    assert name in refusal
+    assert str(path) in refusal
 
 
 def test_special_files_are_not_opened_for_recognition(special: tuple[Path, str]) -> None:

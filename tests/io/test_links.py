@@ -136,8 +136,8 @@ def test_an_import_removes_only_files_that_imports_write(project: Project) -> No
         (store / name).mkdir(exist_ok=True)
         (store / name / "mine.txt").write_text("mine")
     import_lines(project, again=True)
-    left = sorted(path.parent.name for path in store.rglob("mine.txt"))
-    assert left == ["columns-7", "columns-backup", "spool"]
+    remaining = sorted(path.parent.name for path in store.rglob("mine.txt"))
+    assert remaining == ["columns-7", "columns-backup", "spool"]
 
 
 @pytest.mark.parametrize("kind", ["link", "folder"])

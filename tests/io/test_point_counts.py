@@ -117,15 +117,15 @@ def test_correct_counts_have_no_message(
     assert messages(path) == []
 
 
-@pytest.mark.parametrize(("counted", "held"), [(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
+@pytest.mark.parametrize(("counted", "stored"), [(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
 @pytest.mark.parametrize("point_format", [1, 6])
 def test_laz_points_are_counted_over_several_chunks(
-    tmp_path: Path, point_format: int, counted: int, held: int
+    tmp_path: Path, point_format: int, counted: int, stored: int
 ) -> None:
-    path = counting(las(tmp_path / "a.laz", held, point_format), counted, legacy=0)
-    assert las_chunks.point_count(path) == held
-    np.testing.assert_array_equal(read(path)[1], times(held))
-    assert [message.params["held"] for message in messages(path)] == [held]
+    path = counting(las(tmp_path / "a.laz", stored, point_format), counted, legacy=0)
+    assert las_chunks.point_count(path) == stored
+    np.testing.assert_array_equal(read(path)[1], times(stored))
+    assert [message.params["held"] for message in messages(path)] == [stored]
 
 
 @pytest.mark.parametrize("counted", [0, 900, 1500])

@@ -294,9 +294,9 @@ def test_a_file_removed_while_it_is_read_is_read_to_its_end(
     monkeypatch.setattr("lispac.io.points.ply.POINTS_PER_CHUNK", 10)
     path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
     chunks = FORMATS["ply"].read(path, {})
-    held = len(next(chunks).time)
+    first_count = len(next(chunks).time)
     path.unlink()
-    assert held + sum(len(chunk.time) for chunk in chunks) == files.COUNT
+    assert first_count + sum(len(chunk.time) for chunk in chunks) == files.COUNT
     assert "file.not_found" in refusal_text(path, "a.ply")
 
 

@@ -63,8 +63,8 @@ def test_named_or_given_columns_decide_the_order(tmp_path: Path) -> None:
     assert named(found) == [("1", on_map)]
     assert found.are_columns_given
     bare = written(tmp_path, text.split("\n")[1])
-    stated = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
-    assert named(stated) == [("1", on_map)]
+    with_columns = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
+    assert named(with_columns) == [("1", on_map)]
     words = read_point_list(bare, columns=["point", "northing", "easting", "h"], local=False)
     assert named(words) == [("1", on_map)]
     # Given columns take precedence over those named in the file.

@@ -58,22 +58,22 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
     """Return the error of a refused file, whose text names the file and an action."""
     with pytest.raises(InputError) as error:
         format_of(key).read(path, choice or {})
-    told = str(error.value)
-    assert str(path) in told
-    assert "\n" not in told
-    assert told.endswith((".", ".)"))
+    text = str(error.value)
+    assert str(path) in text
+    assert "\n" not in text
+    assert text.endswith((".", ".)"))
     assert re.search(
         r"export|choose|check|state|give|sort|copy|name |read the file as|does not exist",
-        told, re.IGNORECASE,
-    ), told  # fmt: skip
+        text, re.IGNORECASE,
+    ), text  # fmt: skip
     return error.value
 
 
 def examine(key: str, path: Path) -> None:
     """Preview a file, which must give warnings or a refusal and no other error."""
-    finding, told = outcome(format_of(key).preview, path, {})
+    finding, refusal = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
-    assert finding is not None or str(path) in told
+    assert finding is not None or str(path) in refusal
     assert all(message.params["file"] == path.name for message in file_warnings), file_warnings
     assert all(message_text(message).rstrip(")").endswith(".") for message in file_warnings), (
         file_warnings
@@ -279,10 +279,10 @@ def test_backward_times_in_text_are_reported(
 ) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value))
     row = len(path.read_text().splitlines()) - 2
-    told = refused(key, path)
-    assert "file.time_order_row" in told
-    assert f"row {row} " in told
-    assert "0 repeated and 1 decreasing times among 200" in told
+    refusal = refused(key, path)
+    assert "file.time_order_row" in refusal
+    assert f"row {row} " in refusal
+    assert "0 repeated and 1 decreasing times among 200" in refusal
 
 
 @pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])

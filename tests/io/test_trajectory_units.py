@@ -139,8 +139,8 @@ def test_a_given_unit_takes_precedence_over_the_names(tmp_path: Path) -> None:
     records, rows = gridded(NEW_JERSEY, FOOT)
     head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
-    stated = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
-    assert off(ASCII.read(path, ASCII.preview(path, stated).choice), records) < 1e-4
+    options = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
+    assert off(ASCII.read(path, ASCII.preview(path, options).choice), records) < 1e-4
 
 
 def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path: Path) -> None:
@@ -234,9 +234,9 @@ def test_a_jump_of_an_sbet_gives_a_warning(tmp_path: Path) -> None:
     assert "trajectory.jumps" in codes(SBET.preview(path, {}).file_warnings)
 
 
-@pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
+@pytest.mark.parametrize(("unit", "is_warned"), [(FOOT, True), (1.0, False)])
 def test_positions_outside_the_area_of_the_system_give_a_warning(
-    tmp_path: Path, unit: float, said: bool
+    tmp_path: Path, unit: float, is_warned: bool
 ) -> None:
     """The positions are in feet without a statement, in a system in metres."""
     _, rows = gridded(UTM, unit)
@@ -246,11 +246,11 @@ def test_positions_outside_the_area_of_the_system_give_a_warning(
         for each in ASCII.preview(path, {"crs": UTM}).file_warnings
         if each.code == "trajectory.other_area"
     ]
-    assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if said else [])
+    assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if is_warned else [])
 
 
-@pytest.mark.parametrize("look", [True, False])
-def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
+@pytest.mark.parametrize("with_preview", [True, False])
+def test_heights_in_degrees_are_refused(tmp_path: Path, with_preview: bool) -> None:
     _, rows = gridded(UTM, 1.0)
     head = EXAIL_HEAD.format("meter").replace("Ellipsoid height, meter", "Ellipsoid height, degree")
     path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
@@ -258,7 +258,7 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
         EXAIL.read(path, {"crs": UTM})
     column = {"file": str(path), "column": "ellipsoidHeight", "unit": "deg"}
     assert refused.value.message == error("trajectory.not_a_length", **column)
-    if look:
+    if with_preview:
         named = warning("trajectory.not_a_length", **{**column, "file": path.name})
         assert named in EXAIL.preview(path, {"crs": UTM}).file_warnings
 

@@ -88,12 +88,12 @@ def test_a_heading_of_many_turns_must_be_reached_by_turning() -> None:
     heading = np.linspace(12.5, 12.6, 11)
     level = np.zeros(11)
     require_attitude(Path("a"), np.arange(11.0), (level, level, heading))
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         require_attitude(Path("a"), np.arange(11) / 10, (level, level, heading))
     first = int(np.argmax(heading > 4 * np.pi))
-    assert told.value.code == "trajectory.attitude_in_record"
-    assert told.value.message is not None
-    assert told.value.message.params == {
+    assert caught.value.code == "trajectory.attitude_in_record"
+    assert caught.value.message is not None
+    assert caught.value.message.params == {
         "file": "a", "number": first + 1, "roll": 0.0, "pitch": 0.0, "heading": heading[first],
     }  # fmt: skip
 

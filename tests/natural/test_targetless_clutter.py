@@ -43,8 +43,8 @@ def test_clutter_has_little_effect_and_the_displaced_line_is_named(tmp_path: Pat
                 clean.append(bool(found.disagreeing))
         named.append(wrong in found.disagreeing)
         innocent.append(bool({*found.disagreeing} - {wrong}))
-        told = *(np.degrees(errors[name][-1]).round(4) for name in errors), clean[-1]
-        print(seed, *told, wrong, found.disagreeing, flush=True)
+        rounded_errors = *(np.degrees(errors[name][-1]).round(4) for name in errors), clean[-1]
+        print(seed, *rounded_errors, wrong, found.disagreeing, flush=True)
     rms = {name: np.sqrt(np.mean(np.square(off), axis=0)) for name, off in errors.items()}
     cost = {name: np.sqrt(np.mean((own / rms["clean"]) ** 2)) for name, own in rms.items()}
     print(f"{SCENES} surveys, rms in deg:")

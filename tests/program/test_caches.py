@@ -81,14 +81,14 @@ def test_a_foreign_folder_called_demo_is_not_removed(tmp_path: Path) -> None:
 def test_the_command_line_uses_the_chosen_folder_unless_an_option_is_given(tmp_path: Path) -> None:
     config = tmp_path / "config"
     caches.choose_folder(tmp_path / "fast", config / "lispac")
-    told = (
+    code = (
         "import os, sys; from lispac.cli.main import main; main(['sensors']); "
         "print(os.environ['NUMBA_CACHE_DIR'].split('/sources-')[0], os.environ['MPLCONFIGDIR'])"
     )
     variables = {k: v for k, v in os.environ.items() if k not in caches.CACHE_VARIABLES}
     variables |= {"XDG_CONFIG_HOME": str(config), "MPLCONFIGDIR": "/elsewhere"}
     done = subprocess.run(
-        [sys.executable, "-c", told], capture_output=True, text=True, env=variables, check=True
+        [sys.executable, "-c", code], capture_output=True, text=True, env=variables, check=True
     )
     assert done.stdout.splitlines()[-1] == f"{tmp_path / 'fast' / 'lispac' / 'numba'} /elsewhere"
 

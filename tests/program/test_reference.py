@@ -59,10 +59,10 @@ def test_a_broken_reference_fails_the_build(tmp_path: Path) -> None:
     sources.mkdir()
     names = "`SEMI_MAJOR_AXIS`, `ValueError`, `no_such_name`"
     (sources / "index.rst").write_text(f"One\n===\n\nSee {names}.\n")
-    said = pages.run(sources, tmp_path / "out")
-    assert "reference target not found: no_such_name" in said
-    assert said.count("WARNING") == 1
-    assert said.endswith("Sphinx refuses.")
+    output = pages.run(sources, tmp_path / "out")
+    assert "reference target not found: no_such_name" in output
+    assert output.count("WARNING") == 1
+    assert output.endswith("Sphinx refuses.")
 
 
 def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
@@ -81,12 +81,12 @@ def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
 def test_every_public_name_of_the_core_is_documented(tmp_path: Path) -> None:
     assert pages.build(tmp_path) == ""
     there = inventory(tmp_path)
-    wanted: set[str] = set()
+    expected: set[str] = set()
     for module in trees():
         dotted = module.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-        wanted |= below(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
-    assert len(wanted) > 1500
-    assert wanted - there == set()
+        expected |= below(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
+    assert len(expected) > 1500
+    assert expected - there == set()
     # Sphinx leaves the markup of autodoc in signatures that it cannot parse.
     unread = [
         page.name for page in tmp_path.glob("*.html") if "~lispac." in page.read_text("utf-8")

@@ -129,9 +129,9 @@ def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -
         expected[f"POS {name}"] = spread(attitude=attitude * np.eye(3)[k])
     found = by_name(error_budget(own, [distance]), beam)
     assert set(found) == {*expected, "Total before calibration"}
-    for name, wanted in expected.items():
+    for name, expected_spreads in expected.items():
         (got,) = found[name].spreads or ()
-        for part, value in asdict(wanted).items():
+        for part, value in asdict(expected_spreads).items():
             assert getattr(got, part) == pytest.approx(value, rel=0.04, abs=2e-5), (name, part)
 
 
@@ -172,11 +172,13 @@ def test_unknown_errors_are_reported_and_not_counted() -> None:
     assert found["Lever arm"].spreads is None
     codes = {each.code for each in budget.assumptions}
     assert {"budget.lever_arm_unknown", "budget.no_latency"} <= codes
-    stated = by_name(
+    with_known_errors = by_name(
         error_budget(replace(without, lever_arm=np.full(3, 0.05))), "horizontal, to starboard"
     )
     for k in range(3):
-        less, more = (each["Total after calibration"].spreads[k].total for each in (found, stated))
+        less, more = (
+            each["Total after calibration"].spreads[k].total for each in (found, with_known_errors)
+        )
         assert more == pytest.approx(np.sqrt(less**2 + 3 * 0.05**2))
     for distances in ([], [0.0], [-1.0], [float("nan")]):
         with pytest.raises(InputError, check=has_code("adjustment.budget_distances")):

@@ -54,9 +54,9 @@ def test_angle_noise_acts_along_and_across_the_rotation(axis) -> None:
     echoes = seen(scanner, DOME, noise=True)
     about = {"x": 0, "z": 2}[axis]
     assert np.all(echoes.points_lidar[:, about] == 0)
-    read, met = echoes.points_lidar / 20.0, echoes.true_points_local / 20.0
+    read, true_beams = echoes.points_lidar / 20.0, echoes.true_points_local / 20.0
     along = np.cross(np.eye(3)[about], read)
-    misses = np.stack([np.sum((met - read) * along, axis=1), met[:, about]])
+    misses = np.stack([np.sum((true_beams - read) * along, axis=1), true_beams[:, about]])
     # 80,000 beams determine sigma to 0.25 %
     np.testing.assert_allclose(misses.std(axis=1), sigma, rtol=0.01)
     assert abs(np.corrcoef(misses)[0, 1]) < 0.015

@@ -238,16 +238,16 @@ def test_the_same_seed_gives_the_same_survey():
 
 
 def test_simulation_reports_progress_and_can_be_cancelled():
-    told: list[float] = []
+    fractions: list[float] = []
 
     def stop_at_half(fraction: float, step: Step | None = None) -> None:
-        told.append(fraction)
+        fractions.append(fraction)
         if fraction >= 0.5:
             raise Cancelled
 
     with pytest.raises(Cancelled):
         port_survey(points_per_second=SPARSE_PULSES, progress=stop_at_half)
-    assert told == pytest.approx([1 / 6, 2 / 6, 3 / 6])
+    assert fractions == pytest.approx([1 / 6, 2 / 6, 3 / 6])
 
 
 def test_memory_of_the_simulation_is_limited(survey):

@@ -183,7 +183,7 @@ class SceneResult:
         return tuple(each.code for each in self.warnings)
 
 
-def answer(seed: int) -> SceneResult:
+def propose_and_adjust(seed: int) -> SceneResult:
     """Propose targets, adjust, and compare the result with the truth."""
     seen = natural_site(seed)
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
@@ -209,30 +209,30 @@ def answer(seed: int) -> SceneResult:
 
 def study(scenes: int, workers: int = 2) -> list[SceneResult]:
     with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(answer, range(scenes)))
+        return list(pool.map(propose_and_adjust, range(scenes)))
 
 
 def main() -> None:
     """Print the study."""
-    print_answers(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
+    print_results(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
 
 
-def print_answers(answers: list[SceneResult]) -> None:
+def print_results(results: list[SceneResult]) -> None:
     """Print a row for each scene, and the shares."""
-    for seed, each in enumerate(answers):
+    for seed, each in enumerate(results):
         if each.error is None or each.sigma is None:
             print(seed, each.lines, each.reason[:150])
         else:
             print(seed, each.lines, each.targets, np.round(each.error, 3), np.round(each.sigma, 3),
                   np.round(each.error / each.sigma, 1), np.round(each.sigma / each.predicted, 2),
                   each.serious)  # fmt: skip
-    for label, wanted in (("all", answers), ("calm", [a for a in answers if not a.serious])):
-        known = [a for a in wanted if a.error is not None]
+    for label, selected in (("all", results), ("calm", [a for a in results if not a.serious])):
+        known = [a for a in selected if a.error is not None]
         hits = np.mean([np.abs(a.error) < 1.96 * a.sigma for a in known], axis=0)
         ratio = np.median([a.sigma / a.predicted for a in known], axis=0)
-        print(f"{label}: {len(known)} of {len(answers)} scenes; intervals that hold {100 * hits}; "
+        print(f"{label}: {len(known)} of {len(results)} scenes; intervals that hold {100 * hits}; "
               f"stated over predicted {ratio}")  # fmt: skip
-    print(Counter(code for each in answers for code in each.serious))
+    print(Counter(code for each in results for code in each.serious))
 
 
 if __name__ == "__main__":

@@ -107,9 +107,9 @@ def _first_hit(origin, rays):
     for centre, radius in BALLS.values():
         to = centre - origin
         along = (rays * to).sum(axis=-1)
-        left = radius**2 - ((to**2).sum(axis=-1) - along**2)
-        hit = (left >= 0.0) & (along > 0.0)
-        ranges.append(np.where(hit, along - np.sqrt(np.maximum(left, 0.0)), np.inf))
+        discriminant = radius**2 - ((to**2).sum(axis=-1) - along**2)
+        hit = (discriminant >= 0.0) & (along > 0.0)
+        ranges.append(np.where(hit, along - np.sqrt(np.maximum(discriminant, 0.0)), np.inf))
     centre, normal, half = BOARD
     with np.errstate(divide="ignore", invalid="ignore"):
         reach = ((centre - origin) @ normal) / (rays @ normal)

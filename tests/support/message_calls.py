@@ -49,15 +49,19 @@ def message_levels() -> dict[str, set[str]]:
         makers = _names(call.func)
         for name in makers if scope else ():
             makers = makers.union(*map(_names, _assigned(scope[0]).get(name, ())))
-        given, texts = {*MAKERS} & makers, call.args[:1]
+        levels_of_call, texts = {*MAKERS} & makers, call.args[:1]
         if "Message" in makers and len(call.args) > 1:
-            given = {each.lower() for each in _matching(Level.__members__, call.args[1], scope)}
-        elif not given:  # a function with the maker as an argument
-            given = {*MAKERS} & {each.id for each in call.args if isinstance(each, ast.Name)}
+            levels_of_call = {
+                each.lower() for each in _matching(Level.__members__, call.args[1], scope)
+            }
+        elif not levels_of_call:  # a function with the maker as an argument
+            levels_of_call = {*MAKERS} & {
+                each.id for each in call.args if isinstance(each, ast.Name)
+            }
             texts = [each for each in call.args if isinstance(each, ast.Constant)]
-        for text in texts if given else ():
+        for text in texts if levels_of_call else ():
             for code in _matching(TEXTS, text, scope):
-                levels[code] |= given
+                levels[code] |= levels_of_call
     return levels
 
 

@@ -119,14 +119,14 @@ def test_a_crs_without_an_area_of_use_is_valid_everywhere() -> None:
 
 def test_area_of_use_has_a_tolerance_of_three_degrees() -> None:
     zone = CRS("EPSG:32619")  # 72 to 66 degrees west, 0 to 84 north
-    said = zone.area_of_use.name.split(".")[0]
-    assert said.startswith("Between 72°W and 66°W")
+    area_name = zone.area_of_use.name.split(".")[0]
+    assert area_name.startswith("Between 72°W and 66°W")
     for latitude, longitude, elsewhere in (
         (-2.9, -69, False), (-3.1, -69, True), (86.9, -69, False), (87.1, -69, True),
         (46, -74.9, False), (46, -75.1, True), (46, -63.1, False), (46, -62.9, True),
         (46, 111, True),
     ):  # fmt: skip
-        assert area_of_use_elsewhere(zone, latitude, longitude) == (said if elsewhere else "")
+        assert area_of_use_elsewhere(zone, latitude, longitude) == (area_name if elsewhere else "")
 
 
 def test_area_of_use_across_the_antimeridian() -> None:

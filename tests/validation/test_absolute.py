@@ -288,7 +288,7 @@ def test_a_scan_in_map_coordinates_without_times_is_compared(
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "said"),
+    ("name", "text", "code"),
     [
         ("p.csv", "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\n", "check.few_plane_points"),
         (
@@ -303,12 +303,12 @@ def test_a_scan_in_map_coordinates_without_times_is_compared(
     ],
 )
 def test_unusable_references_are_refused(
-    known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, said: str
+    known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, code: str
 ) -> None:
     (tmp_path / name).write_text(text)
     with pytest.raises(InputError) as raised:
         check_absolute(*known, tmp_path / name)
-    assert is_refusal(raised.value, said)
+    assert is_refusal(raised.value, code)
 
 
 def test_the_format_of_the_reference_does_not_matter(
@@ -376,9 +376,9 @@ def test_the_project_stores_the_check_and_the_report_shows_it(
     stored = json.loads(path.read_text())
     del stored["absolute"]
     path.write_text(json.dumps(stored))
-    older = read_project(project.folder)
-    assert older.absolute is None
-    titles = [s.title for s in report_document(sample_content(older), {}).sections]
+    without_check = read_project(project.folder)
+    assert without_check.absolute is None
+    titles = [s.title for s in report_document(sample_content(without_check), {}).sections]
     assert "Check against the reference" not in titles
 
 

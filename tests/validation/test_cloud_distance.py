@@ -154,10 +154,10 @@ def test_large_coordinates_lose_no_precision() -> None:
     compared, reference = tower(500, 1, 0.01), tower(2000, 2)
     shift = np.array([500_000.0, 5_040_000.0, 100.0])
     # Shifted coordinates have a precision of a nanometre; the distances must be as precise.
-    held, held_reference = (compared + shift) - shift, (reference + shift) - shift
+    rounded, rounded_reference = (compared + shift) - shift, (reference + shift) - shift
     np.testing.assert_allclose(
         cloud_to_cloud(compared + shift, reference + shift),
-        cloud_to_cloud(held, held_reference),
+        cloud_to_cloud(rounded, rounded_reference),
         atol=1e-8,
     )
 

@@ -112,7 +112,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert [each["moved"] for each in first["calibrations"]] == [False, False, True]
     assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
-    assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
+    assert any("undated: its survey dates (last summer)" in text for text in found["messages"])
     # A copy of a survey does not count as another survey.
     copy = tmp_path / "a copy"
     shutil.copytree(tmp_path / "autumn", copy)
@@ -120,7 +120,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert [each["day"] for each in again["systems"][0]["calibrations"]] == [
         "2024-05-02", "2025-05-02", "2025-09-30",
     ]  # fmt: skip
-    assert any("same lines as" in remark for remark in again["systems"][0]["messages"])
+    assert any("same lines as" in text for text in again["systems"][0]["messages"])
     shutil.rmtree(copy)
     assert picture.read_bytes().startswith(b"\x89PNG")
     code, out, error = run(capsys, "history", tmp_path, "--vessel", "AURORA")
@@ -145,7 +145,7 @@ def test_folders_without_a_history_are_refused(
     (tmp_path / "b" / "project.json").write_text("{}")
     found = answer(capsys, "history", tmp_path)
     beginning, _ = message_text(note("history.excluded", reason="|")).split("|")
-    assert any("b" in remark and remark.startswith(beginning) for remark in found["messages"])
+    assert any("b" in text and text.startswith(beginning) for text in found["messages"])
 
 
 def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
@@ -185,8 +185,8 @@ def test_projects_without_result_or_system_name_are_reported(tmp_path: Path) -> 
     )
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
-    found, remarks = read_histories([tmp_path])
-    assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
-    told = {history.entries[0].project.name: history.messages for history in found}
-    assert note("history.unnamed_system") not in told["a"]  # the scanner is named
-    assert note("history.unnamed_system") in told["c"]
+    found, messages = read_histories([tmp_path])
+    assert messages == (note("history.excluded", reason=note("history.no_result", project="b")),)
+    messages_of = {history.entries[0].project.name: history.messages for history in found}
+    assert note("history.unnamed_system") not in messages_of["a"]  # the scanner is named
+    assert note("history.unnamed_system") in messages_of["c"]

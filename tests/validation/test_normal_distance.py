@@ -60,7 +60,7 @@ def test_intervals_have_the_stated_coverage(n: int, noise: tuple[float, float]) 
 
     The coverage must be 93 to 97 %; 1,000 draws at 95 % leave this range once in 270 times.
     """
-    rng, held = np.random.default_rng(7), []
+    rng, is_covered = np.random.default_rng(7), []
     core = np.array([[0.0, 15.0, 4.0]])
     for k in range(1000):
         offset = OFFSETS_M[k % len(OFFSETS_M)]
@@ -70,9 +70,9 @@ def test_intervals_have_the_stated_coverage(n: int, noise: tuple[float, float]) 
         except NotComparable:
             assert n == 400  # fewer than four points in the cylinder: no distance
             continue
-        held.append(abs(found.distance[0] - offset) <= found.half_width[0])
-    assert len(held) > 900
-    assert 0.93 <= np.mean(held) <= 0.97
+        is_covered.append(abs(found.distance[0] - offset) <= found.half_width[0])
+    assert len(is_covered) > 900
+    assert 0.93 <= np.mean(is_covered) <= 0.97
 
 
 def test_the_distance_is_along_the_normal_of_an_oblique_surface() -> None:
@@ -130,17 +130,17 @@ def test_a_size_of_zero_is_refused(name: str, code: str) -> None:
 
 def test_intervals_of_plane_offsets_and_turns_have_the_stated_coverage() -> None:
     """The coverage of the three intervals is 93 to 97 % in 600 pairs of clouds."""
-    rng, held = np.random.default_rng(11), []
+    rng, is_covered = np.random.default_rng(11), []
     for offset, turn_deg in list(product(OFFSETS_M, TURNS_DEG)) * 50:
         angle = np.radians(turn_deg)
         moved = wall(rng, 500, offset=offset, tilt=angle, turn=-angle)
         found = plane_offset(moved, wall(rng, 700, noise=0.005), EAST)
-        held.append([
+        is_covered.append([
             abs(found.offset - offset) <= found.offset_95,
             abs(found.rotation_horizontal_axis - angle) <= found.rotation_horizontal_axis_95,
             abs(found.rotation_slope_axis + angle) <= found.rotation_slope_axis_95,
         ])  # fmt: skip
-    assert np.all(np.abs(np.mean(held, axis=0) - 0.95) <= 0.02)
+    assert np.all(np.abs(np.mean(is_covered, axis=0) - 0.95) <= 0.02)
 
 
 def test_the_angle_is_that_between_the_normals() -> None:
