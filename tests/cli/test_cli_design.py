@@ -18,7 +18,7 @@ from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import refused, run, run_json
 from tests.support.command_errors import command_error
 from tests.support.narrow_site import narrow_site
 
@@ -34,7 +34,7 @@ def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
 
 
 def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
-    found = answer(capsys, "predict", PORT)
+    found = run_json(capsys, "predict", PORT)
     assert found["determined"]
     assert len(found["points"]) == 12
     assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
@@ -55,7 +55,7 @@ def test_undetermined_plans_are_reported(
     )
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
-    found = answer(capsys, "predict", one_line)
+    found = run_json(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
     assert found["messages"] == [message_text(note("design.undetermined"))]
     missing = command_error("predict", tmp_path / "none.toml")
@@ -75,22 +75,22 @@ def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
     # The scenarios of the thesis have their own boards, wherever the wall of the plan is
     assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0
-    found = answer(capsys, "scenarios", PORT, "--only", "distance")
+    found = run_json(capsys, "scenarios", PORT, "--only", "distance")
     assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
 
 
 def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"
     site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [2, 8]"}))
-    found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
+    found = run_json(capsys, "design", site, "--workers", 1, "--output", folder)
     assert found["exact"]
     assert found["plans_evaluated"] == 28 * 27
     assert {path.name for path in folder.iterdir()} == {
         "plan.toml", "field-plan.pdf", "front.svg", "front.csv",
     }  # fmt: skip
-    again = answer(capsys, "predict", folder / "plan.toml")
+    again = run_json(capsys, "predict", folder / "plan.toml")
     assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
-    assert answer(capsys, "design", site, "--workers", 2) == found
+    assert run_json(capsys, "design", site, "--workers", 2) == found
     printed = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
     assert "smallest standard deviation of yaw" in printed
     assert "all that are possible" in printed
@@ -124,7 +124,7 @@ def test_replay_of_the_built_in_survey(
     """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
-    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
+    found = run_json(capsys, "compare-plan", folder, "--plan", PORT)
     adjusted, predicted = (
         np.array(found["obtained_sigma_deg"]),
         np.array(found["surveyed_with_form_error_sigma_deg"]),
@@ -142,7 +142,7 @@ def test_replay_of_the_built_in_survey(
     assert printed.count("With it the standard deviation of") == 2
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
-    off = answer(capsys, "compare-plan", folder, "--plan", far)
+    off = run_json(capsys, "compare-plan", folder, "--plan", far)
     assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"

@@ -25,7 +25,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.checking.subsampling import SubsamplingResult
 from lispac.workflow.planning import sensors
-from tests.cli.test_cli import answer, import_workflow, run
+from tests.cli.test_cli import import_workflow, run, run_json
 from tests.support.narrow_site import narrow_site
 from tests.support.report_sample import sample_project
 from tests.support.surveys import TARGETS, planar_survey
@@ -170,7 +170,7 @@ def test_plane_files_are_adjusted_and_reported(
         write_plane_file(path, observations, path.stem, nowhere, plane)
     words = ("estimate", "--planes", *files, "--lever-arm", 0.1, -0.2, 0.3, "--no-cross-checks")
     out, _ = printed_by(capsys, *words)
-    numbers = answer(capsys, *words)
+    numbers = run_json(capsys, *words)
     rows = [line.split() for line in out.splitlines()[2:5]]
     assert [row[0] for row in rows] == ["Roll", "Pitch", "Yaw"]
     np.testing.assert_allclose([float(row[2]) for row in rows], [0.27, -1.14, 0.36], atol=1e-4)
@@ -193,7 +193,7 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     assert [row[-2] for row in rows] == ["+0.2700", "-1.1400", "+0.3600"]
     printed_by(capsys, "demo", "--output", project.folder, "--no-window")
     monkeypatch.setattr(demo, "has_display", lambda: False)
-    numbers = answer(capsys, "demo", "--output", project.folder)
+    numbers = run_json(capsys, "demo", "--output", project.folder)
     assert len(started) == 1
     assert numbers["report"] == str(project.folder / "report.pdf")
     assert numbers["truth_deg"] == {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
@@ -314,6 +314,6 @@ def test_a_design_is_compared_with_a_usual_plan_that_is_undetermined(
     assert rows[2] == "Shahraji    not determined"
     assert rows[-1] == str(folder)
     assert written == [folder]
-    numbers = answer(capsys, "design", site, "--workers", 1)
+    numbers = run_json(capsys, "design", site, "--workers", 1)
     assert numbers["thesis_sigma_deg"] is None
     assert len(written) == 1, "nothing is written where no folder is named"

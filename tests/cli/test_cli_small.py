@@ -32,7 +32,7 @@ from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import answer, import_workflow, refused, run
+from tests.cli.test_cli import import_workflow, refused, run, run_json
 from tests.support.report_sample import sample_project
 from tests.support.sharing import make_once
 from tests.validation.test_absolute_warnings import check as against_reference
@@ -150,7 +150,7 @@ def test_a_patch_test_uses_the_given_objects_and_pairs(
     monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: shown)
 
     def objects(*words: object) -> list[str]:
-        found = answer(capsys, "patchtest", project.folder, *words)
+        found = run_json(capsys, "patchtest", project.folder, *words)
         return [each["name"] for each in found["objects"]]
 
     mine = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
@@ -212,7 +212,7 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
     assert "one in 3 of them" in err
     assert read_project(project.folder).targets == ()
-    numbers = answer(capsys, "propose", project.folder, "--accept")
+    numbers = run_json(capsys, "propose", project.folder, "--accept")
     assert numbers["accepted"] is True
     assert numbers["sigma_deg"] == pytest.approx({"roll": 0.01, "pitch": 0.02, "yaw": 0.03})
     assert numbers["targets"][0] == {
@@ -240,7 +240,7 @@ def test_the_result_of_the_scene_is_printed_and_saved_on_request(
     assert out.splitlines()[-len(texts) :] == texts
     assert out.startswith("Boresight\n")
     assert read_project(project.folder).alternative_results == ()
-    numbers = answer(capsys, "targetless", project.folder, "--save")
+    numbers = run_json(capsys, "targetless", project.folder, "--save")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
@@ -299,7 +299,7 @@ def test_a_script_reports_a_missing_file(
     out, err = printed_by(capsys, "script", project.folder)
     assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
-    numbers = answer(capsys, "script", project.folder)
+    numbers = run_json(capsys, "script", project.folder)
     assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
 
 
@@ -367,7 +367,7 @@ def test_the_absence_of_warnings_is_reported(
     )
     monkeypatch.setattr("lispac.workflow.checking.warnings.warnings_of", lambda *_: ())
     assert printed_by(capsys, "warnings", project.folder) == ("No warnings.\n", "")
-    assert answer(capsys, "warnings", project.folder) == {"warnings": []}
+    assert run_json(capsys, "warnings", project.folder) == {"warnings": []}
 
 
 def test_methods_without_a_result_are_noted_with_the_reason(
@@ -396,7 +396,7 @@ def test_the_trajectory_is_exported_as_text(
 ) -> None:
     path = tmp_path / "track.txt"
     words = ("export", project.folder, "--what", "trajectory", "--format", "text", "--output", path)
-    found = answer(capsys, *words)
+    found = run_json(capsys, *words)
     assert found == {"files": [str(path)]}
     out, err = printed_by(capsys, *words)
     assert out == f"{path}\n"

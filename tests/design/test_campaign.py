@@ -33,7 +33,7 @@ from lispac.workflow.planning.cluster import cluster_mapper
 from lispac.workflow.planning.cluster_access import ClusterAccess
 from lispac.workflow.planning.parallel_map import choose_mapper, chunk_size, process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import refused, run, run_json
 from tests.studies.prediction_study import PLAN
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
@@ -97,8 +97,8 @@ def test_at_the_command_line(
     cluster: distributed.LocalCluster, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = ("campaign", PORT, "--surveys", 4)
-    here = answer(capsys, *words, "--workers", 1)
-    assert answer(capsys, *words, "--cluster", cluster.scheduler_address) == here
+    here = run_json(capsys, *words, "--workers", 1)
+    assert run_json(capsys, *words, "--cluster", cluster.scheduler_address) == here
     assert len(here["coverage_95"]) == 3
     code, out, err = run(capsys, *words, "--workers", 2, "--flatness-known")
     assert code == 0, err

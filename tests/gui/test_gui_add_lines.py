@@ -156,11 +156,11 @@ def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
 
 @pytest.mark.parametrize(("choice", "is_new"), [("cancel", False), ("new", True)])
 def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, choice, is_new) -> None:
-    short.dialogs.about_dropped = choice
+    short.dialogs.drop_choice = choice
     line = demo.project.lines[5].path
     drop(short.window, [line])
-    short.bot.waitUntil(lambda: bool(short.dialogs.asked), timeout=WAIT_MS)
-    assert short.dialogs.asked == ["harbour"]
+    short.bot.waitUntil(lambda: bool(short.dialogs.requests), timeout=WAIT_MS)
+    assert short.dialogs.requests == ["harbour"]
     assert short.dialogs.dropped == ([line] if is_new else [])
     assert len(short.project.lines) == 4
 

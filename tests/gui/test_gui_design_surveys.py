@@ -162,7 +162,7 @@ def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWin
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
     runner = driver.window.site_design.runner
     driver.bot.waitUntil(lambda: runner.current.fraction > 0, timeout=WAIT_MS)
-    driver.dialogs.answer = "discard"
+    driver.dialogs.save_choice = "discard"
     driver.bot.keyClick(coarse, Key.Key_W, Control)
     assert runner.active, "the window of the site may close meanwhile"
     assert driver.window.close()

@@ -130,7 +130,7 @@ def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> No
         picked.rest()
         assert output.exists(), log_text
     assert np.loadtxt(next((tmp_path / "planes").iterdir())).shape[1] == 25
-    assert picked.dialogs.asked == ["lines", "targets", "targets", "trajectory"]
+    assert picked.dialogs.requests == ["lines", "targets", "targets", "trajectory"]
     assert not picked.dialogs.errors
 
 

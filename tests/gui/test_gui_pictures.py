@@ -34,7 +34,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     picked.dialogs.path = tmp_path / "view.png"
     press(picked, Key.Key_P)
     wait_until_idle(picked)
-    assert picked.dialogs.asked[-1] == f"{picked.project.name}-view.png"
+    assert picked.dialogs.requests[-1] == f"{picked.project.name}-view.png"
     assert not QImage(str(tmp_path / "view.png")).isNull()
     assert f"Wrote {tmp_path / 'view.png'}" in window.log.toPlainText()
     QGuiApplication.clipboard().clear()
@@ -61,7 +61,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     shown = panel.canvas.figure.axes[0].get_xlim()
     click(picked, panel.save_picture)
     wait_until_idle(picked)
-    assert picked.dialogs.asked[-1] == f"{picked.project.name}-section-across-t1.png"
+    assert picked.dialogs.requests[-1] == f"{picked.project.name}-section-across-t1.png"
     saved = QImage(str(tmp_path / "section.png"))
     inches = panel.canvas.figure.get_size_inches()
     assert saved.width() == pytest.approx(200 * inches[0], abs=2)

@@ -52,7 +52,7 @@ def test_the_folders_of_moved_files_are_asked_for(driver: Driver, demo_copy: Pat
     driver.dialogs.folders = list(folders)
     driver.window.open_project(demo_copy)
     driver.rest()
-    assert driver.dialogs.asked == ["harbour: 7", "harbour: 7", "harbour: 1"]
+    assert driver.dialogs.requests == ["harbour: 7", "harbour: 7", "harbour: 1"]
     (error,) = driver.dialogs.errors
     assert error.code == "project_files.none_of_many_found"
     assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
@@ -69,7 +69,7 @@ def test_a_project_with_missing_files_is_not_opened(driver: Driver, demo_copy: P
     known.trajectory.unlink()
     driver.window.open_project(demo_copy)
     driver.rest()
-    assert driver.dialogs.asked == ["harbour: 1"]
+    assert driver.dialogs.requests == ["harbour: 1"]
     assert driver.window.document.project is None
     assert driver.window.task_bar.currentMessage() == ("harbour was not opened: files are missing")
 
@@ -92,9 +92,9 @@ def test_closing_with_changes_asks(
     target = demo.picked.target("T1")
     driver.window.document.edit("detection of T1", before.with_target(target))
     assert driver.window.isWindowModified()
-    driver.dialogs.answer = choice
+    driver.dialogs.save_choice = choice
     assert driver.window.close() is closes
-    assert driver.dialogs.asked == ["harbour"]
+    assert driver.dialogs.requests == ["harbour"]
     assert len(open_project(demo_copy).targets) == saved
 
 

@@ -180,7 +180,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     assert {(page.width(), page.height()) for page in seen} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
-    assert adjusted.dialogs.asked == [f"{adjusted.project.name}.pdf"] * 2
+    assert adjusted.dialogs.requests == [f"{adjusted.project.name}.pdf"] * 2
 
 
 def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: Path) -> None:

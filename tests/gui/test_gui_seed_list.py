@@ -172,7 +172,7 @@ def test_a_dropped_list_can_be_cancelled_during_detection(
     assert len(seen) == 1
     assert titles == ["Searching for the targets of 4 seeds of quay.csv"]
     assert opened.project is before
-    assert not opened.dialogs.asked
+    assert not opened.dialogs.requests
     assert (
         "Searching for the targets of 4 seeds of quay.csv: cancelled"
         in opened.window.log.toPlainText()

@@ -26,7 +26,7 @@ from lispac.workflow.output.export import write_report
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.sharing import make_once
 from tests.workflow.test_reference_surveys import angles, make
 
@@ -224,7 +224,7 @@ def test_harbour_from_the_command_line(
     make(
         capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
     )
-    numbers = answer(capsys, "targetless", project)
+    numbers = run_json(capsys, "targetless", project)
     off = np.abs(angles(numbers, "boresight_deg") - truth)
     assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
     assert numbers["disagreeing_lines"] == []

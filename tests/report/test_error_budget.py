@@ -26,7 +26,7 @@ from lispac.report.document_blocks import Bullets, Table
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked_and_estimated
@@ -193,7 +193,7 @@ def test_the_command_and_the_report_give_the_same_budget(
     sample = sample_project(tmp_path / "sample")
     project = replace(demo_project, folder=tmp_path / "p", result=sample.result)
     write_project(project)
-    found = answer(capsys, "budget", project.folder)
+    found = run_json(capsys, "budget", project.folder)
     budget = ErrorBudgetValues.of(error_budget_of(project, load_survey(project)))
     assert found == json.loads(json.dumps(json_values(budget)))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)

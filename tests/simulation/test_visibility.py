@@ -36,7 +36,7 @@ from lispac.simulation.visibility_criteria import (
 from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy, study_visibility
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 
 ERROR = float(np.radians(2.0))
 UPRIGHT_BOARD = MARINE_SITE.board(0.0)
@@ -326,7 +326,7 @@ def test_the_given_reason_for_roll_is_true(terrestrial: VisibilityStudy) -> None
 def test_the_command_writes_the_tables_it_prints(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    found = answer(capsys, "visibility", "marine", "--output", tmp_path, "--error", "yaw")
+    found = run_json(capsys, "visibility", "marine", "--output", tmp_path, "--error", "yaw")
     assert found["thesis"][0]["lines_agree"] is True
     assert sorted(Path(each).name for each in found["files"]) == sorted(
         ["marine-values.csv", "marine-best.csv", *(f"marine-yaw-{name}.png" for name in CRITERIA)]
@@ -345,7 +345,7 @@ def test_the_command_writes_the_tables_it_prints(
 def test_a_real_board_is_not_compared_with_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    found = answer(
+    found = run_json(
         capsys, "visibility", "marine", "--output", tmp_path, "--error", "pitch", "--hit-beams"
     )
     assert found["beams"] == "struck"

@@ -29,7 +29,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.documents.report_schema import followed
 from tests.support.absolute_sample import (
     check_against_points,
@@ -389,7 +389,7 @@ def test_the_command(
     write_project(project)
     path = tmp_path / "s.xyz"
     np.savetxt(path, tripod_scan(("V5",)), fmt="%.5f")
-    found = answer(capsys, "check", project.folder, "--reference", path)
+    found = run_json(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
     assert found == json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))

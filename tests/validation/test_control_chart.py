@@ -17,7 +17,7 @@ from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import FALSE_ALARM_PROBABILITY, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.checking.calibration_history import CalibratedSystem, read_histories
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.report_sample import sample_project, with_lines_of_its_own
 
@@ -101,7 +101,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     surveyed(tmp_path / "other", "2025-07-01", vessel="Aurora")
     surveyed(tmp_path / "undated", "last summer")
     picture = tmp_path / "chart.png"
-    found = answer(capsys, "history", tmp_path, "--picture", picture)
+    found = run_json(capsys, "history", tmp_path, "--picture", picture)
     first, other = found["systems"]
     assert first["system"]["vessel"] == "Nordlys"
     assert [each["day"] for each in first["calibrations"]] == [
@@ -116,7 +116,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     # A copy of a survey does not count as another survey.
     copy = tmp_path / "a copy"
     shutil.copytree(tmp_path / "autumn", copy)
-    again = answer(capsys, "history", tmp_path)
+    again = run_json(capsys, "history", tmp_path)
     assert [each["day"] for each in again["systems"][0]["calibrations"]] == [
         "2024-05-02", "2025-05-02", "2025-09-30",
     ]  # fmt: skip
@@ -143,7 +143,7 @@ def test_folders_without_a_history_are_refused(
     assert command_error("history", tmp_path, "--vessel", "Fram").code == "history.none_of_vessel"
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
-    found = answer(capsys, "history", tmp_path)
+    found = run_json(capsys, "history", tmp_path)
     beginning, _ = message_text(note("history.excluded", reason="|")).split("|")
     assert any("b" in text and text.startswith(beginning) for text in found["messages"])
 

@@ -24,13 +24,13 @@ OFF_DEG = [(0, 0, 0), (2, 2, 2), (-2, 2, -2), (2, -2, 2), (-2, -2, -2), (1, -2, 
 def lines_of(folder: Path) -> tuple[dict[str, Cloud], np.ndarray, np.ndarray]:
     """Clouds of a reference survey without boresight, its lever arm and the true angles."""
     survey = SharedSurvey(folder)
-    answer = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
+    truth_path = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
     mounting = Mounting(np.array(survey.site["lever_arm_m"]), np.zeros(3))
     clouds = {
         name: CloudInMemory.of(scan, survey.trajectory, mounting)
         for name, scan in survey.scans.items()
     }
-    return clouds, mounting.lever_arm, np.array(json.loads(answer.read_text())["boresight_deg"])
+    return clouds, mounting.lever_arm, np.array(json.loads(truth_path.read_text())["boresight_deg"])
 
 
 def off_deg(alignment: Alignment, truth: np.ndarray) -> np.ndarray:

@@ -39,9 +39,9 @@ def test_an_edit_without_change_keeps_the_result(project: Project) -> None:
     assert with_use_of_sighting(project, "T1", "L1", True) is project
     assert with_use_of_sighting(project, "T1", "no such line", False) is project
     assert with_use_of_line(project, "no such line", False) is project
-    left_out = with_use_of_target(project, "T1", False)
-    assert left_out.target("T1").used_sightings == ()
-    assert left_out.result is None
+    without_target = with_use_of_target(project, "T1", False)
+    assert without_target.target("T1").used_sightings == ()
+    assert without_target.result is None
 
 
 def test_a_renamed_target_keeps_its_position(project: Project) -> None:

@@ -24,19 +24,19 @@ def test_the_warning_agrees_with_the_refusal_of_the_estimate(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
-    told = {}
+    faces_one_way = {}
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
         few = only(project, *names)
-        told[names] = do_targets_face_one_way(few, survey)
-        assert told[names] == (
+        faces_one_way[names] = do_targets_face_one_way(few, survey)
+        assert faces_one_way[names] == (
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
         )
-        if told[names]:
+        if faces_one_way[names]:
             with pytest.raises(RankDeficient, match="same orientation"):
                 estimate(few, survey, cross_check=False)
         else:
             estimate(few, survey, cross_check=False)
-    assert set(told.values()) == {True, False}
+    assert set(faces_one_way.values()) == {True, False}
 
 
 def test_one_target_or_an_accepted_orientation_gives_no_warning(
@@ -62,8 +62,8 @@ def test_balls_and_missing_lines_give_no_warning() -> None:
     assert not do_targets_face_one_way(alike.with_target(ball), survey)
     assert not do_targets_face_one_way(alike.with_target(project.target("T2")), survey)
     fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
-    gone = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
-    assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
+    remaining = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
+    assert not do_targets_face_one_way(alike, replace(survey, clouds=remaining))
 
 
 def test_points_on_one_straight_line_have_no_orientation() -> None:

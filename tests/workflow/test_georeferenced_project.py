@@ -178,10 +178,10 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
         note("import.excluded_outside", file=file, count=60, total=POINT_COUNT),
         note("export.excluded_in_gaps", file=file, count=in_gap, total=POINT_COUNT),
     )
-    left = laspy.read(done.path)
-    assert len(left) == done.points == POINT_COUNT - 60 - in_gap
+    written = laspy.read(done.path)
+    assert len(written) == done.points == POINT_COUNT - 60 - in_gap
     keep = (time <= holes[0]) | (time >= holes[1])
-    np.testing.assert_array_equal(left.intensity, np.array(raw.intensity)[60:][keep])
+    np.testing.assert_array_equal(written.intensity, np.array(raw.intensity)[60:][keep])
 
 
 def test_a_missing_or_unknown_system_or_line_is_refused(project: Project, tmp_path: Path) -> None:

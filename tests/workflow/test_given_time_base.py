@@ -276,11 +276,11 @@ def test_the_dialogue_refuses_an_impossible_time_base(base: str, track, tmp_path
 def test_the_dialogue_proposes_the_shift_that_covers_more_points(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
     input_files = import_files(InputFiles(), track, line)
-    outside, offered = input_files.time_messages(named(input_files, "early.las"))
+    outside, proposed = input_files.time_messages(named(input_files, "early.las"))
     assert outside.code == "import.points_outside"
-    assert offered.code == "import.shift_offered"
-    assert (offered.params["shift"], offered.params["share"]) == (pytest.approx(18), 1.0)
-    assert offered.actions[0].params["shift"] == pytest.approx(18)
+    assert proposed.code == "import.shift_offered"
+    assert (proposed.params["shift"], proposed.params["share"]) == (pytest.approx(18), 1.0)
+    assert proposed.actions[0].params["shift"] == pytest.approx(18)
     assert [shift for _, shift in input_files.proposed_shifts] == [pytest.approx(18)]
     mended = input_files.with_shift_for_all()
     assert mended.proposed_shifts == ()

@@ -25,7 +25,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.importing import input_files as intake_module
+from lispac.workflow.importing import input_files as input_files_module
 from lispac.workflow.importing.input_columns import (
     column_meanings,
     missing_columns,
@@ -106,8 +106,8 @@ def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path
     assert (message.level, message.code) == (Level.ERROR, "import.already_in_project")
     assert message.params == {"file": "L1.laz", "line": "L1"}
     assert message_text(message) in input_files.files_problem_text()
-    left = input_files.with_action(files / "L1.laz", message.actions[0])
-    assert left.state_of_file(left.file(files / "L1.laz")) == "out"
+    skipped = input_files.with_action(files / "L1.laz", message.actions[0])
+    assert skipped.state_of_file(skipped.file(files / "L1.laz")) == "out"
 
 
 def test_bridging_gaps_is_proposed_only_for_a_new_project(
@@ -196,7 +196,7 @@ def test_a_free_folder_is_proposed_for_the_project(
     assert proposed_folder(input_files) == home / f"{tmp_path.name}-boresight"
     (home / f"{tmp_path.name}-boresight").mkdir()
     assert proposed_folder(input_files) == tmp_path / "boresight-2"
-    monkeypatch.setattr(intake_module.os, "access", lambda *_: False)
+    monkeypatch.setattr(input_files_module.os, "access", lambda *_: False)
     assert folder_problem(str(tmp_path / "x")) == (
         f"{tmp_path}: cannot be written. Choose another folder."
     )

@@ -167,8 +167,8 @@ def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int)
         stored = open_store(project.folder / "lines" / "L1", "L1")
         stored.require_sound()
         assert [c.checksum for c in stored.manifest.files] == [c.checksum for c in whole.files]
-        left = {path.name for path in (project.folder / "lines" / "L1").iterdir()}
-        assert left == {"store.json", stored.manifest.folder}
+        remaining = {path.name for path in (project.folder / "lines" / "L1").iterdir()}
+        assert remaining == {"store.json", stored.manifest.folder}
         assert not list(project.folder.rglob(".*"))
     print(f"\n{times} imports of {points:,} points, {took:.1f} s each, killed: {found}")
     assert found["incomplete"] > 0
@@ -277,6 +277,6 @@ def test_kill_during_a_command(copy: Project, tmp_path: Path, name: str, times: 
         command_killed(words, took * chance.random())
         read_project(copy.folder)
         assert main(words) == 0
-        left = [path for place in (copy.folder, out) for path in place.rglob(".*")]
-        assert left == []
+        remaining = [path for place in (copy.folder, out) for path in place.rglob(".*")]
+        assert remaining == []
         assert {path.name for path in out.glob("*")} == complete

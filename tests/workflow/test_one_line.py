@@ -137,13 +137,13 @@ def test_picked_targets_are_not_proposed_again() -> None:
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = without_picked_surfaces(project, proposal)
-    assert (left.targets, left.picked) == ((), ("T1",))
+    remaining = without_picked_surfaces(project, proposal)
+    assert (remaining.targets, remaining.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = without_picked_surfaces(bare, proposal)
-    assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
-    assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
-    accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])
+    remaining = without_picked_surfaces(bare, proposal)
+    assert [(each.name, each.role) for each in remaining.targets] == [("V1", "validation")]
+    assert remaining.reasons == {"V1": note("propose.target_needed", lines=3)}
+    accepted, names = with_accepted_targets(bare, remaining, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]
 

@@ -41,8 +41,8 @@ def detected(monkeypatch: pytest.MonkeyPatch) -> list[DetectedPlane]:
     found: list[DetectedPlane] = []
     usual = proposals.detect_planes
 
-    def kept(*given: object, **also: object) -> tuple[DetectedPlane, ...]:
-        planes = usual(*given, **also)  # type: ignore[arg-type]
+    def kept(*arguments: object, **also: object) -> tuple[DetectedPlane, ...]:
+        planes = usual(*arguments, **also)  # type: ignore[arg-type]
         found.extend(planes)
         return planes
 

@@ -209,8 +209,8 @@ def test_missing_raw_files_are_reported(demo_project: Project, tmp_path: Path) -
     quay.import_lines()
     (raw / "L2_180.laz").unlink()
     quay.survey  # noqa: B018  imported lines no longer need their files
-    (remark,) = made(quay).messages
-    assert remark == note("script.missing_files", files=[str(raw / "L2_180.laz")])
+    (message,) = made(quay).messages
+    assert message == note("script.missing_files", files=[str(raw / "L2_180.laz")])
 
 
 def reference(folder: Path) -> Path:
@@ -239,8 +239,8 @@ def test_a_check_is_repeated_if_its_reference_exists(
         reference(elsewhere).write_text("another list")
     script = made(quay)
     assert "# project.check('board.csv', search_distance=0.8)" in script.text
-    (remark,) = script.messages
-    assert remark == note("script.no_reference", file="board.csv")
+    (message,) = script.messages
+    assert message == note("script.no_reference", file="board.csv")
 
 
 def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
@@ -250,9 +250,9 @@ def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
     found = quay.check(reference(tmp_path))
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
-    (remark,) = made(quay).messages
-    assert remark.code == "script.other_check"
-    assert remark.params["system"] == "a system of one's own"
+    (message,) = made(quay).messages
+    assert message.code == "script.other_check"
+    assert message.params["system"] == "a system of one's own"
 
 
 def test_a_result_that_the_steps_do_not_reproduce_is_reported(
@@ -261,10 +261,10 @@ def test_a_result_that_the_steps_do_not_reproduce_is_reported(
     quay, result = estimated_quay, estimated_quay.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
-    (remark,) = made(quay).messages
-    assert remark.code == "script.other_angles"
-    assert remark.params["angle"] == note("quantity.pitch")
-    assert english_text(remark).split(":")[0] in made(quay).text.replace("\n# ", " ")
+    (message,) = made(quay).messages
+    assert message.code == "script.other_angles"
+    assert message.params["angle"] == note("quantity.pitch")
+    assert english_text(message).split(":")[0] in made(quay).text.replace("\n# ", " ")
 
 
 def test_names_cannot_inject_code(quay: lispac.OpenProject, tmp_path: Path) -> None:

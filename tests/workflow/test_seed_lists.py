@@ -196,17 +196,17 @@ def test_cancelled_lists_and_seeds_that_cannot_be_searched(
     path = tmp_path / "targets.txt"
     path.write_text(rows("T1", "T2"))
     read = read_seeds(path, demo_project, survey.trajectory)
-    told: list[tuple[float, str]] = []
+    steps: list[tuple[float, str]] = []
 
     def stop(fraction: float, step: Step | None = None) -> None:
-        told.append((fraction, str(step)))
+        steps.append((fraction, str(step)))
         if "T2" in str(step):
             raise Cancelled
 
     with pytest.raises(Cancelled):
         pick_seeds(demo_project, survey, read.seeds, {}, progress=stop)
-    assert told[0] == (0.0, "Searching for T1 (1 of 2)")
-    assert told[-1] == (0.5, "Searching for T2 (2 of 2)")
+    assert steps[0] == (0.0, "Searching for T1 (1 of 2)")
+    assert steps[-1] == (0.5, "Searching for T2 (2 of 2)")
     assert demo_project.targets == ()
     with pytest.raises(InputError, match="threshold"):
         pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})

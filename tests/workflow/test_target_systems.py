@@ -34,13 +34,13 @@ def flat_geoid(path: Path, height: float) -> Path:
     return path
 
 
-def on_map(**given: str) -> Reading:
+def on_map(**changes: str) -> Reading:
     """Return the reading of a georeferenced cloud."""
-    said = {
+    options = {
         "frame": "georeferenced", "unit": "metre", "crs": NAD83, "height": "", "height_unit": "",
         "trajectory_datum": "", "epoch": "", "time_base": "gps-week",
     }  # fmt: skip
-    return Reading("las", tuple({**said, **given}.items()))
+    return Reading("las", tuple({**options, **changes}.items()))
 
 
 @pytest.fixture
@@ -68,16 +68,18 @@ def raw(tmp_path: Path) -> Project:
 def cloud(raw: Project, tmp_path: Path) -> Callable[..., LineSource]:
     """Return a function that georeferences the line and returns it as an input line."""
 
-    def made(name: str, epoch: float | None = None, code: str = NAD83, **given: str) -> LineSource:
+    def made(
+        name: str, epoch: float | None = None, code: str = NAD83, **options: str
+    ) -> LineSource:
         (done,) = georeference_project(
-            raw, tmp_path / "made", "prior", system=code, height=given.get("height", ""),
+            raw, tmp_path / "made", "prior", system=code, height=options.get("height", ""),
             trajectory_datum="" if epoch is None else ITRF, epoch=epoch, ending="las",
         )  # fmt: skip
         path = tmp_path / f"{name}.las"
         shutil.copy(done.path, path)
         if epoch is not None:
-            given |= {"trajectory_datum": ITRF, "epoch": str(epoch)}
-        return LineSource(name, path, (), on_map(crs=code, **given))
+            options |= {"trajectory_datum": ITRF, "epoch": str(epoch)}
+        return LineSource(name, path, (), on_map(crs=code, **options))
 
     return made
 
@@ -189,6 +191,6 @@ def test_an_epoch_is_used_or_refused(
         assert raised.value.code == code
     raw.folder.mkdir()
     write_project(raw)
-    given = [str(raw.folder), "--output", str(tmp_path / "q"), "--boresight", "prior"]
-    refusal = command_error("georeference", *given, "--crs", UTM, "--epoch", "2020.5")
+    arguments = [str(raw.folder), "--output", str(tmp_path / "q"), "--boresight", "prior"]
+    refusal = command_error("georeference", *arguments, "--crs", UTM, "--epoch", "2020.5")
     assert refusal.code == "export.epoch_without_datum"

@@ -75,15 +75,15 @@ def test_a_time_base_derived_from_the_values_is_reported_as_such(tmp_path: Path)
     records[:, 0] = gps - 18 + GPS_EPOCH
     write_records(tmp_path / "unix.sbet", records)
     line = write_line(tmp_path / "L.las", gps[0] - 1e9 + np.linspace(5, 30, 3000))
-    stated = Reading("", (("time_base", "gps-adjusted"),))
+    reading = Reading("", (("time_base", "gps-adjusted"),))
     with pytest.raises(InputError) as caught:
-        made(tmp_path / "p", tmp_path / "unix.sbet", line, stated)
-    told = str(caught.value)
-    assert "GPS seconds since 1980-01-06 (as its values suggest)" in told
+        made(tmp_path / "p", tmp_path / "unix.sbet", line, reading)
+    text = str(caught.value)
+    assert "GPS seconds since 1980-01-06 (as its values suggest)" in text
     assert "time_base.other_trajectory_base" in codes_of(caught.value)
-    assert "--trajectory-option time=unix" in told
+    assert "--trajectory-option time=unix" in text
     _, survey = made(
-        tmp_path / "p", tmp_path / "unix.sbet", line, stated,
+        tmp_path / "p", tmp_path / "unix.sbet", line, reading,
         trajectory_reading=Reading("", (("time", "unix"),)),
     )  # fmt: skip
     assert len(survey.scans["L"]) == 3000

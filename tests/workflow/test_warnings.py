@@ -88,8 +88,8 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
 
 def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
-    told = coded(sample_project(tmp_path), refused_since=reason)
-    assert told["adjustment.refused_since"] == outdated_result_warning(reason)
+    by_code = coded(sample_project(tmp_path), refused_since=reason)
+    assert by_code["adjustment.refused_since"] == outdated_result_warning(reason)
     assert outdated_result_warning(reason).level is Level.WARNING
     assert outdated_result_warning(reason).subject == Cause("result")
     assert f"was not possible: {reason} The angles" in message_text(outdated_result_warning(reason))
@@ -134,16 +134,18 @@ def test_warnings_about_saving_come_first(tmp_path: Path) -> None:
     assert first == warning("project.storage", reason=words, subject=Cause.of_step("Data"))
 
 
-@pytest.mark.parametrize(("stale", "estimated"), [(True, False), (False, False), (True, True)])
+@pytest.mark.parametrize(
+    ("is_outdated", "estimated"), [(True, False), (False, False), (True, True)]
+)
 def test_a_result_dropped_by_an_edit_is_reported(
-    tmp_path: Path, stale: bool, estimated: bool
+    tmp_path: Path, is_outdated: bool, estimated: bool
 ) -> None:
     """Only after there was a result, and until there is another."""
     project = sample_project(tmp_path)
     project = project if estimated else replace(project, result=None, validation=())
-    found = coded(project, outdated=stale).get("project.out_of_date")
+    found = coded(project, outdated=is_outdated).get("project.out_of_date")
     expected = note("project.out_of_date", subject=Cause.of_step("Adjust"))
-    assert found == (expected if stale and not estimated else None)
+    assert found == (expected if is_outdated and not estimated else None)
 
 
 def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> None:
@@ -190,9 +192,9 @@ def test_a_sighting_that_is_not_good_has_its_place_as_cause() -> None:
         found[where], rating="poor", reasons=(note("quality.oblique", angle=1.41),)
     )
     code = "project.poor_sighting"
-    (told,) = [each for each in warnings_of(project, survey, found) if each.code == code]
-    assert told.params["reasons"] == found[where].reasons
-    assert told.subject == Cause.of_sighting(*where)
+    (message,) = [each for each in warnings_of(project, survey, found) if each.code == code]
+    assert message.params["reasons"] == found[where].reasons
+    assert message.subject == Cause.of_sighting(*where)
 
 
 @pytest.mark.parametrize(
@@ -226,13 +228,13 @@ def test_the_command_prints_the_list(
     printed = capsys.readouterr().out.splitlines()
     assert printed == [f"{each.level}: {to_plain_text(message_text(each))}" for each in found]
     assert main(["warnings", str(demo_project.folder), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)["warnings"]
+    values = json.loads(capsys.readouterr().out)["warnings"]
     subjects = [each.subject for each in found]
-    assert [each["subject"] and each["subject"]["kind"] for each in told] == [
+    assert [each["subject"] and each["subject"]["kind"] for each in values] == [
         each and each.kind for each in subjects
     ]
-    assert [each["code"] for each in told] == [each.code for each in found]
-    assert [each["level"] for each in told] == [each.level for each in found]
+    assert [each["code"] for each in values] == [each.code for each in found]
+    assert [each["level"] for each in values] == [each.level for each in found]
     assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
@@ -240,9 +242,9 @@ def test_json_report_has_code_severity_text_and_parameters(tmp_path: Path) -> No
     """Texts are always in English, and the schema has no causes."""
     content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
-        told = json.loads(json_text(content))["warnings"]
-    assert told
-    for each, message in zip(told, content.warnings, strict=True):
+        warnings = json.loads(json_text(content))["warnings"]
+    assert warnings
+    for each, message in zip(warnings, content.warnings, strict=True):
         assert each == {
             "code": message.code,
             "former_code": former_code(message),

@@ -184,8 +184,8 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     reason = validated.not_compared["V1"]
     assert reason.code == "validation.plane_in_one_line"
     found = export.report_content_of(validated, survey).warnings
-    said = [each.params["reason"] for each in found if each.code == "report.not_compared"]
-    assert said == [reason]
+    reasons = [each.params["reason"] for each in found if each.code == "report.not_compared"]
+    assert reasons == [reason]
 
 
 def test_georeferenced_files_have_the_positions_of_the_project(
