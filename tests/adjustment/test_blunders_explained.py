@@ -53,7 +53,7 @@ class Found:
 
 
 @pytest.mark.parametrize(
-    ("judged", "remain", "taken"),
+    ("contradicted_names", "remaining_count", "is_accepted"),
     [
         ([("x", "y"), ("x",)], {("x", "y"): 0, ("x",): 3}, True),
         ([("x",), ("x", "y")], {("x",): 3, ("x", "y"): 0}, True),
@@ -64,12 +64,12 @@ class Found:
     ],
 )
 def test_given_values_are_freed_if_that_rejects_fewer_sightings(
-    judged: list[tuple[str, ...]], remain: dict[tuple[str, ...], int], taken: bool,
-    monkeypatch: pytest.MonkeyPatch,
+    contradicted_names: list[tuple[str, ...]], remaining_count: dict[tuple[str, ...], int],
+    is_accepted: bool, monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     """Four sightings are rejected with the given values; each freed value counts as one."""
     start, rejected = Found(Case(), 0), Found(Case(rejected=REJECTED), 4)
-    names = dict(zip((id(start), id(rejected)), judged, strict=True))
+    names = dict(zip((id(start), id(rejected)), contradicted_names, strict=True))
 
     def iterated(problem: Case, *_rest: object, **_more: object) -> Found:
         if any(each.name == "hidden" for each in problem.parameters):
@@ -80,7 +80,7 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
         if solution is start:
             return rejected
         estimated_names = tuple(each.name for each in solution.problem.parameters)
-        return Found(replace(solution.problem, rejected=REJECTED), remain[estimated_names])
+        return Found(replace(solution.problem, rejected=REJECTED), remaining_count[estimated_names])
 
     for name, stand_in in {
         "find_contradicted_parameters": lambda here, **_: [
@@ -93,8 +93,8 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
     }.items():
         monkeypatch.setattr(sighting_rejection, name, stand_in)
     found = sighting_rejection._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
-    assert (found is not rejected) == taken
-    if taken:  # the given values themselves do not change
+    assert (found is not rejected) == is_accepted
+    if is_accepted:  # the given values themselves do not change
         problem = found.linearised.problem
         assert problem.parameters == ()
         assert problem.rejected.tolist() == REJECTED.tolist()

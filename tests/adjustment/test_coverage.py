@@ -20,15 +20,15 @@ def test_most_intervals_contain_the_truth() -> None:
     """Forty surveys; bounds of the binomial and chi-square distributions at one in a thousand."""
     count, times = 40, (300.0, 600.0)
     results = study(times, (0.10,), count, workers=1)
-    honest, thesis = results["correlated", 0.10], results["independent", 0.10]
+    correlated, independent = results["correlated", 0.10], results["independent", 0.10]
     table = table_text(times, results)
     fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
-    assert (honest.hits >= fewest).all(), table
-    assert ((honest.spread > lower) & (honest.spread < upper)).all(), table
-    assert (thesis.hits < 0.5).all(), table
-    assert (honest.rmse < 1.1 * thesis.rmse).all(), table
-    assert honest.rmse[1] < thesis.rmse[1] / 2, table
+    assert (correlated.hits >= fewest).all(), table
+    assert ((correlated.spread > lower) & (correlated.spread < upper)).all(), table
+    assert (independent.hits < 0.5).all(), table
+    assert (correlated.rmse < 1.1 * independent.rmse).all(), table
+    assert correlated.rmse[1] < independent.rmse[1] / 2, table
 
 
 @pytest.mark.long
@@ -38,10 +38,10 @@ def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
     results = study(times, (0.10,), 1000)
     table = table_text(times, results)
     print(table)
-    honest, thesis = results["correlated", 0.10], results["independent", 0.10]
-    assert ((honest.hits > 0.93) & (honest.hits < 0.97)).all(), table
-    assert ((honest.spread > 0.9) & (honest.spread < 1.1)).all(), table
-    assert (honest.rmse < 1.02 * thesis.rmse).all(), table
+    correlated, independent = results["correlated", 0.10], results["independent", 0.10]
+    assert ((correlated.hits > 0.93) & (correlated.hits < 0.97)).all(), table
+    assert ((correlated.spread > 0.9) & (correlated.spread < 1.1)).all(), table
+    assert (correlated.rmse < 1.02 * independent.rmse).all(), table
 
 
 @pytest.mark.long
@@ -74,5 +74,7 @@ def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> Non
 def test_intervals_of_surveys_without_a_serious_warning_contain_the_truth(kind: str) -> None:
     results = study_of_errors(kind, 200)
     print(row(kind, results))
-    calm = [each for each in results if not each.serious]
-    assert (hits(calm) >= 0.93 - 2 * np.sqrt(0.95 * 0.05 / max(1, len(calm)))).all()
+    without_warning = [each for each in results if not each.serious]
+    assert (
+        hits(without_warning) >= 0.93 - 2 * np.sqrt(0.95 * 0.05 / max(1, len(without_warning)))
+    ).all()

@@ -176,36 +176,40 @@ def test_parallel_boards_are_reported() -> None:
 
 def test_directions_and_condition_agree_with_the_covariance() -> None:
     result = adjust(survey(), PRIOR, StochasticModel())
-    seen = result.observability
-    assert seen is not None
+    observability = result.observability
+    assert observability is not None
     information = np.linalg.inv(result.covariance)
     np.testing.assert_allclose(
-        seen.directions @ np.diag(seen.eigenvalues) @ seen.directions.T, information, rtol=1e-6
+        observability.directions @ np.diag(observability.eigenvalues) @ observability.directions.T,
+        information,
+        rtol=1e-6,
     )
-    assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
-    weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
-    assert seen.messages[0].code == "observability.directions"
-    assert english_text(seen.messages[0]).startswith(f"Least precisely determined: {weakest}")
+    assert observability.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
+    weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(observability.directions[:, 0])))]
+    assert observability.messages[0].code == "observability.directions"
+    assert english_text(observability.messages[0]).startswith(
+        f"Least precisely determined: {weakest}"
+    )
 
 
 def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:
     courses = six_courses()[:2] + six_courses()[4:]
     data = survey(courses=courses)
     model = StochasticModel(surface=0.0005)
-    seen = adjust(data, PRIOR, model).observability
-    assert seen is not None
+    observability = adjust(data, PRIOR, model).observability
+    assert observability is not None
     for line in ("L1", "L6"):
         keep = np.array([s.line != line for s in data.sightings])
         without = adjust(data.of_sightings(keep), PRIOR, model)
-        np.testing.assert_allclose(seen.sigma_without_line[line], without.sigma, rtol=0.05)
+        np.testing.assert_allclose(observability.sigma_without_line[line], without.sigma, rtol=0.05)
 
 
 def test_a_line_that_alone_determines_an_angle_is_named() -> None:
     """Of two lines along the wall and an oblique one, pitch and yaw depend on the oblique one."""
     courses = six_courses()[:2] + six_courses()[4:5]
-    seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
-    assert seen is not None
-    assert UncontrolledObservations("line", line="L5") in seen.unchecked
+    observability = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
+    assert observability is not None
+    assert UncontrolledObservations("line", line="L5") in observability.unchecked
 
 
 def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:

@@ -34,9 +34,9 @@ def test_a_harmful_wrong_value_is_named_first(name, seed) -> None:
         return
     assert first.name == name
     assert abs(first.change - 0.1) < 4 * first.sigma
-    mended = result.boresight + first.angle_change - TRUE_MOUNTING.boresight
-    assert (np.abs(mended) < 4 * result.sigma).all()
-    assert (np.abs(mended) <= np.maximum(off, 2 * result.sigma)).all()
+    corrected = result.boresight + first.angle_change - TRUE_MOUNTING.boresight
+    assert (np.abs(corrected) < 4 * result.sigma).all()
+    assert (np.abs(corrected) <= np.maximum(off, 2 * result.sigma)).all()
 
 
 @pytest.mark.parametrize(

@@ -128,12 +128,12 @@ def test_two_components_of_the_lever_arm_are_both_named() -> None:
     )
     assert {group[0][0] for group in places(result)} == {"lever_x", "lever_y"}
     assert result.causes is not None
-    mended = (
+    corrected = (
         result.boresight
         + sum(group[0].angle_change for group in result.causes)
         - TRUE_MOUNTING.boresight
     )
-    assert (np.abs(mended) < 4 * result.sigma).all()
+    assert (np.abs(corrected) < 4 * result.sigma).all()
 
 
 @pytest.mark.parametrize("rough", [0.0, 0.003])

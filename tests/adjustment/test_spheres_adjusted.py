@@ -156,12 +156,12 @@ def test_balls_determine_the_boresight_and_are_saved(balls, picked, board):
 
 def test_a_line_can_have_its_own_seed(balls, picked):
     target = picked.target("S1")
-    lost = replace(
+    without_sighting = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != "L3"),
         missing={"L3": note("finder.not_alike")},
     )
-    project = picked.with_target(lost)
+    project = picked.with_target(without_sighting)
     how = {"name": "S1", "line": "L3", "shape": "sphere"}
     seed = balls.seed("S1", "L3")
     found = picking.find_target(project, balls.survey, seed, sphere_radius=0.15, **how)

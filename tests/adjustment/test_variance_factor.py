@@ -37,13 +37,13 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
         measured.time, measured.latitude, measured.longitude, measured.height, attitude
     )
     trajectory = LocalTrajectory.of(states, LocalFrame(*setup.origin))
-    seen = [
+    points_of_sightings = [
         (Sighting(name, line.name), np.flatnonzero(line.label == k), line)
         for line in survey.lines
         for k, name in enumerate(survey.surface_names)
     ]
-    points = np.concatenate([line.points_lidar[own] for _, own, line in seen])
-    time = np.concatenate([line.time[own] for _, own, line in seen])
+    points = np.concatenate([line.points_lidar[own] for _, own, line in points_of_sightings])
+    time = np.concatenate([line.time[own] for _, own, line in points_of_sightings])
     poses = trajectory.at(time)
     across = scanner.angle_sigma * np.linalg.norm(points, axis=1)
     return Observations(
@@ -55,8 +55,10 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
         sigma_position=np.tile(pos.sigma_position, (len(time), 1)),
         sigma_attitude=np.tile(pos.sigma_attitude, (len(time), 1)),
         time=time,
-        sighting=np.repeat(np.arange(len(seen)), [len(own) for _, own, _ in seen]),
-        sightings=tuple(sighting for sighting, _, _ in seen),
+        sighting=np.repeat(
+            np.arange(len(points_of_sightings)), [len(own) for _, own, _ in points_of_sightings]
+        ),
+        sightings=tuple(sighting for sighting, _, _ in points_of_sightings),
     )
 
 

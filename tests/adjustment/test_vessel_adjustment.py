@@ -58,10 +58,10 @@ def agreement(vessel, mounting):
     clouds = vessel.clouds(mounting.boresight)
     apart, rms = [], []
     for name in BALLS:
-        seen = [cloud[vessel.labels[line] == name] for line, cloud in clouds.items()]
-        first, second = (fit_sphere(points, 0.1).centre for points in seen)
+        ball_points = [cloud[vessel.labels[line] == name] for line, cloud in clouds.items()]
+        first, second = (fit_sphere(points, 0.1).centre for points in ball_points)
         apart.append(np.linalg.norm(first - second))
-        both = np.concatenate(seen)
+        both = np.concatenate(ball_points)
         rms.append(rms_from_sphere(fit_sphere(both, 0.1), both))
     return np.array(apart), np.array(rms)
 

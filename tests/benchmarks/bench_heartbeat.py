@@ -186,9 +186,12 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     first = window.document.survey.lines[0]
     for name, (role, position) in demo_seeds().items():
         window.targets.set_role(role)
-        seen = PickedPoint(first, position)
+        clicked_point = PickedPoint(first, position)
         workflow.step(
-            f"seed on {name}", lambda seen=seen: window.viewport.signals.seed_clicked.emit(seen)
+            f"seed on {name}",
+            lambda clicked_point=clicked_point: window.viewport.signals.seed_clicked.emit(
+                clicked_point
+            ),
         )
         workflow.step(f"{name} accepted", window.actions_["accept"].trigger)
     workflow.step("estimate", window.actions_["estimate"].trigger)

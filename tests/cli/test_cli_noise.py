@@ -47,8 +47,8 @@ def test_noise_and_offsets_of_a_project(
     axis = estimated("--lidar-sigma", 0.004)
     settings = projects.open_project(project).settings
     assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
-    alike = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
-    np.testing.assert_allclose(angles(alike), angles(axis), rtol=0, atol=1e-9)
+    equal_axes = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
+    np.testing.assert_allclose(angles(equal_axes), angles(axis), rtol=0, atol=1e-9)
     # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
     beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
     settings = projects.open_project(project).settings
@@ -82,8 +82,8 @@ def test_noise_and_offsets_of_plane_files(
              "--lever-arm", 0, 0, 0, "--boresight", 0, 45, 0, "--pos-errors", "independent",
              "--no-cross-checks")  # fmt: skip
     axis = run_json(capsys, *words, "--lidar-sigma", 0.0031)
-    alike = run_json(capsys, *words, "--lidar-sigma-xyz", 0.0031, 0.0031, 0.0031)
-    np.testing.assert_array_equal(angles(alike), angles(axis))
+    equal_axes = run_json(capsys, *words, "--lidar-sigma-xyz", 0.0031, 0.0031, 0.0031)
+    np.testing.assert_array_equal(angles(equal_axes), angles(axis))
     beam = run_json(capsys, *words, "--lidar-beam-sigma", 0.0031, 0.2)
     assert (angles(beam, "sigma_deg") > angles(axis, "sigma_deg")).all()
     longer = run_json(capsys, *words, "--lidar-sigma", 0.0031, "--range-offset", 0.05)

@@ -55,9 +55,9 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.fixture
 def project(small: Project, tmp_path: Path) -> Project:
     """A project of the same files in a separate folder."""
-    mine = replace(small, folder=tmp_path / "mine")
-    write_project(mine)
-    return mine
+    copy_of_project = replace(small, folder=tmp_path / "mine")
+    write_project(copy_of_project)
+    return copy_of_project
 
 
 @pytest.fixture(scope="module")
@@ -153,15 +153,15 @@ def test_a_patch_test_uses_the_given_objects_and_pairs(
         found = run_json(capsys, "patchtest", project.folder, *words)
         return [each["name"] for each in found["objects"]]
 
-    mine = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
-    assert objects(*mine) == ["pole", "edge"], "none is looked for besides"
+    object_options = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
+    assert objects(*object_options) == ["pole", "edge"], "none is looked for besides"
     assert len(bench.pairs) == 15
-    assert objects(*mine, "--count", 2) == ["pole", "edge", "A01", "A02"]
+    assert objects(*object_options, "--count", 2) == ["pole", "edge", "A01", "A02"]
     assert objects("--count", 1, "--pairs", "reciprocal", "crossing") == ["A01"]
     assert {pair.kind for pair in bench.pairs} == {"reciprocal", "crossing"}
     assert objects("--lines", "L1_000", "L2_180", "L3_045", "--count", 1) == ["A01"]
     assert len(bench.pairs) == 3
-    rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
+    rows = printed_by(capsys, "patchtest", project.folder, *object_options)[0].splitlines()
     assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
     assert english_text(note("patch_test.basis", count=2, lines=3)) in rows
 
@@ -335,10 +335,10 @@ def test_a_seed_without_a_target_has_a_reason_in_json(
         found = (SeedOutcome(there, target), SeedOutcome(none, None, note("finder.not_alike")))
         return project.with_target(target), found
 
-    seen = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
+    quality = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
         "lispac.workflow.calibration.sighting_assessment.assess_target",
-        lambda *_: {"L1_000": seen, "L2_180": seen},
+        lambda *_: {"L1_000": quality, "L2_180": quality},
     )
     monkeypatch.setattr("lispac.workflow.calibration.seed_lists.pick_seeds", picked)
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")

@@ -300,10 +300,10 @@ def test_wrong_options_of_simulate_are_reported(
     assert refusal.code == "simulate.folder_in_use"
     assert [path.name for path in full.iterdir()] == ["thesis.doc"]
     assert run(capsys, "simulate", "--output", tmp_path / "a")[0] == 2
-    blind = tmp_path / "blind.toml"
+    distant_scene = tmp_path / "blind.toml"
     text = (resource_path("scenes") / "marine.toml").read_text()
-    blind.write_text(text.replace("distance_m = 15", "distance_m = 400"))
-    refusal = command_error("simulate", blind, "--output", tmp_path / "a")
+    distant_scene.write_text(text.replace("distance_m = 15", "distance_m = 400"))
+    refusal = command_error("simulate", distant_scene, "--output", tmp_path / "a")
     assert refusal.code == "simulate.line_without_points"
     assert not (tmp_path / "a").exists()
 

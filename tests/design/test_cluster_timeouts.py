@@ -59,7 +59,7 @@ class Client:
         return next(self._futures)
 
 
-def lost() -> Exception:
+def lost_worker_error() -> Exception:
     return distributed.scheduler.KilledWorker("task", "worker", 0)
 
 
@@ -71,7 +71,7 @@ def test_a_slow_result_is_awaited_while_there_are_workers() -> None:
 
 @pytest.mark.parametrize("losses", range(MAX_SENDS_PER_CHUNK + 1))
 def test_chunks_of_lost_workers_are_sent_again_a_limited_number_of_times(losses: int) -> None:
-    futures = [*(Future(lost(), slow=0) for _ in range(losses)), Future([7], slow=0)]
+    futures = [*(Future(lost_worker_error(), slow=0) for _ in range(losses)), Future([7], slow=0)]
     client = Client(iter(futures))
     cluster = _Cluster(client, "tcp://here:1")
     if losses < MAX_SENDS_PER_CHUNK:

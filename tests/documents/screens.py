@@ -65,7 +65,7 @@ class Photographer:
         self._prefix = ""
         self._watch = QTimer(interval=100)
         self._watch.timeout.connect(self._poll)
-        self._seen: QWidget | None = None
+        self._last_dialog: QWidget | None = None
         self._dialog_name = ""
 
     @property
@@ -208,10 +208,10 @@ class Photographer:
 
     def _poll(self) -> None:
         dialog = self._application.activeModalWidget()
-        if dialog is None or dialog is self._seen:
+        if dialog is None or dialog is self._last_dialog:
             return
         self._watch.stop()
-        self._seen = dialog
+        self._last_dialog = dialog
         if isinstance(dialog, ImportDialog):
             while dialog.work.busy:
                 self.rest(0.1)
@@ -223,7 +223,7 @@ class Photographer:
         if isinstance(dialog, QDialog):
             # some dialogues cannot be closed without a choice
             dialog.done(QDialog.DialogCode.Rejected)
-        self._seen = None
+        self._last_dialog = None
         self._watch.start()
 
     def design(self) -> None:

@@ -302,9 +302,9 @@ class Justifications:
         entries = [(f, f"{f}: {kind}") for f, kinds in self.functions.items() for kind in kinds]
         unused = [each for each in self.families if whole and each not in self._used]
         return unused + [
-            entry
-            for function, entry in entries
-            if function not in functions or (whole and entry not in self._used)
+            justification
+            for function, justification in entries
+            if function not in functions or (whole and justification not in self._used)
         ]
 
 

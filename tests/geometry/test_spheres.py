@@ -113,7 +113,7 @@ def centre_or_reason(points, radius=None):
 def test_a_known_radius_helps_where_a_free_one_is_undetermined():
     """The cap of a ball of 0.1 m with a half angle of 8 degrees is 1 mm high."""
     true = Sphere(np.zeros(3), 0.1)
-    helped = 0
+    help_count = 0
     for draw in range(50):
         points = cap(np.random.default_rng(draw), true, 8, 100, noise=0.001)
         free, known = centre_or_reason(points), centre_or_reason(points, 0.1)
@@ -121,8 +121,8 @@ def test_a_known_radius_helps_where_a_free_one_is_undetermined():
             assert known == "target.sphere_side"
         else:  # never on the wrong side, with an error of 0.2 m
             assert np.linalg.norm(known) < 0.01
-            helped += isinstance(free, str) and free == "target.sphere_little_curved"
-    assert helped > 20
+            help_count += isinstance(free, str) and free == "target.sphere_little_curved"
+    assert help_count > 20
 
 
 @pytest.mark.parametrize("half_angle_deg", [20, 45, 90, 150])

@@ -93,17 +93,17 @@ class Records(logging.Handler):
         text = record.getMessage()
         if error is not None:
             if isinstance(error, OSError) and error.strerror:
-                self._monkey.seen.refusals[text] += 1
+                self._monkey.findings.refusals[text] += 1
             else:
                 self._monkey.caught("".join(traceback.format_exception(error)))
         elif text.startswith("Qt:"):
-            self._monkey.seen.warnings[text] += 1
+            self._monkey.findings.warnings[text] += 1
             if record.levelno >= logging.ERROR:
                 self._monkey.caught(text)
         elif record.levelno >= logging.ERROR:
-            self._monkey.seen.refusals[text] += 1
+            self._monkey.findings.refusals[text] += 1
         else:
-            self._monkey.seen.warnings[text] += 1
+            self._monkey.findings.warnings[text] += 1
 
 
 class Links(QObject):
@@ -120,7 +120,7 @@ class Monkey(QObject):
     def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
         super().__init__()
         self.session, self.folder = session, folder
-        self.seen = Findings()
+        self.findings = Findings()
         self._hands = Hands(random.Random(seed), folder)
         self._lately: deque[str] = deque(maxlen=12)
         self._doing: Doing | None = None
@@ -135,7 +135,7 @@ class Monkey(QObject):
     # -- findings --------------------------------------------------------------------------------
 
     def caught(self, text: str) -> None:
-        self.seen.exceptions.append("\n".join([*self._lately, text]))
+        self.findings.exceptions.append("\n".join([*self._lately, text]))
         self._diary.write(f"!!! {text}\n")
 
     def note_pauses(self) -> None:
@@ -145,12 +145,12 @@ class Monkey(QObject):
             text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
             made = any("_made" in place or "session.py" in place for place in pause.places)
             if made or self.session.window is not self._window:
-                self.seen.renewed.append(text)
+                self.findings.renewed.append(text)
             elif pause.computing > STALL_MS:
-                self.seen.stalls.append(text)
-                self.seen.computing_ms.append(pause.computing)
+                self.findings.stalls.append(text)
+                self.findings.computing_ms.append(pause.computing)
             else:
-                self.seen.drawn.append(text)
+                self.findings.drawn.append(text)
             self._diary.write(f"--- {text}\n")
         self._reported_pauses = len(pauses)
         self._window = self.session.window
@@ -174,7 +174,7 @@ class Monkey(QObject):
         # Temporary memory of a search (gigabytes for a target of 45 m) is not growth
         if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
-            self.seen.course_mb.append(round(resident_mb(), 1))
+            self.findings.course_mb.append(round(resident_mb(), 1))
         if time.monotonic() > self._until:
             self.ending = True
             if self._rests() and not self._inside:
@@ -216,7 +216,7 @@ class Monkey(QObject):
             if self._again == MAX_REPETITIONS:
                 self.caught(f"{MAX_REPETITIONS} times the same")
             self._lately.append(self._hands.did)
-            self.seen.done[self._hands.did.split(" ")[0]] += 1
+            self.findings.done[self._hands.did.split(" ")[0]] += 1
             self._diary.write(f"{self._hands.did}\n")
 
     def _end(self) -> Iterator[None]:
@@ -284,8 +284,8 @@ class Monkey(QObject):
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
         wait(100)
-        self.seen.memory_mb.append(round(resident_mb(), 1))
-        self.seen.widgets.append(len(QApplication.allWidgets()))
+        self.findings.memory_mb.append(round(resident_mb(), 1))
+        self.findings.widgets.append(len(QApplication.allWidgets()))
 
 
 def main() -> int:
@@ -346,15 +346,15 @@ def main() -> int:
     monkey.play(options.seconds)
     monkey.note_pauses()
     monkey.pulse.stop()
-    seen = monkey.seen
-    seen.longest_ms = monkey.pulse.longest
+    findings = monkey.findings
+    findings.longest_ms = monkey.pulse.longest
     monkey.session.window.document.undo_stack.setClean()
     monkey.stand(home / "compared")
     end(monkey)
     faulthandler.cancel_dump_traceback_later()
     logbook.end()
     tidying.end()
-    (folder / "seen.json").write_text(json.dumps(vars(seen), indent=1, ensure_ascii=False))
+    (folder / "seen.json").write_text(json.dumps(vars(findings), indent=1, ensure_ascii=False))
     return 0
 
 
@@ -379,7 +379,7 @@ def end(monkey: Monkey) -> None:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     wait(1000)
     gc.collect()
-    monkey.seen.left = [
+    monkey.findings.left = [
         *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),
         *(type(w).__name__ for w in QApplication.topLevelWidgets() if w.isVisible()),
     ]

@@ -112,8 +112,8 @@ class Pulse(QObject):
         self.beats += 1
         self.longest = max(self.longest, took)
         if took > self.limit:
-            seen = Counter(place for at, place in self._samples if at > since)
-            self.pauses.append(Pause(took, drawing, waiting, computing, seen))
+            samples = Counter(place for at, place in self._samples if at > since)
+            self.pauses.append(Pause(took, drawing, waiting, computing, samples))
         self._samples = []
 
     def _watch(self) -> None:

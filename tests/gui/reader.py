@@ -131,7 +131,7 @@ class Reader(QObject):
             elif step.kind == "type":
                 yield from self._type(step.text)
             elif step.kind == "see":
-                yield from self._until(lambda text=step.text: self._is_seen(text), "is not seen")
+                yield from self._until(lambda text=step.text: self._is_visible(text), "is not seen")
             else:
                 for _ in range(12):
                     yield None
@@ -168,7 +168,7 @@ class Reader(QObject):
         found = self.front.findChildren(kind)
         return [each for each in found if shiboken6.isValid(each) and each.isVisible()]
 
-    def _is_seen(self, text: str) -> bool:
+    def _is_visible(self, text: str) -> bool:
         if text in self.front.windowTitle():
             return True
         for widget in self._all(QWidget):

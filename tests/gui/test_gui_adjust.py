@@ -343,8 +343,8 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     )
     estimate(driver)
     assert driver.project.settings.accept_single_orientation
-    seen = driver.project.result.observability
-    assert "adjustment.one_target" in codes(seen.messages)
+    observability = driver.project.result.observability
+    assert "adjustment.one_target" in codes(observability.messages)
     assert not refusal.isVisible()
     press(driver, Key.Key_Z, Control)
     driver.rest()

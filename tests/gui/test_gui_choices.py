@@ -60,10 +60,10 @@ def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    seen = answer_next_dialog(picked, use_dialog)
+    dialogs = answer_next_dialog(picked, use_dialog)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
-    assert seen
+    assert dialogs
     candidate = picked.window.controller.candidate
     assert candidate.choices == replace(before, min_points=40)
     click(picked, picked.window.targets.candidate.accept)

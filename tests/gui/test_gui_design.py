@@ -49,8 +49,8 @@ def test_roll_improves_while_a_line_is_dragged_farther_away(
     view, before = design.plan_view, shown(design)
     start = middle_of(view, 0)
     stop = view.pixel(view.place(start) - np.array([10.0, 0.0]))
-    seen = drag(driver, view, start, stop)
-    assert len(set(seen)) == 3, "the sigma follows the mouse"
+    shown_sigmas = drag(driver, view, start, stop)
+    assert len(set(shown_sigmas)) == 3, "the sigma follows the mouse"
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
     assert shown(design) == predicted(design)
     assert shown(design)[0] < before[0]

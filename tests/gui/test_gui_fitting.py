@@ -201,8 +201,8 @@ def test_no_line_crosses_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApplicat
         (x, y)
         for x in range(round(tip.x()) - 6, round(tip.x()) + 7)
         for y in range(round(tip.y()) - 13, round(tip.y()) - 2)
-        if (seen := picture.pixelColor(x, y)).lightness() < hull.lightness() - 20
-        and max(seen.red(), seen.green(), seen.blue()) - min(seen.red(), seen.green()) < 30
+        if (pixel := picture.pixelColor(x, y)).lightness() < hull.lightness() - 20
+        and max(pixel.red(), pixel.green(), pixel.blue()) - min(pixel.red(), pixel.green()) < 30
     ]
     assert not grey
 
@@ -227,13 +227,13 @@ def test_no_lengths_are_shown_without_a_clip_box(qtbot: QtBot) -> None:
 
 
 def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:
-    metrics, taken, boxes = QFontMetricsF(qapp.font()), [], []
+    metrics, occupied, boxes = QFontMetricsF(qapp.font()), [], []
     spots = np.array([[300.0, 200.0], [318.0, 202.0], [600.0, 200.0]])
     for k, spot in enumerate(spots):
         leftwards = has_right_neighbour(spots, k)
         place = QPoint(round(spot[0]), round(spot[1])).toPointF()
-        boxes.append(free_label_place(place, metrics, f"T{k}", taken, leftwards=leftwards))
-        taken.append(boxes[-1])
+        boxes.append(free_label_place(place, metrics, f"T{k}", occupied, leftwards=leftwards))
+        occupied.append(boxes[-1])
     assert boxes[0].right() < spots[0, 0]
     assert boxes[1].left() > spots[1, 0]
     assert boxes[2].left() > spots[2, 0]

@@ -101,14 +101,14 @@ def test_file_dialogues_are_in_the_language_of_the_window(
     hands: Hands, picked_folder: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "here").mkdir()
-    seen: list[set[str]] = []
+    texts: list[set[str]] = []
 
     def inspect_dialog(dialog: QFileDialog) -> bool:
         dialog.setDirectory(str(tmp_path))
         if not {"Folder", "Dossier"} & dialog_texts(dialog):
             return False  # Qt reads the folder in its own thread
-        seen.append(dialog_texts(dialog))
-        dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
+        texts.append(dialog_texts(dialog))
+        dialog.grab().save(str(tmp_path / f"files-{len(texts)}.png"))
         hands.bot.keyClick(dialog, Key.Key_Escape)
         return True
 
@@ -119,12 +119,12 @@ def test_file_dialogues_are_in_the_language_of_the_window(
 
     english = {"&Look in:", "Files of &type:", "File &name:", "Folder", "Name", "&Open", "Cancel"}
     open_dialog()
-    assert english <= seen[0]
+    assert english <= texts[0]
     choose_language_by_keys(hands, "File", "Settings", "Français")
     open_dialog()
-    assert not english & seen[1]
+    assert not english & texts[1]
     french = {"&Regarder dans\u00a0:", "Fichiers de &type\u00a0:", "Dossier", "Nom", "Annuler"}
-    assert french <= seen[1]
+    assert french <= texts[1]
     choose_language_by_keys(hands, "Fichier", "Préférences", "English")
     open_dialog()
-    assert english <= seen[2]
+    assert english <= texts[2]

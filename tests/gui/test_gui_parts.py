@@ -70,19 +70,19 @@ def test_a_cancelled_task_delivers_no_value(qtbot, runner):
 
 
 def test_no_task_is_running_while_a_dialogue_shows_its_result(qtbot, runner):
-    seen = []
+    was_busy = []
 
     def show(_value: int) -> None:
         tasks.append(runner.current)
         dialog = QDialog()
-        QTimer.singleShot(50, lambda: (seen.append(runner.busy), dialog.accept()))
+        QTimer.singleShot(50, lambda: (was_busy.append(runner.busy), dialog.accept()))
         dialog.exec()
 
     tasks: list[Task | None] = []
     runner.changed.connect(lambda: tasks.append(runner.current))
     runner.run("Setting the pages", lambda progress: 1, show, modal=True)
-    qtbot.waitUntil(lambda: bool(seen))
-    assert seen == [False]
+    qtbot.waitUntil(lambda: bool(was_busy))
+    assert was_busy == [False]
     first = next(k for k, task in enumerate(tasks) if task is None)
     assert tasks[first:] == [None] * len(tasks[first:])  # reported before the dialogue is shown
 
@@ -90,11 +90,11 @@ def test_no_task_is_running_while_a_dialogue_shows_its_result(qtbot, runner):
 def test_a_task_that_ends_behind_a_dialogue_waits_for_it(qtbot, runner):
     got: list[int] = []
     dialog = QDialog()
-    seen = []
+    results_then = []
     runner.run("Work", lambda progress: 1, got.append, modal=True)
-    QTimer.singleShot(400, lambda: (seen.append(list(got)), dialog.accept()))
+    QTimer.singleShot(400, lambda: (results_then.append(list(got)), dialog.accept()))
     dialog.exec()
-    assert seen == [[]]
+    assert results_then == [[]]
     qtbot.waitUntil(lambda: got == [1])
 
 
@@ -255,8 +255,8 @@ def test_steps_show_their_status_and_advice(demo: Demo):
     assert ready[1].sentence == "2 targets in 6 lines, 1 validation plane"
     assert ready[2].ready
     first = demo.picked.target("T1")
-    lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
-    assert "fewer than two lines" in status.step_statuses(lonely, demo.survey)[1].advice
+    on_one_line = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
+    assert "fewer than two lines" in status.step_statuses(on_one_line, demo.survey)[1].advice
 
 
 def test_many_points_are_counted_in_millions():

@@ -176,13 +176,13 @@ def test_a_closed_window_is_hidden_before_its_tasks_have_ended(
     driver.rest()
     press(driver, Key.Key_F9)
     assert window.runner.busy
-    seen, ended = [], window.runner.close
+    states, ended = [], window.runner.close
 
     def close() -> None:
-        seen.append((window.isVisible(), window.runner.busy))
+        states.append((window.isVisible(), window.runner.busy))
         ended()
 
     monkeypatch.setattr(window.runner, "close", close)
     window.close()
-    assert seen[0] == (False, True)
+    assert states[0] == (False, True)
     assert not window.runner.active

@@ -54,13 +54,13 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
 def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     before = opened.project
-    seen = []
+    shown_content = []
 
     def use_dialog(dialog: QDialog) -> None:
         table = dialog.findChild(QTableWidget, "proposal_table")
         rows = range(table.rowCount())
-        seen.append([[table.item(row, k).text() for k in range(4)] for row in rows])
-        seen.append(dialog.findChild(object, "proposal_sigmas").text())
+        shown_content.append([[table.item(row, k).text() for k in range(4)] for row in rows])
+        shown_content.append(dialog.findChild(object, "proposal_sigmas").text())
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
@@ -69,7 +69,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
     opened.rest()
-    rows, sigmas = seen
+    rows, sigmas = shown_content
     assert [row[1] for row in rows].count("Validation plane") >= 4
     assert all(row[3] for row in rows)
     assert "roll 0." in sigmas
@@ -122,8 +122,8 @@ def test_existing_targets_are_not_proposed_and_names_are_unique(
     remaining = without_picked_surfaces(demo.picked, proposal)
     assert len(remaining.targets) < len(proposal.targets)
     assert set(remaining.picked) <= {"T1", "T2"}
-    taken = {target.name for target in demo.picked.targets}
-    assert taken.isdisjoint(target.name for target in remaining.targets)
+    existing_names = {target.name for target in demo.picked.targets}
+    assert existing_names.isdisjoint(target.name for target in remaining.targets)
     assert set(remaining.reasons) == {target.name for target in remaining.targets}
     project, new_names = with_accepted_targets(
         demo.picked, remaining, {target.name for target in remaining.targets}

@@ -145,7 +145,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     choose(adjusted, panel.page, 1)
-    seen: list[QPixmap] = []
+    pictures: list[QPixmap] = []
 
     def use_dialog(dialog: QWidget) -> None:
         pages = [
@@ -155,7 +155,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         assert pages[-1].pixmap().isNull()  # a page is decoded when it becomes visible
         for label in pages:
             label.grab()
-        seen.extend(label.pixmap() for label in pages)
+        pictures.extend(label.pixmap() for label in pages)
         place = dialog.findChild(QLabel, "preview_place")
         adjusted.bot.waitUntil(lambda: place.text() == f"Page 1 of {len(pages)}")
         area = dialog.findChild(QScrollArea, "preview_pages")
@@ -175,9 +175,9 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
-    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(seen) > 5
+    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 5
     # Letter at 96 pixels an inch
-    assert {(page.width(), page.height()) for page in seen} == {(816, 1056)}
+    assert {(page.width(), page.height()) for page in pictures} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
     assert adjusted.dialogs.requests == [f"{adjusted.project.name}.pdf"] * 2
@@ -246,12 +246,12 @@ def test_an_edit_while_pictures_are_taken_cancels_the_report(
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
-    taken = adjusted.viewport.picture
+    take_picture = adjusted.viewport.picture
 
     def edited_meanwhile() -> QImage:
         edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
         adjusted.window.document.edit("change of report details", edited)
-        return taken()
+        return take_picture()
 
     adjusted.viewport.picture = edited_meanwhile
     click(adjusted, adjusted.window.report.report)
@@ -266,7 +266,7 @@ def test_cancelling_the_pictures_restores_the_view(
     adjusted: Driver, tmp_path: Path, shown: str
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
     adjusted.window.computations.show(shown)
     adjusted.rest()
     adjusted.window.actions_["colour_residual"].trigger()
@@ -274,7 +274,7 @@ def test_cancelling_the_pictures_restores_the_view(
     adjusted.dialogs.path = tmp_path / "r.html"
 
     def cancelled_meanwhile() -> QImage:
-        image = taken()
+        image = take_picture()
         QTimer.singleShot(0, adjusted.window.runner.cancel)
         return image
 
@@ -299,19 +299,19 @@ def test_a_change_of_view_between_the_pictures_does_not_affect_them(
     adjusted: Driver, tmp_path: Path
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
     adjusted.dialogs.path = tmp_path / "r.html"
-    seen: list[str] = []
+    shown_clouds: list[str] = []
 
     def switched_afterwards() -> QImage:
-        seen.append(scene.which)
+        shown_clouds.append(scene.which)
         QTimer.singleShot(0, lambda: scene.show("prior"))
-        return taken()
+        return take_picture()
 
     adjusted.viewport.picture = switched_afterwards
     click(adjusted, adjusted.window.report.report)
     adjusted.rest()
-    assert seen == ["prior", "estimated"]
+    assert shown_clouds == ["prior", "estimated"]
     assert (tmp_path / "r.html").exists()
 
 
@@ -345,7 +345,7 @@ def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
     real.rest()
     overlay = real.viewport.widget.overlay
 
-    def seen() -> bytes:
+    def picture_bytes() -> bytes:
         image = real.viewport.picture()
         return bytes(image.constBits())
 
@@ -353,9 +353,9 @@ def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
         image = overlay.grab().toImage()
         return bytes(image.constBits())
 
-    plain, screen = seen(), on_screen()
+    plain, screen = picture_bytes(), on_screen()
     overlay.hint = "Click the first point"
-    assert seen() == plain
+    assert picture_bytes() == plain
     assert on_screen() != screen
     overlay.hint = ""
     assert on_screen() == screen

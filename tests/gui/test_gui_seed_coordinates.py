@@ -23,7 +23,7 @@ def answer_next_dialog(
     driver: Driver, use_dialog: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
     """Call ``use_dialog`` with the next modal dialogue; its errors fail the test."""
-    seen: list[SeedCoordinatesDialog] = []
+    dialogs: list[SeedCoordinatesDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
     def inspect_window() -> None:
@@ -32,7 +32,7 @@ def answer_next_dialog(
             if time.monotonic() < until:
                 QTimer.singleShot(20, inspect_window)
             return
-        seen.append(dialog)
+        dialogs.append(dialog)
         try:
             use_dialog(dialog)
         finally:
@@ -40,7 +40,7 @@ def answer_next_dialog(
                 driver.bot.keyClick(dialog, Key.Key_Escape)
 
     QTimer.singleShot(20, inspect_window)
-    return seen
+    return dialogs
 
 
 def fill(driver: Driver, dialog: SeedCoordinatesDialog, name: str, text: str) -> None:
@@ -73,10 +73,10 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    seen = answer_next_dialog(opened, use_dialog)
+    dialogs = answer_next_dialog(opened, use_dialog)
     press(opened, Key.Key_F3)
     opened.rest()
-    assert len(seen) == 1
+    assert len(dialogs) == 1
     candidate = opened.window.controller.candidate
     assert candidate.name == "T1"
     assert candidate.seed == pytest.approx(T1, abs=1e-3)
@@ -116,12 +116,12 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    seen = answer_next_dialog(picked, use_dialog)
+    dialogs = answer_next_dialog(picked, use_dialog)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     assert len(results) == 9
-    assert seen
+    assert dialogs
     assert picked.project is before
     assert picked.window.controller.candidate is None
 

@@ -120,13 +120,13 @@ def test_existing_names_are_not_ticked_and_columns_can_be_chosen(
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)
 
-    seen = answer_next_dialog(picked, preview)
+    dialogs = answer_next_dialog(picked, preview)
     before = picked.project
     press(picked, Key.Key_F3, SHIFT)
     picked.rest()
-    assert seen
-    taken = {target.name for target in before.targets}
-    assert ticked == [[name for name in [*list(SEEDS)[:3], "Lost"] if name not in taken]]
+    assert dialogs
+    existing_names = {target.name for target in before.targets}
+    assert ticked == [[name for name in [*list(SEEDS)[:3], "Lost"] if name not in existing_names]]
     assert picked.project is before
     assert not picked.window.document.undo_stack.canUndo()
 
@@ -165,11 +165,11 @@ def test_a_dropped_list_can_be_cancelled_during_detection(
         QTimer.singleShot(10, stop)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
-    seen = answer_next_dialog(opened, preview)
+    dialogs = answer_next_dialog(opened, preview)
     drop(opened.window, [listed])
     opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
     opened.rest()
-    assert len(seen) == 1
+    assert len(dialogs) == 1
     assert titles == ["Searching for the targets of 4 seeds of quay.csv"]
     assert opened.project is before
     assert not opened.dialogs.requests

@@ -128,11 +128,11 @@ def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
 def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_path: Path) -> None:
     scan = tmp_path / "tripod.txt"
     np.savetxt(scan, tripod_scan(("V1",), shift=(0.02, 0.0, 0.0)), fmt="%.4f", header="x y z")
-    seen: list[QDialog] = []
+    dialogs: list[QDialog] = []
 
     def use_dialog(dialog: CheckDialog) -> None:
         assert isinstance(dialog, CheckDialog)
-        seen.append(dialog)
+        dialogs.append(dialog)
         assert not dialog.check.isEnabled()
         dialog.file.setFocus()
         adjusted.bot.keyClicks(dialog.file, str(scan))
@@ -144,7 +144,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
 
     def inspect_dialog(dialog: CheckResultDialog) -> None:
         assert isinstance(dialog, CheckResultDialog)
-        seen.append(dialog)
+        dialogs.append(dialog)
         found = adjusted.project.absolute
         assert found is not None
         assert found.sigma == pytest.approx(0.002)
@@ -158,7 +158,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
     answer_next_dialog(adjusted, use_dialog)
     answer_next_dialog(adjusted, inspect_dialog)
-    assert len(seen) == 2
+    assert len(dialogs) == 2
     stack = adjusted.window.document.undo_stack
     assert stack.undoText() == "check against tripod.txt"
     stack.undo()

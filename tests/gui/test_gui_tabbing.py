@@ -24,12 +24,12 @@ def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
         if focused in stops:
             assert focused is stops[0]
             return stops
-        assert is_seen(focused), focused
+        assert is_visible(focused), focused
         stops.append(focused)
     raise AssertionError(names(stops))
 
 
-def is_seen(widget: QWidget) -> bool:
+def is_visible(widget: QWidget) -> bool:
     """Whether a part of a widget is visible; the content of a scroll area covers the area."""
     inner = widget.viewport() if hasattr(widget, "viewport") else widget
     return not inner.visibleRegion().isEmpty()

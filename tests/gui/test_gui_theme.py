@@ -74,9 +74,11 @@ def test_focus_frames_and_marks_have_enough_contrast(scheme: ColourScheme) -> No
 
 
 @BOTH_SCHEMES
-@pytest.mark.parametrize("blind", ["protan", "deutan"])
-def test_neighbouring_lines_differ_for_the_colour_blind(scheme: ColourScheme, blind: str) -> None:
-    colours = [seen(colour, blind) for colour in scheme.lines]
+@pytest.mark.parametrize("blindness", ["protan", "deutan"])
+def test_neighbouring_lines_differ_for_the_colour_blind(
+    scheme: ColourScheme, blindness: str
+) -> None:
+    colours = [perceived_lab(colour, blindness) for colour in scheme.lines]
     apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
     assert min(apart) > CLEAR_DIFFERENCE
 
@@ -100,10 +102,10 @@ XYZ = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.95
 WHITE = [0.9505, 1.0, 1.089]
 
 
-def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
+def perceived_lab(colour: tuple[int, int, int], blindness: str) -> np.ndarray:
     """L*, a*, b* of a colour as seen with a type of colour blindness."""
     linear = [luminance(f"#{value:02x}{value:02x}{value:02x}") for value in colour]
-    mixed = np.clip(np.array(COLOUR_BLINDNESS[blind]) @ linear, 0.0, 1.0)
+    mixed = np.clip(np.array(COLOUR_BLINDNESS[blindness]) @ linear, 0.0, 1.0)
     share = np.array(XYZ) @ mixed / WHITE
     x, y, z = np.where(share > 0.008856, np.cbrt(share), 7.787 * share + 16 / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])

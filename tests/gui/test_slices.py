@@ -33,11 +33,11 @@ def test_a_calculation_pauses_and_resumes(monkeypatch: pytest.MonkeyPatch) -> No
     assert steps.resume()
     steps.begin(work)
     assert did == []
-    seen = []
+    done_at_pauses = []
     while not steps.resume():
         assert steps.is_running
-        seen.append(list(did))
-    assert seen == [[0], [0, 1], [0, 1, 2]]
+        done_at_pauses.append(list(did))
+    assert done_at_pauses == [[0], [0, 1], [0, 1, 2]]
     assert not steps.is_running
 
 

@@ -128,8 +128,8 @@ def test_unchanged_scene_is_not_rendered_again(viewport, qtbot):
     viewport.canvas.repaint()
     shown = viewport.canvas.grabFramebuffer()
     assert viewport.canvas.frames == rendered
-    hidden, seen = (count(each, RED) for each in (array_of(before), array_of(shown)))
-    assert hidden == seen > 500
+    hidden, visible = (count(each, RED) for each in (array_of(before), array_of(shown)))
+    assert hidden == visible > 500
     viewport.set_line_visible("red", False)
     shown = viewport.canvas.grabFramebuffer()
     assert count(array_of(shown), RED) == 0

@@ -107,10 +107,10 @@ def test_a_file_that_is_not_text_is_refused(folder: Path) -> None:
 def test_a_read_error_of_the_drive_is_reported(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def lost(path: Path) -> bytes:
+    def raise_read_error(path: Path) -> bytes:
         raise OSError(5, "Input/output error", str(path))
 
-    monkeypatch.setattr(Path, "read_bytes", lost)
+    monkeypatch.setattr(Path, "read_bytes", raise_read_error)
     with pytest.raises(ProjectError, match="Input/output error"):
         read_project(folder)
 

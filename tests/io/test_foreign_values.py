@@ -194,12 +194,12 @@ def test_a_pipe_or_folder_is_not_overwritten(tmp_path: Path) -> None:
 
 
 def test_files_that_look_like_temporary_files_are_kept(tmp_path: Path) -> None:
-    mine = tmp_path / ".report-20260101.pdf"
-    mine.write_text("mine")
-    os.utime(mine, (0, 0))
+    file_of_user = tmp_path / ".report-20260101.pdf"
+    file_of_user.write_text("mine")
+    os.utime(file_of_user, (0, 0))
     with atomic_write(tmp_path / "report.pdf") as temporary:
         temporary.write_text("report")
-    assert mine.exists()
+    assert file_of_user.exists()
 
 
 @pytest.mark.parametrize("text", ["9" * 5000, "-1", "", "1.5", "1_0", str(2**63)])

@@ -251,8 +251,8 @@ def test_all_points_of_ply_and_pcd_are_read(tmp_path: Path, name: str, counted: 
     content = path.read_bytes()
     assert old.encode() in content
     path.write_bytes(content.replace(old.encode(), new.format(counted).encode(), 1))
-    for mine, right in zip(read(path, key), whole, strict=True):
-        np.testing.assert_array_equal(mine, right)
+    for values, expected in zip(read(path, key), whole, strict=True):
+        np.testing.assert_array_equal(values, expected)
     (message,) = messages(path, key)
     assert message.code == "file.header_count"
     assert (message.params["header"], message.params["held"]) == (counted, 60)

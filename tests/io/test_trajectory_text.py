@@ -38,8 +38,8 @@ def test_decimal_commas_are_read(tmp_path: Path, separator: str) -> None:
     path.write_text(text_of(records, separator, ","), encoding="utf-8")
     assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
-    entry = examine_file(path)
-    assert (entry.role, entry.error) == ("trajectory", None)
+    input_file = examine_file(path)
+    assert (input_file.role, input_file.error) == ("trajectory", None)
 
 
 @pytest.mark.parametrize(("separator", "sign"), [(",", "."), (",", ","), (";", ","), ("\t", ".")])

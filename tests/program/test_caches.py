@@ -242,13 +242,13 @@ def test_compiled_code_is_reused_by_the_next_run_without_a_home(
 
 @linux
 def test_a_folder_that_others_can_write_to_is_not_used(tmp_path: Path, temporary: Path) -> None:
-    taken = temporary / f"lispac-{os.getuid()}"
-    taken.mkdir()
-    taken.chmod(0o777)
+    open_folder = temporary / f"lispac-{os.getuid()}"
+    open_folder.mkdir()
+    open_folder.chmod(0o777)
     done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path / "missing")
     assert done.returncode == 0, done.stderr
-    assert not any(taken.iterdir())
-    assert str(taken / "numba") not in done.stdout
+    assert not any(open_folder.iterdir())
+    assert str(open_folder / "numba") not in done.stdout
 
 
 @linux

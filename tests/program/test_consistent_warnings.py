@@ -70,8 +70,8 @@ def _unchecked(
             UncontrolledObservations(kind, target, name, angles, size)
             for name in [line.name for line in project.lines[:lines]] or [""]
         )
-        seen = replace(project.result.observability, unchecked=found)
-        return replace(project, result=replace(project.result, observability=seen))
+        observability = replace(project.result.observability, unchecked=found)
+        return replace(project, result=replace(project.result, observability=observability))
 
     return change
 
@@ -320,10 +320,10 @@ def test_a_good_result_has_no_warning(
 
 
 def test_a_given_and_estimated_value_does_not_explain_a_large_sigma(project: Project) -> None:
-    seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
+    lever_x = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
     wide = _wide(project).result
     assert wide is not None
-    (large,) = result_warnings(replace(wide, parameters=(seen,)), None)
+    (large,) = result_warnings(replace(wide, parameters=(lever_x,)), None)
     assert large.code == "adjustment.large_sigma"
 
 

@@ -122,11 +122,11 @@ def test_missing_profiles_maps_and_signed_distances_have_no_blocks(project: Proj
 
 def test_observability_is_omitted_where_it_was_not_computed(project: Project) -> None:
     assert project.result is not None
-    seen = project.result.observability
-    assert seen is not None
+    complete = project.result.observability
+    assert complete is not None
     head = "1 sigma of the angles with one line omitted"
-    without = replace(seen, sigma_without_line={})
-    cases = ((seen, True, True), (without, True, False), (None, False, False))
+    without = replace(complete, sigma_without_line={})
+    cases = ((complete, True, True), (without, True, False), (None, False, False))
     for observability, is_reported, has_table in cases:
         result = replace(project.result, observability=observability)
         blocks = boresight_section.boresight_blocks(sample_content(replace(project, result=result)))

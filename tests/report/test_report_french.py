@@ -48,7 +48,7 @@ from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
 from tests.support.report_sample import MADE, sample_project
 from tests.support.report_variants import VARIANTS, content_of_sample, with_result, with_settings
-from tests.targets.test_quality import board, judged
+from tests.targets.test_quality import board, quality_of
 
 FRENCH = ReportOptions(language="fr")
 
@@ -76,22 +76,22 @@ def test_no_english_text_remains(project: Project, variant: str) -> None:
 
 def _qualities() -> Iterator[SightingQuality]:
     beams = {"scanner_local": np.zeros(3)}
-    yield judged(board())
-    yield judged(board(count=40), **beams)
-    yield judged(board(noise=0.02), threshold=0.03)
-    yield judged(board(lambda x, z: 0.1 * x**2))
-    yield judged(board(lambda x, z: 0.02 * np.sin(40 * x) * np.sin(40 * z)))
-    yield judged(board() * [1, 1, 1] + [60, 0, 0], **beams)
+    yield quality_of(board())
+    yield quality_of(board(count=40), **beams)
+    yield quality_of(board(noise=0.02), threshold=0.03)
+    yield quality_of(board(lambda x, z: 0.1 * x**2))
+    yield quality_of(board(lambda x, z: 0.02 * np.sin(40 * x) * np.sin(40 * z)))
+    yield quality_of(board() * [1, 1, 1] + [60, 0, 0], **beams)
     some = board()
-    yield judged(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
+    yield quality_of(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
     hidden, alone = (
         ObservedExtent(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
         ObservedExtent(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
     )
-    yield judged(board(), observed_extent=hidden)
-    yield judged(board(), observed_extent=alone)
+    yield quality_of(board(), observed_extent=hidden)
+    yield quality_of(board(), observed_extent=alone)
     yield replace(
-        judged(board()),
+        quality_of(board()),
         reasons=(
             note("quality.narrower", size=0.61, off=0.59, expected=1.2),
             note("quality.less_steep", tilt=1.42, off=0.15, expected=1.57),

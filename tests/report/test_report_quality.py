@@ -24,7 +24,7 @@ from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.targets.sighting_quality import SightingQuality
 from tests.support.report_sample import MADE, sample_content, sample_project
-from tests.targets.test_quality import board, judged
+from tests.targets.test_quality import board, quality_of
 
 Changed = Callable[..., ReportContent]
 
@@ -321,9 +321,9 @@ def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed:
     reason = note("parameter.kept_uncertain")
     unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
-    (seen,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
-    assert "roll 0.50 deg" in message_text(seen)
-    assert "scan-angle offset" in message_text(seen)
+    (message,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
+    assert "roll 0.50 deg" in message_text(message)
+    assert "scan-angle offset" in message_text(message)
     assert not [c for c in changed().warnings if "large_sigma" in c.code]
 
 
@@ -371,7 +371,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     target = project.targets[0]
     first, second, *others = target.sightings
     edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
-    quality = replace(judged(board()), visible_share=0.512)
+    quality = replace(quality_of(board()), visible_share=0.512)
     content = report_content(
         project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(target.name, line): quality for line in (first.line, second.line)},
@@ -390,7 +390,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
 def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
     first, second = project.targets[:2]
-    good = replace(judged(board()), rating="good", reasons=())
+    good = replace(quality_of(board()), rating="good", reasons=())
     oblique = [
         replace(
             good, rating="doubtful", incidence=np.radians(deg),

@@ -92,12 +92,12 @@ def test_the_port_scene_equals_the_built_in_survey(port: SimulatedSurvey) -> Non
         assert (ours.name, ours.reflectance) == (theirs.name, theirs.reflectance)
         assert isinstance(ours, Rectangle | Cylinder)
         np.testing.assert_array_equal(ours.row, theirs.row)
-    for mine, built_in in (
+    for of_scene, built_in in (
         (made.trajectory, port.trajectory),
         *zip(made.lines, port.lines, strict=True),
     ):
         for name, values in vars(built_in).items():
-            np.testing.assert_array_equal(getattr(mine, name), values, err_msg=name)
+            np.testing.assert_array_equal(getattr(of_scene, name), values, err_msg=name)
     for own, theirs in ((made.targets, port.targets), (made.validation, port.validation)):
         assert own.keys() == theirs.keys()
         for name in own:

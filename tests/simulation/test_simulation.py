@@ -75,12 +75,12 @@ def test_beams_of_the_profiler_are_in_a_plane(survey):
 
 def test_noise_of_labelled_points_is_that_of_the_scanner(survey):
     """Georeferenced with the true states, points are off their surface by scanner noise only."""
-    calm = port_survey(pos_errors=False)
-    for line in calm.lines:
-        points = placed(calm, line)
+    without_pos_errors = port_survey(pos_errors=False)
+    for line in without_pos_errors.lines:
+        points = placed(without_pos_errors, line)
         for name in TARGET_NAMES:
-            label = calm.surface_names.index(name)
-            distance = calm.scene[name].distance(points[line.label == label])
+            label = without_pos_errors.surface_names.index(name)
+            distance = without_pos_errors.scene[name].distance(points[line.label == label])
             assert np.abs(distance).max() < 0.02
             assert 0.0005 < distance.std() < 0.004
         mixed = line.label < 0
@@ -100,9 +100,11 @@ def test_validation_planes_are_seen_from_opposite_lines(survey):
     assert set(survey.validation) == set(VALIDATION_NAMES)
     for name in VALIDATION_NAMES:
         label = survey.surface_names.index(name)
-        seen = {x.heading_deg for x in survey.lines if np.count_nonzero(x.label == label) > 1000}
-        pairs = [h for h in seen if (h + 180) % 360 in seen]
-        assert len(pairs) >= 4, (name, seen)
+        headings = {
+            x.heading_deg for x in survey.lines if np.count_nonzero(x.label == label) > 1000
+        }
+        pairs = [h for h in headings if (h + 180) % 360 in headings]
+        assert len(pairs) >= 4, (name, headings)
 
 
 def test_site_has_the_documented_layout(survey):

@@ -211,10 +211,10 @@ def test_pairs_of_lines_reveal_or_conceal_errors_of_angles(
 
 def test_no_pair_of_lines_reveals_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
     shift, turn = terrestrial.visibility_spread("lever_z")
-    seen = np.isfinite(shift)
-    assert seen.sum() == 14
-    assert shift[seen] == pytest.approx(np.zeros(14), abs=1e-9)
-    assert np.degrees(turn[seen]) == pytest.approx(np.zeros(14), abs=1e-5)
+    is_visible = np.isfinite(shift)
+    assert is_visible.sum() == 14
+    assert shift[is_visible] == pytest.approx(np.zeros(14), abs=1e-9)
+    assert np.degrees(turn[is_visible]) == pytest.approx(np.zeros(14), abs=1e-5)
     # The error shifts all lines equally.
     off = terrestrial.orthogonal_distance[TERRESTRIAL_SITE.errors.index("lever_z"), 0]
     assert np.nanmax(np.abs(off)) == pytest.approx(0.1, abs=1e-9)
@@ -388,12 +388,14 @@ def test_figures_have_all_lines_and_can_be_drawn_again(
 def test_errors_without_a_suitable_inclination_show_the_thesis_only(
     terrestrial: VisibilityStudy,
 ) -> None:
-    blind = replace(terrestrial, type_one=0 * terrestrial.type_one)
-    assert blind.kept_inclinations("pitch") == ()
-    assert blind.best_configuration("pitch").inclination is None
-    (axes,) = visibility_figure(blind, "pitch", "orthogonal-distance").axes
+    without_type_one = replace(terrestrial, type_one=0 * terrestrial.type_one)
+    assert without_type_one.kept_inclinations("pitch") == ()
+    assert without_type_one.best_configuration("pitch").inclination is None
+    (axes,) = visibility_figure(without_type_one, "pitch", "orthogonal-distance").axes
     assert not axes.patches, "nothing is shaded"
-    (pitch,) = (each for each in compare_with_thesis(blind) if each.best.error == "pitch")
+    (pitch,) = (
+        each for each in compare_with_thesis(without_type_one) if each.best.error == "pitch"
+    )
     assert not pitch.inclination_agrees
     assert pitch.reason is not None
     assert len(pitch.reason.params["differences"]) == 1

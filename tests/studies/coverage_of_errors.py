@@ -67,7 +67,7 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
     near = place_points(data.points_lidar, poses, TRUTH)
     beams = place_points(1.1 * data.points_lidar, poses, TRUTH) - near
     beams /= np.linalg.norm(beams, axis=1)[:, None]
-    off, seen = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
+    off, is_curved = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
     bends = {name: chance.normal(0, 0.01) for name in boards}
     for k, sighting in enumerate(data.sightings):
         board, own = boards[sighting.target], data.sighting == k
@@ -77,8 +77,8 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
         bend = bends[board.name] * 4 * height**2
         off[own] = bend / (beams[own] @ normal)
         first = chance.uniform(-0.5, -0.1)
-        seen[own] = (height >= first) & (height <= first + 0.6)
-    return _along_beams(data, off).where(seen)
+        is_curved[own] = (height >= first) & (height <= first + 0.6)
+    return _along_beams(data, off).where(is_curved)
 
 
 def rough(data: Observations, chance: np.random.Generator) -> Observations:
@@ -175,7 +175,7 @@ def hits(results: list[SurveyResult], which: str = "sigma") -> np.ndarray:
 
 def row(kind: str, results: list[SurveyResult]) -> str:
     """One row of the table."""
-    calm = [each for each in results if not each.serious]
+    without_warning = [each for each in results if not each.serious]
 
     def cells(values: np.ndarray) -> str:
         return " ".join(f"{100 * value:5.1f}" for value in values)
@@ -184,7 +184,8 @@ def row(kind: str, results: list[SurveyResult]) -> str:
     codes = Counter(code for each in results for code in each.serious)
     return (
         f"{kind:16s} {cells(hits(results, 'formal'))}   {cells(hits(results))}   {cells(raised)}"
-        f"   {100 * (1 - len(calm) / len(results)):5.1f}   {cells(hits(calm))}   {dict(codes)}"
+        f"   {100 * (1 - len(without_warning) / len(results)):5.1f}   {cells(hits(without_warning))}"
+        f"   {dict(codes)}"
     )
 
 

@@ -96,10 +96,10 @@ def _profiles(states, course, mounting, rng):
     scanner = pose[:, :3] + rotation @ mounting.lever_arm
     rays = np.einsum("nij,mj->nmi", rotation @ mounting.rotation_body_lidar, beams)
     reach, label = _first_hit(scanner[:, None, :], rays)
-    seen = np.isfinite(reach)
-    noisy = reach[seen] + rng.normal(0.0, NOISE, np.count_nonzero(seen))
-    points = noisy[:, None] * np.broadcast_to(beams, (*reach.shape, 3))[seen]
-    return points, np.broadcast_to(time[:, None], reach.shape)[seen], label[seen]
+    is_hit = np.isfinite(reach)
+    noisy = reach[is_hit] + rng.normal(0.0, NOISE, np.count_nonzero(is_hit))
+    points = noisy[:, None] * np.broadcast_to(beams, (*reach.shape, 3))[is_hit]
+    return points, np.broadcast_to(time[:, None], reach.shape)[is_hit], label[is_hit]
 
 
 def _first_hit(origin, rays):

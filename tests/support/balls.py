@@ -51,9 +51,9 @@ def cast(rng, balls, *, mast=None, wall=None, noise=0.002, mixed=0.5, step=(0.00
         blurred[edge] += rng.uniform(0.0, 0.5, np.count_nonzero(edge)) * (
             beside[edge] - reach[edge]
         )
-    seen = np.isfinite(blurred).ravel()
+    is_hit = np.isfinite(blurred).ravel()
     noisy = blurred.ravel() + rng.normal(0.0, noise, len(rays))
-    return (noisy[:, None] * rays)[seen], label.ravel()[seen]
+    return (noisy[:, None] * rays)[is_hit], label.ravel()[is_hit]
 
 
 def front(sphere, *, off=(0.0, 0.0), gap=0.0):

@@ -86,15 +86,15 @@ def _matching(known: Iterable[str], node: ast.expr, scope: Scope) -> set[str]:
     return {each for each in known if pattern.fullmatch(each)}
 
 
-def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> set[str]:
-    """Regular expressions of the possible texts of an expression; none for one in ``seen``."""
-    if node in seen:
+def _patterns(node: ast.AST, scope: Scope, steps: int, visited: set[ast.AST]) -> set[str]:
+    """Regular expressions of the possible texts of an expression; none for one in ``visited``."""
+    if node in visited:
         return set()
-    seen.add(node)
+    visited.add(node)
     if isinstance(node, ast.Constant):
         return {re.escape(node.value)} if isinstance(node.value, str) else set()
     if isinstance(node, ast.JoinedStr):
-        parts = [_patterns(each, scope, steps, set(seen)) or {r"\w+"} for each in node.values]
+        parts = [_patterns(each, scope, steps, set(visited)) or {r"\w+"} for each in node.values]
         found = "".join(f"(?:{'|'.join(each)})" for each in parts)
         if not any(re.fullmatch(found, each) for each in TEXTS):
             found = "".join(
@@ -123,9 +123,9 @@ def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> se
         if node.attr in Level.__members__:
             return {node.attr}
         inside, sources = (), _attributes().get(node.attr, []) + _returned().get(node.attr, [])
-    found = {text for each in inside for text in _patterns(each, scope, steps, seen)}
+    found = {text for each in inside for text in _patterns(each, scope, steps, visited)}
     for source in sources if steps else ():
-        found |= _patterns(*source, steps - 1, seen)
+        found |= _patterns(*source, steps - 1, visited)
     return found
 
 

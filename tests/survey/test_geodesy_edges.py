@@ -169,9 +169,9 @@ def test_the_converter_extends_to_distant_points() -> None:
     mapper = ScannerPointConverter(system, track, ZERO_MOUNTING)
     time = np.array([1.0, 8.0])
     for metres in (20.0, 3000.0, 25.0):
-        seen = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
-        found = mapper.to_scanner(mapper.to_map(seen, time), time)
-        np.testing.assert_allclose(found, seen, atol=1e-4)
+        points = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
+        found = mapper.to_scanner(mapper.to_map(points, time), time)
+        np.testing.assert_allclose(found, points, atol=1e-4)
 
 
 def test_a_site_outside_the_map_projection_gives_distant_points() -> None:
@@ -212,7 +212,7 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCovera
 
 
 @pytest.mark.parametrize(
-    ("covered", "lost", "found"),
+    ("covered", "excluded_count", "found"),
     [
         (_covered(2000, 1500), 1500, {"import.excluded_outside": 1500}),
         (
@@ -222,9 +222,9 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCovera
     ],
 )  # fmt: skip
 def test_excluded_points_are_reported(
-    covered: TrajectoryCoverage, lost: int, found: dict[str, int]
+    covered: TrajectoryCoverage, excluded_count: int, found: dict[str, int]
 ) -> None:
-    notes = exclusion_notes(covered, lost, "a")
+    notes = exclusion_notes(covered, excluded_count, "a")
     assert {each.code: each.params["count"] for each in notes} == found
 
 

@@ -75,8 +75,8 @@ def test_the_correction_matrix_moves_points_to_the_new_mounting(
     np.testing.assert_allclose(
         now @ setup.permutation, in_body(points, OLD_MOUNTING), rtol=0, atol=1e-9
     )
-    mended = moved(now, new.transform) @ setup.permutation
-    np.testing.assert_allclose(mended, in_body(points, expected), rtol=0, atol=1e-9)
+    corrected = moved(now, new.transform) @ setup.permutation
+    np.testing.assert_allclose(corrected, in_body(points, expected), rtol=0, atol=1e-9)
     np.testing.assert_allclose(moved(theirs, new.in_system.transform), moved(now, new.transform),
                                rtol=0, atol=1e-9)  # fmt: skip
     assert new.lever_arm == ("replaced" if known else "taken over")

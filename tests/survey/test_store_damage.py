@@ -71,10 +71,10 @@ def test_files_used_by_searches_are_always_checked(tmp_path: Path, name: str) ->
     stored(tmp_path)
     open_store(tmp_path, "L1")
     path = tmp_path / "columns-1" / f"{name}.npy"
-    seen, content = path.stat(), bytearray(path.read_bytes())
+    status, content = path.stat(), bytearray(path.read_bytes())
     content[-3] ^= 4
     path.write_bytes(content)
-    os.utime(path, ns=(seen.st_atime_ns, seen.st_mtime_ns))
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
     with pytest.raises(ProjectError, match=rf"{name}\.npy") as refused:
         open_store(tmp_path, "L1")
     assert reason_code(refused.value) == "store.part_changed"

@@ -245,12 +245,12 @@ def test_surveyed_points_and_planes(
     # Four points of 4 mm each determine a plane with 2 mm at their centroid.
     assert found["BOARD"].sigma == pytest.approx(0.002, rel=1e-6)
     assert found["A0"].sigma == 0.003
-    seen = [expected[line.line] for line in check.lines]
-    assert found["BOARD"].lines == len(seen)
-    assert found["BOARD"].after == pytest.approx(np.mean(seen) - 0.01, abs=0.001)
+    distances = [expected[line.line] for line in check.lines]
+    assert found["BOARD"].lines == len(distances)
+    assert found["BOARD"].after == pytest.approx(np.mean(distances) - 0.01, abs=0.001)
     for name in ("A0", "A1"):
-        assert 2 <= found[name].lines <= len(seen)
-        assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
+        assert 2 <= found[name].lines <= len(distances)
+        assert min(distances) - 0.012 <= found[name].after <= max(distances) - 0.008
     assert check.all_lines.before.distances.rms > 2 * check.all_lines.after.distances.rms
 
     content = sample_content(sample.with_absolute(check))

@@ -206,16 +206,16 @@ def test_invalid_arrays_and_settings_are_refused() -> None:
 
 
 def test_the_computation_reports_progress_and_can_be_cancelled() -> None:
-    seen: list[float] = []
+    fractions: list[float] = []
 
     def listen(fraction: float, step: Step | None = None) -> None:
-        seen.append(fraction)
+        fractions.append(fraction)
 
     cloud = tower(110_000, 1)
     cloud_to_cloud(cloud, cloud, progress=listen)
-    assert seen == sorted(seen)
-    assert seen[-1] == pytest.approx(1.0)
-    assert len(seen) > 2
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == pytest.approx(1.0)
+    assert len(fractions) > 2
 
     def cancel(fraction: float, step: Step | None = None) -> None:
         if fraction > 0.3:

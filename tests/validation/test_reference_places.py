@@ -124,8 +124,8 @@ def test_derivatives_match_central_differences() -> None:
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
 
     def placed(k: int, x: np.ndarray) -> float:
-        pose, turn, seen, mounting = x[:3], x[3:6], x[6:9], x[9:15]
-        body = rotation_matrix(*mounting[:3]) @ seen + mounting[3:]
+        pose, turn, point, mounting = x[:3], x[3:6], x[6:9], x[9:15]
+        body = rotation_matrix(*mounting[:3]) @ point + mounting[3:]
         return float(normals[k] @ (pose + rotation_matrix(*turn) @ body))
 
     found = sensitivity(points, Poses(position, attitude), Mounting.of_values(values), normals)

@@ -164,12 +164,15 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
     raw.write(tmp_path / "raw.laz")
     known = states()
     kept = (known.time < 400_020) | (known.time > 400_023)
-    torn = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
+    with_gap = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
                       known.height[kept], known.attitude[kept])  # fmt: skip
-    write_sbet(tmp_path / "sbet.out", torn)
+    write_sbet(tmp_path / "sbet.out", with_gap)
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
     time = np.array(raw.gps_time)[60:] + 18.0 + MOUNTING.latency
-    holes = torn.time[torn.time < 400_020.01].max(), torn.time[torn.time > 400_022.99].min()
+    holes = (
+        with_gap.time[with_gap.time < 400_020.01].max(),
+        with_gap.time[with_gap.time > 400_022.99].min(),
+    )
     in_gap = np.count_nonzero((time > holes[0]) & (time < holes[1]))
     assert (done.outside, done.in_gaps) == (60, in_gap)
     assert in_gap > 0

@@ -282,9 +282,9 @@ def test_the_dialogue_proposes_the_shift_that_covers_more_points(track, tmp_path
     assert (proposed.params["shift"], proposed.params["share"]) == (pytest.approx(18), 1.0)
     assert proposed.actions[0].params["shift"] == pytest.approx(18)
     assert [shift for _, shift in input_files.proposed_shifts] == [pytest.approx(18)]
-    mended = input_files.with_shift_for_all()
-    assert mended.proposed_shifts == ()
-    covered = mended.coverage(named(mended, "early.las"))
+    shifted = input_files.with_shift_for_all()
+    assert shifted.proposed_shifts == ()
+    covered = shifted.coverage(named(shifted, "early.las"))
     assert covered is not None
     assert covered.outside == 0
 

@@ -129,10 +129,10 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
         input_files = import_files(InputFiles(), path)
-    entry = input_files.file(path)
-    assert entry.error is not None
-    assert entry.error.code == "trajectory.no_system"
-    errors = [each for each in input_files.messages(entry) if each.level is Level.ERROR]
+    input_file = input_files.file(path)
+    assert input_file.error is not None
+    assert input_file.error.code == "trajectory.no_system"
+    errors = [each for each in input_files.messages(input_file) if each.level is Level.ERROR]
     assert [option_to_choose(each.actions[0]) for each in errors] == ["crs"]
 
 

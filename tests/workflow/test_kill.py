@@ -210,16 +210,16 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
     shutil.copytree(project_in(tmp_path / "project").folder, tmp_path / "pristine")
     indices = project_in(tmp_path / "project").targets[0].sightings[0].indices
     moments = random.Random(3)
-    seen = []
+    outcomes = []
     for _ in range(times):
         killed(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
         found = read_project(tmp_path / "project").target("T1").sightings[0]
         half = found.rms == 0.002
         np.testing.assert_array_equal(found.indices, indices[:: 2 if half else 1])
-        seen.append(half)
-    print(f"\n{times} times killed while saving; {sum(seen)} times the one state was left")
+        outcomes.append(half)
+    print(f"\n{times} times killed while saving; {sum(outcomes)} times the one state was left")
     if times > 10:
-        assert len(set(seen)) == 2
+        assert len(set(outcomes)) == 2
 
 
 COMMAND_SCRIPT = """

@@ -66,21 +66,21 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     for found in picked(capsys, project, {k: t["centre"] for k, t in site["targets_nwu"].items()}):
         assert len(found["lines"]) == 6, found
     assert open_project(project).settings.pos_errors == "correlated"  # the default
-    thesis = run_json(
+    uncorrelated = run_json(
         capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks"
     )
-    honest = run_json(
+    correlated = run_json(
         capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks"
     )
-    error = angles(honest, "boresight_deg") - truth
+    error = angles(correlated, "boresight_deg") - truth
     comparison = (
-        f"truth {truth}, uncorrelated POS errors {angles(thesis, 'boresight_deg')}, "
-        f"correlated {angles(honest, 'boresight_deg')} +- {angles(honest, 'sigma_deg')}"
+        f"truth {truth}, uncorrelated POS errors {angles(uncorrelated, 'boresight_deg')}, "
+        f"correlated {angles(correlated, 'boresight_deg')} +- {angles(correlated, 'sigma_deg')}"
     )
-    assert honest["pos_errors"] == "correlated"
-    assert (np.abs(error) < 3 * angles(honest, "sigma_deg")).all(), comparison
-    assert angles(honest, "sigma_deg")[1] <= 0.025, comparison
-    assert np.abs(angles(thesis, "boresight_deg") - truth).max() < 0.25, comparison
+    assert correlated["pos_errors"] == "correlated"
+    assert (np.abs(error) < 3 * angles(correlated, "sigma_deg")).all(), comparison
+    assert angles(correlated, "sigma_deg")[1] <= 0.025, comparison
+    assert np.abs(angles(uncorrelated, "boresight_deg") - truth).max() < 0.25, comparison
     opened = open_project(project)
     survey = load_survey(opened)
     for name, plane in site["validation_nwu"].items():
@@ -193,8 +193,8 @@ def test_georeferenced_drone_clouds_give_the_result_of_the_raw_lines(
         lines.append(
             LineSource(path.stem, cloud, reading=detect_reading(cloud, "points", Reading())[0])
         )
-    brought, start = labelled(data, tmp_path, lines, wrong)
-    assert np.abs(brought.points_lidar - raw.points_lidar).max() < 2e-4
+    converted, start = labelled(data, tmp_path, lines, wrong)
+    assert np.abs(converted.points_lidar - raw.points_lidar).max() < 2e-4
     start = start.with_boresight(prior.boresight)
     boresights = [
         adjust(
@@ -203,7 +203,7 @@ def test_georeferenced_drone_clouds_give_the_result_of_the_raw_lines(
             StochasticModel(loss="tukey"),
             diagnostics=False,
         ).boresight
-        for observations in (raw, brought)
+        for observations in (raw, converted)
     ]
     assert np.degrees(np.abs(boresights[0] - boresights[1])).max() < 0.001
 

@@ -114,10 +114,10 @@ def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path:
     quay.reject("T1", "L3_045")
 
     target = quay.project.target("T1")
-    cut, lost = without_points(
+    cut, removed_count = without_points(
         target, quay.survey.clouds, lambda points: points[:, 2] > points[:, 2].mean() + 0.3
     )
-    assert lost > 100
+    assert removed_count > 100
     quay.project = quay.project.with_target(cut)
     quay.identity(remarks='It\'s "new"\nand \\ odd', vessel="Léonie")
     quay.change(

@@ -65,10 +65,10 @@ def test_picking_from_a_list_equals_single_picks(
     path.write_text("# quay wall\nname;x;y;z\n" + rows("T1", "T2", "V1") + "Lost;20;4;3\n")
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
     assert code == 1
-    lost = error(
+    not_found = error(
         "pick.some_not_found", file=str(path), count=1, total=4, seeds=("Lost",), rows=("6",)
     )
-    assert err.splitlines()[-1] == f"lispac: {message_text(lost)}"
+    assert err.splitlines()[-1] == f"lispac: {message_text(not_found)}"
     named = note("assumed.columns_as_named", columns=("name", "north", "west", "up"))
     assert f"note: {message_text(named)}" in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
@@ -137,8 +137,10 @@ def test_an_existing_name_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    taken = error("pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1")
-    assert message_text(taken) in refused(capsys, folder, again)
+    name_error = error(
+        "pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1"
+    )
+    assert message_text(name_error) in refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)

@@ -136,15 +136,15 @@ def test_rollovers_are_resolved_in_text_and_with_given_time_bases(tmp_path: Path
 def test_the_import_dialog_resolves_and_reports_a_rollover(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
     input_files = import_files(InputFiles(), track, line)
-    entry = named(input_files, "L.las")
-    assert input_files.state_of_file(entry) == "fine"
-    (rollover,) = (m for m in input_files.messages(entry) if m.code == "import.times_restart")
+    input_file = named(input_files, "L.las")
+    assert input_files.state_of_file(input_file) == "fine"
+    (rollover,) = (m for m in input_files.messages(input_file) if m.code == "import.times_restart")
     assert rollover.params["place"] == note("rollover.week_end")
     assert rollover.params["last"] == pytest.approx(WEEK, abs=0.1)
-    covered = input_files.coverage(entry)
+    covered = input_files.coverage(input_file)
     assert covered is not None
     assert covered.outside == 0
-    assert entry.content.end == pytest.approx(WEEK + 18)
+    assert input_file.content.end == pytest.approx(WEEK + 18)
     (ignore,) = rollover.actions
     back = import_files(input_files.with_action(line, ignore))
     assert "import.points_outside" in codes_about(back, "L.las")

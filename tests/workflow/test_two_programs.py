@@ -83,16 +83,16 @@ def test_random_pairs_of_commands_lose_no_change(
 
 
 def test_a_project_written_meanwhile_is_not_overwritten(folder: Path) -> None:
-    mine, other = lispac.open(folder), lispac.open(folder)
-    other.identity(vessel="Other")
-    other.save()
-    mine.identity(site="Mine")
+    first, second = lispac.open(folder), lispac.open(folder)
+    second.identity(vessel="Other")
+    second.save()
+    first.identity(site="Mine")
     with pytest.raises(ProjectChanged):
-        mine.save()
+        first.save()
     saved = read_project(folder)
     assert (saved.identity.vessel, saved.identity.site) == ("Other", "")
-    other.identity(site="Again")
-    other.save()
+    second.identity(site="Again")
+    second.save()
     assert read_project(folder).identity.site == "Again", "its own save is no news"
 
 

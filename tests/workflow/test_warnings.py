@@ -173,14 +173,14 @@ def test_gaps_of_the_trajectory_that_are_not_bridged_are_reported() -> None:
     project, survey = picked()
     time = survey.trajectory.time.copy()
     time[len(time) // 2 :] += 7.0
-    torn = replace(survey, trajectory=replace(survey.trajectory, time=time))
+    with_gap = replace(survey, trajectory=replace(survey.trajectory, time=time))
     code = "project.trajectory_gaps"
-    (gap,) = [each for each in warnings_of(project, torn) if each.code == code]
+    (gap,) = [each for each in warnings_of(project, with_gap) if each.code == code]
     assert (gap.level, gap.subject) == (Level.NOTE, Cause.of_step("Data"))
     assert (gap.params["count"], gap.params["limit"]) == (1, 1.5)
     assert gap.params["longest"] == pytest.approx(7.0, abs=0.1)
-    patient = project.with_settings(replace(project.settings, longest_gap=10.0))
-    assert code not in [each.code for each in warnings_of(patient, torn)]
+    bridging = project.with_settings(replace(project.settings, longest_gap=10.0))
+    assert code not in [each.code for each in warnings_of(bridging, with_gap)]
 
 
 def test_a_sighting_that_is_not_good_has_its_place_as_cause() -> None:
