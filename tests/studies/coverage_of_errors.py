@@ -184,8 +184,8 @@ def row(kind: str, results: list[SurveyResult]) -> str:
     codes = Counter(code for each in results for code in each.serious)
     return (
         f"{kind:16s} {cells(hits(results, 'formal'))}   {cells(hits(results))}   {cells(raised)}"
-        f"   {100 * (1 - len(without_warning) / len(results)):5.1f}   {cells(hits(without_warning))}"
-        f"   {dict(codes)}"
+        f"   {100 * (1 - len(without_warning) / len(results)):5.1f}"
+        f"   {cells(hits(without_warning))}   {dict(codes)}"
     )
 
 
