@@ -106,8 +106,8 @@ def test_points_that_determine_no_sphere_are_refused(points, radius, code):
 def centre_or_reason(points, radius=None):
     try:
         return fit_sphere(points, radius).centre
-    except SphereNotFound as said:
-        return said.code
+    except SphereNotFound as error:
+        return error.code
 
 
 def test_a_known_radius_helps_where_a_free_one_is_undetermined():

@@ -220,8 +220,8 @@ def test_errors_of_libraries_are_in_the_details(qapp):
             json.loads("{")
         except ValueError as error:
             raise InputError("a.json: it cannot be read; restore it.") from error
-    except InputError as told:
-        box = error_box(None, told)
+    except InputError as caught:
+        box = error_box(None, caught)
     assert box.text() == "a.json: it cannot be read; restore it."
     box.findChild(QPushButton, "copy_details").click()
     assert "JSONDecodeError" in QApplication.clipboard().text()

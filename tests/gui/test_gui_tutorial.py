@@ -137,7 +137,7 @@ def _bare(text: str) -> str:
 def test_a_page_that_names_missing_widgets_fails(
     program: MainWindow, step: Step, problem: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
+    monkeypatch.setattr("tests.gui.reader.TIMEOUT_S", 0.5)
     with pytest.raises(StepError, match=problem) as refused:
         Reader(program, [step], lambda _front, _picture: None).follow()
     assert "at line 3 of the page" in refused.value.__notes__[0]
