@@ -78,7 +78,9 @@ def test_robust_losses_reduce_errors_and_sigmas_reflect_outliers() -> None:
     assert (np.array(errors) < 3 * np.array(sigmas)).all()
 
 
-def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, AdjustmentResult]:
+def effect_in_sigmas(
+    clean: Observations, dirty: Observations
+) -> tuple[np.ndarray, AdjustmentResult]:
     """Return the effect of a blunder on the angles, in sigmas, besides the loss of its data.
 
     The clean survey is adjusted with the sightings free that were rejected in the other: an unknown
@@ -101,7 +103,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
 @pytest.mark.parametrize("sighting", [0, 3, 7, 10])
 def test_a_shifted_sighting_is_rejected_without_effect_on_the_angles(sighting) -> None:
     clean = survey(20 + sighting)
-    done, after = harm(clean, shifted(clean, sighting, 0.05))
+    done, after = effect_in_sigmas(clean, shifted(clean, sighting, 0.05))
     assert clean.sightings[sighting] in after.rejected_sightings
     assert {s.line for s in after.rejected_sightings} == {clean.sightings[sighting].line}
     assert (done < 0.1).all()
@@ -151,7 +153,7 @@ def test_steps_with_updated_weights_converge_to_the_irls_result(loss) -> None:
 def test_a_surface_metres_off_is_rejected_without_effect(seed, sighting, metres) -> None:
     """The board is 1 m wide: a plane through all its points would stand across it."""
     clean = survey(7000 + seed, 0.1)
-    done, after = harm(clean, shifted(clean, sighting, metres))
+    done, after = effect_in_sigmas(clean, shifted(clean, sighting, metres))
     assert after.rejected_sightings == (clean.sightings[sighting],)
     assert all(target.noise < 1.5 for target in after.targets)
     assert (done < 1).all()
@@ -178,7 +180,7 @@ def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
 @pytest.mark.parametrize("line", ["L2", "L4", "L5"])
 def test_a_line_with_a_position_jump_is_rejected_without_effect(line) -> None:
     clean = survey(40 + int(line[1]), 0.1)
-    done, after = harm(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
+    done, after = effect_in_sigmas(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
     assert {s.line for s in after.rejected_sightings} == {line}
     assert (done < 1).all()
 
@@ -188,7 +190,7 @@ def test_interchanged_boards_on_a_line_are_rejected_without_effect() -> None:
     first, second = (k for k, s in enumerate(clean.sightings) if s.line == "L4")
     sighting = clean.sighting.copy()
     sighting[clean.sighting == first], sighting[clean.sighting == second] = second, first
-    done, after = harm(clean, replace(clean, sighting=sighting))
+    done, after = effect_in_sigmas(clean, replace(clean, sighting=sighting))
     assert set(after.rejected_sightings) == {clean.sightings[first], clean.sightings[second]}
     assert after.rejected_lines == ("L4",)
     assert (done < 1).all()

@@ -66,7 +66,7 @@ def agreement(vessel, mounting):
     return np.array(apart), np.array(rms)
 
 
-def shown(values):
+def millimetres_text(values):
     return ", ".join(f"{1000.0 * value:.1f}" for value in values)
 
 
@@ -81,8 +81,8 @@ def test_the_files_agree_with_the_georeferencing_equation(vessel):
 def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model):
     result = adjust(observations(vessel, names), VESSEL, model)
     before, after = agreement(vessel, VESSEL), agreement(vessel, result.mounting)
-    print(f"centres apart {shown(before[0])} -> {shown(after[0])} mm")
-    print(f"RMS about one ball {shown(before[1])} -> {shown(after[1])} mm")
+    print(f"centres apart {millimetres_text(before[0])} -> {millimetres_text(after[0])} mm")
+    print(f"RMS about one ball {millimetres_text(before[1])} -> {millimetres_text(after[1])} mm")
     moved = np.degrees(result.boresight - VESSEL.boresight)
     print(
         f"boresight {np.degrees(result.boresight).round(3)} deg, {moved.round(3)} from the stored "

@@ -42,14 +42,14 @@ import_workflow()
 TWO_METRE_BOX = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
 
 
-def _made(folder: Path) -> Project:
+def _make_small_demo(folder: Path) -> Project:
     return lispac.demo(folder, points_per_second=5_000.0).project
 
 
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey with few points; tests must not change it on disk."""
-    return make_once(tmp_path_factory, "small", _made)
+    return make_once(tmp_path_factory, "small", _make_small_demo)
 
 
 @pytest.fixture

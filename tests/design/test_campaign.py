@@ -57,7 +57,7 @@ def cluster(clusters: Clusters) -> distributed.LocalCluster:
     return clusters.with_workers()
 
 
-def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
+def are_identical(one: MonteCarloResult, other: MonteCarloResult) -> bool:
     """Whether two results are equal to the last bit."""
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
@@ -65,9 +65,9 @@ def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
 def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     here = run_monte_carlo(SMALL, 12)
     with process_pool_mapper(2) as mapper:
-        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
     with cluster_mapper(cluster.scheduler_address) as mapper:
-        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
     assert np.array_equal(run_monte_carlo(SMALL, 5).errors, here.errors[:5])
     assert not np.isclose(run_monte_carlo(SMALL, 5, seed=1).errors, here.errors[:5]).any()
 
@@ -153,7 +153,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
                 killed.append(workers[0])
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
-        assert same(run_monte_carlo(SMALL, 20, mapper=mapper, progress=kill), here)
+        assert are_identical(run_monte_carlo(SMALL, 20, mapper=mapper, progress=kill), here)
         client.wait_for_workers(2, timeout=120)
         assert workers[0] not in client.run(os.getpid).values()
 

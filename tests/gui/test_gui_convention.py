@@ -32,7 +32,7 @@ def panel(qtbot: QtBot, qapp: QApplication) -> ConventionPanel:
     return made
 
 
-def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
+def choose_entry(bot: QtBot, box: QComboBox, index: int) -> None:
     """Choose an entry of a list with the keys."""
     box.setFocus()
     bot.keyClick(box, Key.Key_Home)
@@ -42,7 +42,7 @@ def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
 
 
 def choose(bot: QtBot, panel: ConventionPanel, key: str) -> None:
-    go_to(bot, panel.system, [each.key for each in SYSTEMS].index(key))
+    choose_entry(bot, panel.system, [each.key for each in SYSTEMS].index(key))
     assert panel.convention.key == key
 
 
@@ -215,7 +215,7 @@ def test_the_axes_of_an_imu_are_chosen(qtbot: QtBot, panel: ConventionPanel) -> 
     assert "Z up" in panel.rules.text()
 
     def pick(box: QComboBox, word: str) -> None:
-        go_to(qtbot, box, box.findText(word))
+        choose_entry(qtbot, box, box.findText(word))
 
     pick(panel.imu.y, "starboard")
     assert "X forward, Y starboard, Z down" in panel.rules.text()

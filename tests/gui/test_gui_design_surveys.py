@@ -49,7 +49,7 @@ def surveyed_once() -> MonteCarloResult:
     return MonteCarloResult(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
 
 
-def typed(driver: Driver, field, text: str) -> None:
+def type_into_field(driver: Driver, field, text: str) -> None:
     field.setFocus()
     field.selectAll()
     driver.bot.keyClicks(field, text)
@@ -61,7 +61,7 @@ def test_simulated_surveys_agree_with_the_command_line(
     surveys, before = coarse.surveys, coarse.workspace.titled
     assert (surveys.surveys.value(), surveys.surveys.minimum()) == (200, 20)
     driver.bot.keyClicks(surveys.surveys, "32")  # replaces the selected text
-    typed(driver, surveys.seed, "7")
+    type_into_field(driver, surveys.seed, "7")
     box = surveys.flatness
     driver.bot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
     assert box.isChecked()

@@ -36,7 +36,7 @@ def runner(qtbot: QtBot):
     made.close()
 
 
-def endless(progress: Progress) -> None:
+def run_without_end(progress: Progress) -> None:
     while True:
         progress(0.5, "going on")
         time.sleep(0.005)
@@ -61,7 +61,7 @@ def test_work_runs_in_a_worker_and_its_value_arrives_in_the_main_thread(qtbot, r
 
 def test_a_cancelled_task_delivers_no_value(qtbot, runner):
     got = []
-    runner.run("Endless", endless, got.append)
+    runner.run("Endless", run_without_end, got.append)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped) as stopped:
         runner.cancel()
@@ -147,7 +147,7 @@ def test_a_written_file_counts_as_done_when_cancelled_too_late(qtbot, runner, tm
 
 def test_persistent_work_that_stops_in_time_is_cancelled(qtbot, runner):
     got = []
-    runner.run("Export", endless, got.append, persistent=True)
+    runner.run("Export", run_without_end, got.append, persistent=True)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped):
         runner.cancel()
@@ -168,12 +168,12 @@ def test_a_failed_task_reports_why_and_the_next_one_runs(qtbot, runner):
 
 def test_quiet_work_gives_way_and_is_replaced_by_later_work(qtbot, runner):
     got = []
-    runner.run("First", endless, got.append, quiet=True, key="count")
+    runner.run("First", run_without_end, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     assert not runner.busy
     runner.run("Second", lambda _progress: 2, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: got == [2])
-    runner.run("Third", endless, got.append, quiet=True)
+    runner.run("Third", run_without_end, got.append, quiet=True)
     runner.run("Loud", lambda _progress: 3, got.append)
     qtbot.waitUntil(lambda: got == [2, 3])
 
@@ -199,7 +199,7 @@ def test_closing_waits_for_the_worker(qtbot):
 
     def work(progress):
         try:
-            endless(progress)
+            run_without_end(progress)
         except Cancelled:
             ended.append(True)
             raise

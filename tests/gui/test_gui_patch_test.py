@@ -24,7 +24,7 @@ def opened_panel(driver: Driver) -> PatchTestPanel:
     return panel(driver)
 
 
-def follow(driver: Driver) -> None:
+def wait_for_curve(driver: Driver) -> None:
     """Wait until the curve belongs to the current angles."""
     patch_test_controller = driver.window.tools.patch_test_controller
     driver.bot.waitUntil(lambda: not patch_test_controller.is_curve_pending, timeout=60_000)
@@ -95,18 +95,18 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     shown.angles.set_angles(start)
     slider = shown.angles.sliders[PITCH]  # its middle is the found angle
     drag(opened, slider, 80)
-    follow(opened)
+    wait_for_curve(opened)
     lowest = shown.curve.minimum
     assert lowest is not None
     assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
     drag(opened, slider, round(np.degrees(lowest - result.boresight[PITCH]) / SLIDER_STEP_DEG))
-    follow(opened)
+    wait_for_curve(opened)
     assert shown.angles.boresight[PITCH] != start[PITCH]
     assert abs(shown.angles.boresight[PITCH] - result.boresight[PITCH]) < result.sigma[PITCH]
     # A click into the curve also sets the angle
     place = shown.curve.place(lowest, 0.001).toPoint()
     opened.bot.mouseClick(shown.curve, Left, pos=place)
-    follow(opened)
+    wait_for_curve(opened)
     turned = shown.angles.boresight
     assert abs(turned[PITCH] - result.boresight[PITCH]) < result.sigma[PITCH]
     assert (turned[[ROLL, YAW]] == start[[ROLL, YAW]]).all()

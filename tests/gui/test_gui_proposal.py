@@ -166,7 +166,7 @@ def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Prop
     assert not dialog.accept_button.isEnabled()
 
 
-def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
+def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:
     """Find the selected target again with the menu, and return the project."""
 
     def use_dialog(dialog: QDialog) -> None:
@@ -190,7 +190,7 @@ def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
     before = picked.project
-    assert again(picked, 15, 1.5) is before  # a candidate, not accepted yet
+    assert find_again(picked, 15, 1.5) is before  # a candidate, not accepted yet
     candidate = picked.window.controller.candidate
     assert (candidate.threshold, candidate.radius) == (0.015, 1.5)
     click(picked, picked.window.targets.candidate.accept)

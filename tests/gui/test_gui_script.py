@@ -16,7 +16,7 @@ from tests.support.script_runs import run, same_part
 DialogAction = Callable[[QWidget], None]
 
 
-def shown(driver: Driver, use_dialog: DialogAction = lambda dialog: None) -> str:
+def shown_script(driver: Driver, use_dialog: DialogAction = lambda dialog: None) -> str:
     """The script that the window shows."""
     found: list[str] = []
 
@@ -70,7 +70,7 @@ def test_window_and_script_give_the_same_report(opened: Driver, tmp_path: Path) 
         assert "steps.py" in dialog.findChild(QLabel, "script_message").text()
         assert dialog.findChild(QLabel, "script_messages") is None
 
-    script = shown(opened, save)
+    script = shown_script(opened, save)
     assert QGuiApplication.clipboard().text() == script
     assert (tmp_path / "steps.py").read_text(encoding="utf-8") == script
     assert "'V3'" not in script
@@ -98,10 +98,10 @@ def test_a_difference_between_window_and_script_is_reported(
         label = dialog.findChild(QLabel, "script_messages")
         texts.append("" if label is None else label.text())
 
-    shown(opened, read)
+    shown_script(opened, read)
     opened.window.actions_["estimate"].trigger()
     opened.rest()
-    shown(opened, read)
+    shown_script(opened, read)
     moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
     assert moved > 0
     assert f"by up to {moved:.4f} deg" in texts[0]
@@ -121,6 +121,6 @@ def test_a_script_that_cannot_be_saved_is_reported(opened: Driver, tmp_path: Pat
         assert dialog.findChild(QLabel, "script_message").text() == ""
 
     with pytest.raises(AssertionError):
-        shown(opened, save)
+        shown_script(opened, save)
     (error,) = opened.dialogs.errors
     assert "cannot be written" in str(error)

@@ -46,7 +46,7 @@ def cells(dialog: QDialog, name: str) -> list[list[str]]:
     ]
 
 
-def both(driver: Driver, before, after) -> None:
+def use_both_dialogs(driver: Driver, before, after) -> None:
     """Answer the preview, then the table of results."""
 
     def first(dialog: QDialog) -> None:
@@ -72,7 +72,7 @@ def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, lis
         shown_content.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
-    both(opened, preview, table)
+    use_both_dialogs(opened, preview, table)
     click(opened, opened.window.targets.list_seeds)
     opened.rest()
     read, list_text, found, summary = shown_content
@@ -190,7 +190,7 @@ def test_a_list_without_any_found_target_changes_nothing(opened: Driver, tmp_pat
         texts.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
-    both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
+    use_both_dialogs(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
     opened.window.lifecycle.list_dropped.emit(path)
     opened.rest()
     assert texts == ["No target was found at the seed. Check its coordinates and their system."]

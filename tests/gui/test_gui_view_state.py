@@ -14,7 +14,7 @@ from tests.gui.support import Demo, Key
 SOON_MS = 20_000
 
 
-def change(session: Session, bot: QtBot, theme: str) -> None:
+def choose_theme(session: Session, bot: QtBot, theme: str) -> None:
     """Choose a theme in the menu, and wait for the new window."""
     former = session.window
     choose(bot, open_menu(bot, former, "View"), "heme", theme)
@@ -41,7 +41,7 @@ def test_the_same_lines_are_shown_in_another_theme(
     assert shading is not None
     monkeypatch.setattr(type(demo.survey), "displayed_clouds", None)
     for theme in ("Dark", "Light"):
-        change(session, qtbot, theme)
+        choose_theme(session, qtbot, theme)
         window = session.window
         wait_until_idle(session, qtbot)
         assert same(window.viewport.clouds, after)
@@ -62,7 +62,7 @@ def test_the_same_lines_are_shown_in_another_theme(
     wait_until_idle(session, qtbot)
     assert same(window.viewport.clouds, before)
     assert not window.actions_["wipe"].isChecked()
-    change(session, qtbot, "Dark")
+    choose_theme(session, qtbot, "Dark")
     wait_until_idle(session, qtbot)
     assert same(session.window.viewport.clouds, before)
     assert session.window.actions_["before"].isChecked()

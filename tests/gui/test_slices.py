@@ -82,13 +82,13 @@ def test_errors_are_raised_in_the_caller() -> None:
 @pytest.fixture
 def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
-    made = filled(3)
+    made = chart_with_plots(3)
     yield made
     if isValid(made):
         remove(made)
 
 
-def filled(count: int) -> Chart:
+def chart_with_plots(count: int) -> Chart:
     chart = Chart(400, 300)
     chart.resize(400, 300)
     for k, axes in enumerate(np.atleast_1d(chart.figure.subplots(1, count))):
@@ -111,7 +111,7 @@ def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtB
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
     qtbot.waitUntil(lambda: bool(drawn))
-    other = filled(3)
+    other = chart_with_plots(3)
     other.show()
     other.draw()
     assert (pixels(chart) == pixels(other)).all()

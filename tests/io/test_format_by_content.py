@@ -44,7 +44,7 @@ def folder(tmp_path: Path) -> Path:
     return write_survey(tmp_path)
 
 
-def new(
+def point_counts_of_project(
     capsys: pytest.CaptureFixture[str], folder: Path, *lines: Path, more: tuple[object, ...] = ()
 ):
     """Number of points of each line of a new project."""
@@ -63,7 +63,7 @@ def test_a_las_file_with_another_ending_is_a_line(
     for name in ("L1.laz", "L2.las"):
         (folder / name).rename(folder / f"{name[:2]}{ending}")
     lines = [folder / f"L1{ending}", folder / f"L2{ending}"]
-    assert new(capsys, folder, *lines) == {"L1": 3000, "L2": 3000}
+    assert point_counts_of_project(capsys, folder, *lines) == {"L1": 3000, "L2": 3000}
 
 
 @pytest.mark.parametrize("ending", [".las", ".laz", ".ply"])
@@ -76,10 +76,10 @@ def test_a_text_file_with_another_ending_is_a_line(
     named, bare = folder / f"L3{ending}", folder / f"L4{ending}"
     np.savetxt(named, rows, fmt="%.6f", header="time x y z", comments="")
     np.savetxt(bare, rows, fmt="%.6f")
-    assert new(capsys, folder, named) == {"L3": 3000}
+    assert point_counts_of_project(capsys, folder, named) == {"L3": 3000}
     columns = ("--columns", "time,x,y,z")
     shutil.rmtree(folder / "project")
-    assert new(capsys, folder, bare, more=columns) == {"L4": 3000}
+    assert point_counts_of_project(capsys, folder, bare, more=columns) == {"L4": 3000}
 
 
 def test_a_trajectory_and_accuracies_with_other_endings_are_recognised(

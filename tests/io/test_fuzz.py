@@ -192,7 +192,7 @@ def columns_of(key: str) -> Subject:
     return subject
 
 
-def remembered(folder: Path) -> tuple[Sources, Attempt]:
+def window_settings(folder: Path) -> tuple[Sources, Attempt]:
     """Stored settings of the window, including column mappings."""
     path = folder / "window.ini"
     sound = AppSettings(path)
@@ -303,7 +303,7 @@ def stored(folder: Path) -> None:
     write_store(folder, RECIPE, SMALL_LINE.pieces(200), place)
 
 
-def used(folder: Path) -> None:
+def read_store(folder: Path) -> None:
     """Open a store and read all of it."""
     found = open_store(folder, "L1")
     for points in (found.take(np.arange(0, len(found), 7))[0], found.coarse.points_local):
@@ -325,7 +325,7 @@ def manifest(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return refusal_of(lambda: used(folder / "L1")) is None
+        return refusal_of(lambda: read_store(folder / "L1")) is None
 
     def summed(content: bytes) -> bytes:
         try:
@@ -350,7 +350,7 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
         whole = sound[number]
         paths[number].write_bytes((content + whole[len(content) :])[: len(whole)])
         try:
-            return refusal_of(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: read_store(folder / "L1")) is None
         finally:
             paths[number].write_bytes(whole)
 
@@ -375,7 +375,7 @@ def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
         paths[number].write_bytes((content + sound[number][len(content) :])[: len(sound[number])])
         reseal(folder / "L1", whole)
         try:
-            return refusal_of(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: read_store(folder / "L1")) is None
         finally:
             paths[number].write_bytes(sound[number])
 
@@ -579,7 +579,7 @@ SUBJECTS: dict[str, Subject] = {
     **{key: of_format(key) for key in FORMATS},
     "columns of text": columns_of("text"),
     "columns of ascii-trajectory": columns_of("ascii-trajectory"),
-    "window settings": remembered,
+    "window settings": window_settings,
     "project": project,
     "sightings": sightings,
     "coordinate list": coordinate_list,

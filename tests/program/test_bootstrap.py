@@ -204,7 +204,7 @@ def test_a_display_that_does_not_answer_does_not_count(monkeypatch: pytest.Monke
 # System packages
 
 
-def missing(**overrides: object) -> list[MissingComponent]:
+def missing_components(**overrides: object) -> list[MissingComponent]:
     """`missing_packages` of a complete system, except for the functions given by name."""
     system = {
         "loads": lambda _soname: True,
@@ -216,16 +216,18 @@ def missing(**overrides: object) -> list[MissingComponent]:
 
 
 def test_complete_system_lacks_nothing() -> None:
-    assert missing() == []
+    assert missing_components() == []
 
 
 def test_missing_library_names_its_package() -> None:
-    found = missing(loads=lambda soname: soname != "libxcb-cursor.so.0")
+    found = missing_components(loads=lambda soname: soname != "libxcb-cursor.so.0")
     assert found == [MissingComponent("libxcb-cursor.so.0", ("libxcb-cursor0",))]
 
 
 def test_missing_fonts_screen_and_venv_are_noticed() -> None:
-    found = missing(has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False)
+    found = missing_components(
+        has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False
+    )
     packages = [need.package_names[-1] for need in found]
     assert packages == ["fonts-dejavu-core", "xvfb", "poppler-utils", "python3-venv"]
 

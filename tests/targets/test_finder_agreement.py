@@ -58,14 +58,14 @@ def scenery(name: str) -> Site:
     return site(SCENES[name], absent_from=LINE_WITHOUT_TARGET)
 
 
-def clicked(scene_site: Site, survey: Survey, line: str) -> np.ndarray:
+def clicked_point(scene_site: Site, survey: Survey, line: str) -> np.ndarray:
     on = np.flatnonzero(scene_site.on(line, "T1"))
     truly = scene_site.echoes[line].true_points_local[on]
     nearest = np.argmin(np.linalg.norm(truly - truly.mean(axis=0) - [-0.2, 0.0, -0.2], axis=1))
     return survey.clouds[line][on[[nearest]]][0]
 
 
-def typed(scene_site: Site) -> np.ndarray:
+def typed_seed(scene_site: Site) -> np.ndarray:
     truly = scene_site.echoes["L3"].true_points_local[scene_site.on("L3", "T1")]
     return np.asarray(truly.mean(axis=0) + [0.1, 0.05, 0.1])
 
@@ -98,16 +98,18 @@ def test_a_line_without_the_target_has_no_sighting(
     project, survey = scene_site.opened(off_deg)
     require_right(
         scene_site,
-        find_target(project, survey, clicked(scene_site, survey, "L3"), name="T1", first_line="L3"),
+        find_target(
+            project, survey, clicked_point(scene_site, survey, "L3"), name="T1", first_line="L3"
+        ),
     )
-    require_right(scene_site, find_target(project, survey, typed(scene_site), name="T1"))
+    require_right(scene_site, find_target(project, survey, typed_seed(scene_site), name="T1"))
 
 
 def two_boards() -> tuple[Site, Project, Survey, Target]:
     scene_site = scenery("similar board beside")
     project, survey = scene_site.opened((1.0, -1.0, 1.0))
     target = find_target(
-        project, survey, clicked(scene_site, survey, "L3"), name="T1", first_line="L3"
+        project, survey, clicked_point(scene_site, survey, "L3"), name="T1", first_line="L3"
     )
     return scene_site, project, survey, target
 

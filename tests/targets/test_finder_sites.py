@@ -63,7 +63,7 @@ def scenery(name: str) -> Site:
     return site(SCENES[name]())
 
 
-def click(scene_site: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> np.ndarray:
+def clicked_point(scene_site: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> np.ndarray:
     """The point of a line that is clicked."""
     boards = [s.centre for s in scene_site.scene.surfaces if s.name == "T1"]
     on = scene_site.on(line, "T1")
@@ -75,7 +75,7 @@ def click(scene_site: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> 
 def picked(name: str, off_deg: tuple[float, ...]) -> tuple[Site, dict[str, PlanePatch]]:
     scene_site = scenery(name)
     clouds = scene_site.clouds(off_deg)
-    found, missing = find_in_lines(clouds, click(scene_site, clouds), SETTINGS)
+    found, missing = find_in_lines(clouds, clicked_point(scene_site, clouds), SETTINGS)
     assert missing == {}
     return scene_site, found
 
@@ -145,11 +145,16 @@ def test_a_line_without_points_near_the_seed_has_a_reason(defect):
         "far": clouds["L1"] + [0.0, 500.0, 0.0],
         "sparse": clouds["L1"][::20_000],
     }[defect]
-    found, missing = find_in_lines(clouds, click(scene_site, clouds), SETTINGS, first_line="L1")
+    found, missing = find_in_lines(
+        clouds, clicked_point(scene_site, clouds), SETTINGS, first_line="L1"
+    )
     assert set(found) == {"L1", "L2"}
     assert missing["L9"].code
     # With a seed that belongs to no line, the line without points does not matter either.
-    assert set(find_in_lines(clouds, click(scene_site, clouds) + 0.01, SETTINGS)[0]) == {"L1", "L2"}
+    assert set(find_in_lines(clouds, clicked_point(scene_site, clouds) + 0.01, SETTINGS)[0]) == {
+        "L1",
+        "L2",
+    }
 
 
 # P6 of the truck crosses P2 at 17 deg within its own width, and its seed lies among five times as

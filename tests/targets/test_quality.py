@@ -15,7 +15,7 @@ from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphe
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.sighting_assessment import assess_target
 from tests.support.message_codes import codes, texts
-from tests.targets.test_finder_sites import click, scenery
+from tests.targets.test_finder_sites import clicked_point, scenery
 
 NOISE = 0.002
 
@@ -140,7 +140,7 @@ def test_ratings_on_simulated_sites(name, expected, off_deg):
     """Targets are picked as in the window, with a prior boresight that is right or 2 deg wrong."""
     scene_site = scenery(name)
     project, survey = scene_site.opened(off_deg)
-    target = find_target(project, survey, click(scene_site, survey.clouds), name="T1")
+    target = find_target(project, survey, clicked_point(scene_site, survey.clouds), name="T1")
     found = assess_target(project, survey, target)
     assert set(found) == set(LINES)
     for line, (light, words) in expected.items():
@@ -160,7 +160,7 @@ def test_ripples_are_not_attributed_to_the_boresight(off_deg):
     project, survey = scene_site.opened(off_deg)
     clouds = survey.clouds
     survey.__dict__["alignment"] = Alignment(clouds, clouds, 0.0, 0.0)
-    target = find_target(project, survey, click(scene_site, clouds), name="T1")
+    target = find_target(project, survey, clicked_point(scene_site, clouds), name="T1")
     for line, quality in assess_target(project, survey, target).items():
         assert quality.visible_share is None
         assert quality.rating == "poor", line

@@ -81,7 +81,7 @@ def test_a_mounting_that_moved_begins_a_new_series() -> None:
     assert control_limits(chart[0]) is None
 
 
-def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
+def write_survey(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
     project = with_lines_of_its_own(sample_project(folder))
     result = project.result
     assert result is not None
@@ -95,11 +95,11 @@ def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nord
 
 
 def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    surveyed(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
-    surveyed(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")
-    surveyed(tmp_path / "autumn", "2025-09-30", pitch_deg=0.3, vessel="nordlys ")
-    surveyed(tmp_path / "other", "2025-07-01", vessel="Aurora")
-    surveyed(tmp_path / "undated", "last summer")
+    write_survey(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
+    write_survey(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")
+    write_survey(tmp_path / "autumn", "2025-09-30", pitch_deg=0.3, vessel="nordlys ")
+    write_survey(tmp_path / "other", "2025-07-01", vessel="Aurora")
+    write_survey(tmp_path / "undated", "last summer")
     picture = tmp_path / "chart.png"
     found = run_json(capsys, "history", tmp_path, "--picture", picture)
     first, other = found["systems"]
@@ -139,7 +139,7 @@ def test_folders_without_a_history_are_refused(
     assert command_error("history", tmp_path / "gone").code == "history.no_folder"
     (tmp_path / "empty").mkdir()
     assert command_error("history", tmp_path / "empty").code == "history.no_project"
-    surveyed(tmp_path / "a", "2024-05-02")
+    write_survey(tmp_path / "a", "2024-05-02")
     assert command_error("history", tmp_path, "--vessel", "Fram").code == "history.none_of_vessel"
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
@@ -149,8 +149,8 @@ def test_folders_without_a_history_are_refused(
 
 
 def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
-    surveyed(tmp_path / "a", "2024-05-02")
-    surveyed(tmp_path / "b", "2025-05-02")
+    write_survey(tmp_path / "a", "2024-05-02")
+    write_survey(tmp_path / "b", "2025-05-02")
     from lispac.io.project.project_file import read_project
 
     opened = read_project(tmp_path / "b")
@@ -178,7 +178,7 @@ def test_the_time_axis_has_a_small_margin(days: tuple[int, ...]) -> None:
 
 
 def test_projects_without_result_or_system_name_are_reported(tmp_path: Path) -> None:
-    surveyed(tmp_path / "a", "2024-05-02", vessel="")
+    write_survey(tmp_path / "a", "2024-05-02", vessel="")
     dated = sample_project(tmp_path / "b")
     write_project(
         replace(dated, result=None, cross_checks=None, identity=Identity(dates="2025-05-02"))

@@ -21,16 +21,16 @@ def project(tmp_path: Path) -> Project:
     return sample_project(tmp_path)
 
 
-def unused(project: Project) -> set[tuple[str, str]]:
+def unused_sightings(project: Project) -> set[tuple[str, str]]:
     return {(t.name, s.line) for t in project.targets for s in t.sightings if not s.used}
 
 
 def test_excluding_a_line_affects_all_targets_and_no_validation_plane(project: Project) -> None:
     without = with_use_of_line(project, "L3", False)
-    assert unused(without) == {("T1", "L3"), ("T2", "L3")}
+    assert unused_sightings(without) == {("T1", "L3"), ("T2", "L3")}
     assert without.result is None
     again = with_use_of_line(without, "L3", True)
-    assert unused(again) == set()
+    assert unused_sightings(again) == set()
     assert [t.name for t in again.targets] == [t.name for t in project.targets]
 
 

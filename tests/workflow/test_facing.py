@@ -14,7 +14,7 @@ from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import picked
 
 
-def only(project: Project, *names: str) -> Project:
+def with_targets_only(project: Project, *names: str) -> Project:
     """The project with only these targets and without a result."""
     targets = tuple(replace(each, role="target") for each in project.targets if each.name in names)
     return replace(project, targets=targets, result=None, validation=())
@@ -26,7 +26,7 @@ def test_the_warning_agrees_with_the_refusal_of_the_estimate(
     project, survey = calibrated
     faces_one_way = {}
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
-        few = only(project, *names)
+        few = with_targets_only(project, *names)
         faces_one_way[names] = do_targets_face_one_way(few, survey)
         assert faces_one_way[names] == (
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
@@ -43,9 +43,9 @@ def test_one_target_or_an_accepted_orientation_gives_no_warning(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
-    one_orientation = only(project, "T1", "V1")
+    one_orientation = with_targets_only(project, "T1", "V1")
     assert do_targets_face_one_way(one_orientation, survey) != do_targets_face_one_way(
-        only(project, "T1"), survey
+        with_targets_only(project, "T1"), survey
     )
     accepted = one_orientation.with_settings(
         replace(one_orientation.settings, accept_single_orientation=True)

@@ -66,7 +66,7 @@ while True:
 """
 
 
-def killed(code: str, argument: Path, seconds: float | None) -> float:
+def run_and_kill(code: str, argument: Path, seconds: float | None) -> float:
     """Run code in a process of its own and kill it a given time after it is ready.
 
     Parameters
@@ -101,14 +101,14 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     line = Line(POINT_COUNT)
-    took = killed(IMPORT_SCRIPT, tmp_path / "whole", None)
+    took = run_and_kill(IMPORT_SCRIPT, tmp_path / "whole", None)
     whole = open_store(tmp_path / "whole", "L1").manifest
     moments = random.Random(7)
     counts = {"complete": 0, "interrupted while reading": 0, "while ordering": 0, "not imported": 0}
     for k in range(times):
         folder = tmp_path / f"L{k}"
         # The moments are spread over the whole import and shortly after it.
-        killed(IMPORT_SCRIPT, folder, 1.1 * took * (k + moments.random()) / times)
+        run_and_kill(IMPORT_SCRIPT, folder, 1.1 * took * (k + moments.random()) / times)
         ordering = bool(list(folder.glob("columns-*")))
         try:
             stored = open_store(folder, "L1")
@@ -180,7 +180,7 @@ def test_kill_during_a_repeated_import(tmp_path: Path, monkeypatch) -> None:
         monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     folder = tmp_path / "L1"
     write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)
-    killed(IMPORT_SCRIPT, folder, 0.3)
+    run_and_kill(IMPORT_SCRIPT, folder, 0.3)
     stored = open_store(folder, "L1")
     assert len(stored) in (30_000, POINT_COUNT)
     stored.require_sound()
@@ -212,7 +212,7 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
     moments = random.Random(3)
     outcomes = []
     for _ in range(times):
-        killed(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
+        run_and_kill(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
         found = read_project(tmp_path / "project").target("T1").sightings[0]
         half = found.rms == 0.002
         np.testing.assert_array_equal(found.indices, indices[:: 2 if half else 1])

@@ -186,7 +186,7 @@ def adjusted_with(
     return result
 
 
-def apart(first: AdjustmentResult, second: AdjustmentResult) -> np.ndarray:
+def normalised_differences(first: AdjustmentResult, second: AdjustmentResult) -> np.ndarray:
     """Return differences of roll, pitch, yaw over their combined sigmas."""
     return np.abs(first.boresight - second.boresight) / np.hypot(first.sigma, second.sigma)
 
@@ -323,7 +323,7 @@ def test_natural_planes_give_the_same_result_as_boards(
     for targets in (chosen, proposal.targets):
         result = adjusted_with(project, bare, targets)
         print(len(targets), np.degrees(result.boresight - truth), np.degrees(result.sigma))
-        assert (apart(result, project.result) < 2.5).all()
+        assert (normalised_differences(result, project.result) < 2.5).all()
         assert (np.abs(result.boresight - truth) < 3 * result.sigma).all()
 
 

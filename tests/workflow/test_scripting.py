@@ -38,7 +38,7 @@ def quay(demo_project: Project, tmp_path: Path) -> lispac.OpenProject:
     )
 
 
-def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
+def seed_targets(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
     for name in names:
         role, place = demo_seeds()[name]
         quay.seed(name, place, role=role)
@@ -74,7 +74,7 @@ def test_steps_give_the_results_of_the_command_line(
     capsys.readouterr()
     typed = lispac.open(folder)
 
-    seeded(quay, "T1", "T2", "V1")
+    seed_targets(quay, "T1", "T2", "V1")
     quay.estimate()
     (plane,) = quay.validate()
 
@@ -121,7 +121,7 @@ def test_the_example_of_the_manual_runs(language: str, pattern: str, tmp_path: P
 
 
 def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Path) -> None:
-    seeded(quay, "T1", "V1")
+    seed_targets(quay, "T1", "V1")
     before = quay.project
     quay.reject("T1", "L1_000")
     assert quay.project.target("T1").used_sightings[0].line == "L2_180"
@@ -152,7 +152,7 @@ def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Pa
 
 
 def test_a_point_of_a_line_can_be_a_seed(quay: lispac.OpenProject) -> None:
-    target = seeded(quay, "T1").project.target("T1")
+    target = seed_targets(quay, "T1").project.target("T1")
     sighting = target.sighting("L2_180")
     number = int(sighting.indices[len(sighting.indices) // 2])
     clicked = quay.seed("T1", point=("L2_180", number))

@@ -90,7 +90,7 @@ def dated(raw: Project, cloud: Callable[..., LineSource], tmp_path: Path) -> Pro
     return replace(raw, folder=tmp_path / "dated", lines=(cloud("one", 2023.5),))
 
 
-def apart(one: Path, two: Path) -> float:
+def largest_difference(one: Path, two: Path) -> float:
     """Return the largest difference of two clouds in metres."""
     return float(np.abs(laspy.read(one).xyz - laspy.read(two).xyz).max())
 
@@ -121,7 +121,7 @@ def test_lines_with_different_systems_are_not_exported_together(
         (done,) = georeference_project(
             project, tmp_path / "alone", "prior", lines=[line.name], ending="las"
         )
-        assert apart(done.path, line.path) < 2e-4
+        assert largest_difference(done.path, line.path) < 2e-4
 
 
 def test_an_epoch_without_effect_is_no_difference(
@@ -143,14 +143,14 @@ def test_a_code_is_exported_with_the_datum_of_the_lines(dated: Project, tmp_path
     for system in ("", NAD83):
         request = ExportRequest("lines", tmp_path / f"out{system[-4:]}", "prior", "las", system)
         (path,), notes = export(dated, survey, request)
-        assert apart(path, source) < 2e-4
+        assert largest_difference(path, source) < 2e-4
         assert any(each.params.get("datum") == "ITRF2014" for each in notes)
     found = output_system_of(dated, survey.trajectory, NAD83)  # the same for targets
     assert found is not None
     assert any(each.params.get("datum") == "ITRF2014" for each in found.assumptions)
     request = ExportRequest("lines", tmp_path / "none", "prior", "las", NAD83, trajectory_datum="")
     (path,), notes = export(dated, survey, request)  # an empty datum requests no transformation
-    assert apart(path, source) > 1.0
+    assert largest_difference(path, source) > 1.0
     assert "assumed.datum" in {each.code for each in notes}
 
 
@@ -166,7 +166,7 @@ def test_lines_of_two_datums_need_a_given_one(
         project, tmp_path / "out", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2023.5,
         ending="las",
     )  # fmt: skip
-    assert apart(done[0].path, lines[0].path) < 2e-4
+    assert largest_difference(done[0].path, lines[0].path) < 2e-4
 
 
 def test_an_epoch_is_used_or_refused(
@@ -177,8 +177,8 @@ def test_an_epoch_is_used_or_refused(
         dated, tmp_path / "p", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2010.0,
         ending="las",
     )  # fmt: skip
-    assert apart(moved.path, other.path) == 0
-    assert 0.1 < apart(moved.path, dated.lines[0].path) < 0.5
+    assert largest_difference(moved.path, other.path) == 0
+    assert 0.1 < largest_difference(moved.path, dated.lines[0].path) < 0.5
     trajectory, _ = local_trajectory(raw)
     for system, epoch, code in (
         (UTM, 2020.5, "export.epoch_without_datum"),

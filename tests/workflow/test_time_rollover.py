@@ -46,7 +46,7 @@ def survey_about(folder: Path, period: float, order: str = "sorted") -> tuple[Pa
     return folder / "pos.sbet", write_line(folder / "L.las", times)
 
 
-def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B008
+def make_project(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B008
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
         settings=Settings(lever_arm=LEVER),
@@ -57,7 +57,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B00
 @pytest.mark.parametrize("period", [DAY, WEEK])
 def test_no_point_is_lost_in_import_and_export(period: float, order: str, tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, period, order)
-    project, survey = made(tmp_path / "p", track, line)
+    project, survey = make_project(tmp_path / "p", track, line)
     times = np.sort(survey.scans["L"].time)
     assert times == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
     assert ("import.times_restart", period) in [
@@ -104,7 +104,9 @@ def test_a_rollover_is_found_from_two_times() -> None:
 
 def test_an_option_sets_or_disables_the_rollover(tmp_path: Path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    _, survey = made(tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),)))
+    _, survey = make_project(
+        tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),))
+    )
     assert survey.scans["L"].time.max() < WEEK
     assert len(survey.scans["L"]) < 2000
     later = write_line(tmp_path / "later.las", np.linspace(1, 15, 3000))
@@ -225,7 +227,7 @@ def test_a_sorted_trajectory_needs_a_line_without_resolved_rollover(tmp_path: Pa
     track, line = survey_about(tmp_path, DAY)
     records = np.fromfile(track).reshape(-1, 17)
     write_records(track, records[np.argsort(records[:, 0])])
-    _, survey = made(tmp_path / "p", track, line)
+    _, survey = make_project(tmp_path / "p", track, line)
     assert "import.restart_not_needed" in codes(survey.notes)
-    _, survey = made(tmp_path / "q", track, line, Reading("", (("time_rollover", "none"),)))
+    _, survey = make_project(tmp_path / "q", track, line, Reading("", (("time_rollover", "none"),)))
     assert len(survey.scans["L"]) > 2990

@@ -25,7 +25,7 @@ from tests.support.few_lines import picked
 from tests.support.report_sample import sample_content, sample_project
 
 
-def coded(project: Project, **named) -> dict[str, Message]:
+def messages_by_code(project: Project, **named) -> dict[str, Message]:
     """Return the last message of each code."""
     return {each.code: each for each in warnings_of(project, None, **named)}
 
@@ -88,7 +88,7 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
 
 def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
-    by_code = coded(sample_project(tmp_path), refused_since=reason)
+    by_code = messages_by_code(sample_project(tmp_path), refused_since=reason)
     assert by_code["adjustment.refused_since"] == outdated_result_warning(reason)
     assert outdated_result_warning(reason).level is Level.WARNING
     assert outdated_result_warning(reason).subject == Cause("result")
@@ -104,7 +104,7 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
         sightings=tuple(s for s in target.sightings if s.line != line),
         missing={line: error("finder.line_no_points", radius=4.5)},
     )
-    assert coded(project.with_target(without))["project.not_found_on_line"] == note(
+    assert messages_by_code(project.with_target(without))["project.not_found_on_line"] == note(
         "project.not_found_on_line",
         target=target.name, line=line, reason=error("finder.line_no_points", radius=4.5),
         subject=Cause.of_sighting(target.name, line),
@@ -124,7 +124,7 @@ def test_duplicate_points_have_the_place_as_cause(tmp_path: Path) -> None:
     edited = replace(project, targets=())
     for each in duplicates:
         edited = edited.with_target(each)
-    found = coded(edited)["targets.counted_twice"]
+    found = messages_by_code(edited)["targets.counted_twice"]
     assert found.subject == Cause.of_sighting("A", project.lines[1].name)
 
 
@@ -143,7 +143,7 @@ def test_a_result_dropped_by_an_edit_is_reported(
     """Only after there was a result, and until there is another."""
     project = sample_project(tmp_path)
     project = project if estimated else replace(project, result=None, validation=())
-    found = coded(project, outdated=is_outdated).get("project.out_of_date")
+    found = messages_by_code(project, outdated=is_outdated).get("project.out_of_date")
     expected = note("project.out_of_date", subject=Cause.of_step("Adjust"))
     assert found == (expected if is_outdated and not estimated else None)
 
@@ -151,11 +151,11 @@ def test_a_result_dropped_by_an_edit_is_reported(
 def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> None:
     project = replace(sample_project(tmp_path), result=None, validation=())
     code = "project.single_target"
-    assert code not in coded(project)
+    assert code not in messages_by_code(project)
     alone = replace(
         project, targets=(replace(project.targets[0], used=False), *project.targets[1:])
     )
-    assert coded(alone)[code] == note(code, subject=Cause.of_target("T2"))
+    assert messages_by_code(alone)[code] == note(code, subject=Cause.of_target("T2"))
 
 
 def test_planes_that_could_not_be_compared_are_reported_with_the_reason(
