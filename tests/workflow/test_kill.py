@@ -231,7 +231,7 @@ main(sys.argv[1:])
 
 
 def command_killed(words: list[str], seconds: float | None) -> float:
-    """Run a command in a process of its own and kill it after a time; see `killed`."""
+    """Run a command in a process of its own and kill it after a time; see `run_and_kill`."""
     with subprocess.Popen(
         [sys.executable, "-c", COMMAND_SCRIPT, *words],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=CHECKOUT,
