@@ -49,7 +49,7 @@ def run_json(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, An
     return json.loads(out)  # type: ignore[no-any-return]
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     """Run a command that must be refused: exit 1, one line, nothing on stdout."""
     code, out, err = run(capsys, *words)
     assert code == 1, (code, out, err)
@@ -119,7 +119,7 @@ def test_all_commands_from_raw_files_to_the_report(
     words = ("--distance-to", "quadric", "--neighbours", 20)
     (bent,) = run_json(capsys, "validate", project, *words)["validation"]
     assert bent["model"] == {"kind": "quadric", "neighbours": 20, "radius_m": None}
-    assert "at least 3 neighbouring" in refused(capsys, "validate", project, "--neighbours", 2)
+    assert "at least 3 neighbouring" in run_refused(capsys, "validate", project, "--neighbours", 2)
     planes = run_json(capsys, "validate", project)["validation"]
     assert [plane["name"] for plane in planes] == ["V1"]
     assert planes[0]["model"]["kind"] == "plane"
@@ -170,7 +170,7 @@ def test_one_plane_file_is_refused_unless_accepted(
 ) -> None:
     plane = shared_data / "prototype/a/plane2.txt"
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
-    assert "--accept-single-orientation" in refused(capsys, *words)
+    assert "--accept-single-orientation" in run_refused(capsys, *words)
     assert "adjustment.only_plane" in codes_of(command_error(*words))
     numbers = run_json(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
     assert "is the only target" in numbers["observability"]["messages"][-1]
@@ -285,7 +285,7 @@ def test_bad_input_is_refused_and_no_project_is_left(
     words = new_words(tmp_path / "project", folder, line)
     failure = command_error(*words)
     assert code in codes_of(failure)
-    assert str(failure) in refused(capsys, *words)
+    assert str(failure) in run_refused(capsys, *words)
     assert not (tmp_path / "project").exists()
 
 
@@ -307,8 +307,8 @@ def test_a_refused_pick_does_not_change_the_project(
     project = tmp_path / "project"
     run_json(capsys, *new_words(project, raw, one_line(raw)))
     before = (project / "project.json").read_bytes()
-    refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
-    refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
+    run_refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
+    run_refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
     assert (project / "project.json").read_bytes() == before
     # With one line the target is found, but there is nothing to compare it with.
     run_json(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")

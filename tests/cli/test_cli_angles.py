@@ -43,7 +43,7 @@ def printed_json(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     return out
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -> str:
     got, out, err = run(capsys, *words)
     assert (got, out) == (code, ""), (got, out, err)
     assert err.count("\n") == 1
@@ -217,28 +217,28 @@ def test_refusals(capsys, tmp_path: Path) -> None:
         "1 0 0 nan  0 1 0 0  0 0 1 0  0 0 0 1": "NaN or infinite",
     }.items():
         file.write_text(text)
-        assert words in refused(capsys, "--from-matrix", file)
-    assert "No such file" in refused(capsys, "--from-matrix", tmp_path / "none.txt")
+        assert words in run_refused(capsys, "--from-matrix", file)
+    assert "No such file" in run_refused(capsys, "--from-matrix", tmp_path / "none.txt")
     refused_with("survey.unknown_program", "angles", 1, 2, 3, "--to", "posmv", name="posmv")
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
-    assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
-    assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
+    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
+    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--from", "riprocess")
+    assert "left-handed" in run_refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
+    assert "not a direction" in run_refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
                                         "ahead", "port", "up")  # fmt: skip
     assert command_error("angles", tmp_path).code == "project.not_found"
 
 
 def test_wrong_usage(capsys, tmp_path: Path) -> None:
-    assert "three angles" in refused(capsys, 1, 2, code=2)
-    assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
-    assert "finite" in refused(capsys, 1, "inf", 3, code=2)
-    assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
-    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever-arm", 1, 2, 3, code=2)
-    assert "give only one of" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
+    assert "three angles" in run_refused(capsys, 1, 2, code=2)
+    assert "three numbers" in run_refused(capsys, 1, "two", 3, code=2)
+    assert "finite" in run_refused(capsys, 1, "inf", 3, code=2)
+    assert "--current" in run_refused(capsys, 1, 2, 3, "--current-applied", code=2)
+    assert "contains its lever arm" in run_refused(capsys, tmp_path, "--lever-arm", 1, 2, 3, code=2)
+    assert "give only one of" in run_refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
-    assert "have not been estimated" in refused(capsys, demo_project.folder, "--to", "applanix")
+    assert "have not been estimated" in run_refused(capsys, demo_project.folder, "--to", "applanix")
 
 
 def printed_matrix(capsys, angles, *words) -> list[float]:
@@ -317,8 +317,8 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
 
 def test_an_invalid_present_matrix_is_refused(capsys, tmp_path: Path) -> None:
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
-    assert "Give 9 numbers" in refused(capsys, *words, 1, 0, 0)
-    assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
-    assert "give only one of" in refused(
+    assert "Give 9 numbers" in run_refused(capsys, *words, 1, 0, 0)
+    assert "not a rotation" in run_refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
+    assert "give only one of" in run_refused(
         capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2
     )

@@ -18,7 +18,7 @@ from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import refused, run, run_json
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.command_errors import command_error
 from tests.support.narrow_site import narrow_site
 
@@ -115,7 +115,7 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
 def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5.0 minutes available" in refused(capsys, "design", site)
+    assert "longer than the 5.0 minutes available" in run_refused(capsys, "design", site)
 
 
 def test_replay_of_the_built_in_survey(

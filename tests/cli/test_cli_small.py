@@ -32,7 +32,7 @@ from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import import_workflow, refused, run, run_json
+from tests.cli.test_cli import import_workflow, run, run_json, run_refused
 from tests.support.report_sample import sample_project
 from tests.support.sharing import make_once
 from tests.validation.test_absolute_warnings import check as against_reference
@@ -388,7 +388,7 @@ def test_methods_without_a_result_are_noted_with_the_reason(
     assert err.count("not run yet") == 3
     bare = replace(project, result=None)
     write_project(bare)
-    assert "or --compute" in refused(capsys, "compare", project.folder)
+    assert "or --compute" in run_refused(capsys, "compare", project.folder)
 
 
 def test_the_trajectory_is_exported_as_text(

@@ -37,7 +37,7 @@ def done(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     return out
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     code, _, err = run(capsys, *words)
     assert code == 1
     assert err.count("\n") == 1
@@ -258,7 +258,7 @@ def test_unsuitable_trajectories_are_not_replayed(
         ),
     ):
         scene.write_text(text)
-        assert reason in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
+        assert reason in run_refused(capsys, "simulate", scene, "--output", tmp_path / "no")
         assert not (tmp_path / "no").exists()
     refusal = command_error(
         "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output", tmp_path / "no"
@@ -280,7 +280,7 @@ def test_wrong_options_of_simulate_are_reported(
         ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
         ("--scan-angle-offset", 400, "scan-angle offset of 400 deg is larger than 180 deg"),
     ):  # fmt: skip
-        printed = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
+        printed = run_refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
         assert reason in printed
     hurried = tmp_path / "hurried.toml"
     hurried.write_text(
@@ -288,7 +288,7 @@ def test_wrong_options_of_simulate_are_reported(
         .read_text()
         .replace("ramp_s = 4", "ramp_s = 1\nwait_s = 1")
     )
-    printed = refused(
+    printed = run_refused(
         capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
         tmp_path / "a", "--points-per-second", 5_000,
     )  # fmt: skip
@@ -346,8 +346,8 @@ def test_a_failed_simulation_keeps_the_earlier_one(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr("lispac.workflow.planning.simulate.write_smrmsg", full)
-    refused(capsys, *words, tmp_path / "survey", "--seed", 7)
-    refused(capsys, *words, tmp_path / "new" / "survey")
+    run_refused(capsys, *words, tmp_path / "survey", "--seed", 7)
+    run_refused(capsys, *words, tmp_path / "new" / "survey")
     after = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     assert after == before
     assert not (tmp_path / "new").exists()
@@ -375,5 +375,5 @@ def test_vessels_with_impossible_pos_errors_are_refused(
     assert old in sound
     vessel = tmp_path / "vessel.toml"
     vessel.write_text(sound.replace(old, new, 1), encoding="utf-8")
-    refused(capsys, "simulate", "port", "--vessel", vessel, "--output", tmp_path / "survey")
+    run_refused(capsys, "simulate", "port", "--vessel", vessel, "--output", tmp_path / "survey")
     assert not (tmp_path / "survey").exists()

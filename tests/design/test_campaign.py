@@ -33,7 +33,7 @@ from lispac.workflow.planning.cluster import cluster_mapper
 from lispac.workflow.planning.cluster_access import ClusterAccess
 from lispac.workflow.planning.parallel_map import choose_mapper, chunk_size, process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading
-from tests.cli.test_cli import refused, run, run_json
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.studies.prediction_study import PLAN
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
@@ -334,7 +334,7 @@ def test_a_missing_package_is_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
-    refusal = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
+    refusal = run_refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
     assert "pip install -e '.[cluster]'" in refusal
     with choose_mapper(1, None) as mapper:
         assert mapper is map
@@ -511,7 +511,7 @@ def test_plain_tcp_to_other_computers_requires_an_option(
     address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 0.2)
-    assert "--plain-tcp" in refused(capsys, "campaign", PORT, "--cluster", address)
+    assert "--plain-tcp" in run_refused(capsys, "campaign", PORT, "--cluster", address)
     assert ClusterAccess(address, plain_tcp=True).is_open
     code, _, err = run(capsys, "campaign", PORT, "--plain-tcp")
     assert code == 2

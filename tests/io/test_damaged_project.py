@@ -26,7 +26,7 @@ Damage = Callable[[dict[str, Any]], object]
 JARGON = ("Error", "delimiter", "object", "NoneType", "subscript", "convert", "cattrs", "codec")
 
 
-def refused(folder: Path) -> ProjectError:
+def opening_error(folder: Path) -> ProjectError:
     with pytest.raises(ProjectError) as caught:
         read_project(folder)
     text = str(caught.value)
@@ -87,21 +87,21 @@ def test_a_wrong_value_is_refused_with_the_reason(
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     damage(content)
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-    assert reason_of(refused(folder)) == reason
+    assert reason_of(opening_error(folder)) == reason
 
 
 def test_a_file_that_is_cut_short_is_refused(folder: Path) -> None:
     text = (folder / PROJECT_FILE_NAME).read_text()
     (folder / PROJECT_FILE_NAME).write_text(text[: len(text) // 2])
     line = text[: len(text) // 2].count("\n") + 1
-    reason = reason_of(refused(folder))
+    reason = reason_of(opening_error(folder))
     assert reason.code == "content.not_json"
     assert reason.params["line"] in (line - 1, line)
 
 
 def test_a_file_that_is_not_text_is_refused(folder: Path) -> None:
     (folder / PROJECT_FILE_NAME).write_bytes(b"\xff\xfe\x00\xd8" * 10)
-    assert reason_of(refused(folder)) == error("content.not_utf8")
+    assert reason_of(opening_error(folder)) == error("content.not_utf8")
 
 
 def test_a_read_error_of_the_drive_is_reported(
@@ -175,7 +175,7 @@ def test_duplicate_names_are_refused(folder: Path, kind: str) -> None:
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     content[kind][1]["name"] = content[kind][0]["name"]
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-    assert reason_of(refused(folder)).code == f"content.duplicate_{kind[:-1]}"
+    assert reason_of(opening_error(folder)).code == f"content.duplicate_{kind[:-1]}"
 
 
 @pytest.mark.parametrize(
@@ -204,7 +204,7 @@ def test_values_that_only_a_manual_edit_can_cause_are_refused(
             inner = inner[int(name) if name.isdigit() else name]
         inner[last] = value
         (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-        refused(folder)
+        opening_error(folder)
 
 
 def test_messages_that_cannot_be_shown_are_skipped(folder: Path) -> None:

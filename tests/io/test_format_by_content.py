@@ -30,7 +30,7 @@ from lispac.messages import error
 from lispac.project import LineSource
 from lispac.workflow.importing.file_reading import check_file, format_of_line
 from lispac.workflow.importing.line_chunks import LineChunks
-from tests.cli.test_cli import refused, run
+from tests.cli.test_cli import run, run_refused
 from tests.support import point_files as files
 from tests.support.input_file_samples import write_survey
 from tests.support.static_scans import write_pts
@@ -215,11 +215,11 @@ def test_compressed_files_are_refused_with_a_suggestion(
     packed = folder / "packed.laz"
     for source in (lines, trajectory):
         packed.write_bytes(pack(source.read_bytes()))
-        refusal = refused(capsys, "inspect", packed)
+        refusal = run_refused(capsys, "inspect", packed)
         assert packing in refusal
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
-    assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)
-    assert packing in refused(capsys, *new, lines, "--trajectory", packed)
+    assert packing in run_refused(capsys, *new, packed, "--trajectory", trajectory)
+    assert packing in run_refused(capsys, *new, lines, "--trajectory", packed)
     for read in (open_static_scan, read_point_list):
         with pytest.raises(InputError) as raised:
             read(packed)

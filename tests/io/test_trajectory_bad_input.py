@@ -48,7 +48,7 @@ def write_valid(key: str, path: Path) -> Path:
     return path
 
 
-def refused(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
+def refusal_text(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
     """Return code and text of the error of `error_of`."""
     error = error_of(key, path, choice)
     return f"{error.code} {error}".lstrip()
@@ -96,7 +96,7 @@ def test_missing_and_empty_files_and_folders_are_refused(tmp_path: Path, key: st
     (tmp_path / "empty").touch()
     for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "file.folder")):
         path = tmp_path / name
-        assert re.search(words, refused(key, path))
+        assert re.search(words, refusal_text(key, path))
         assert format_of(key).sniff(path) == 0
         examine(key, path)
 
@@ -105,7 +105,7 @@ def test_missing_and_empty_files_and_folders_are_refused(tmp_path: Path, key: st
 def test_truncated_binary_files_are_refused(tmp_path: Path, key: str) -> None:
     path = write_valid(key, tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
-    assert "file.partial_record" in refused(key, path)
+    assert "file.partial_record" in refusal_text(key, path)
     assert "file.partial_record" in codes(format_of(key).preview(path, {}).file_warnings)
     assert recognise_formats(path, format_of(key).kind)[0][0].key == key
 
@@ -115,7 +115,7 @@ def test_truncated_text_names_the_row(tmp_path: Path, key: str) -> None:
     path = write_valid(key, tmp_path / "a.txt")
     path.write_text(path.read_text()[:-75])
     rows = len(path.read_text().splitlines())
-    assert f"row {rows}: " in refused(key, path)
+    assert f"row {rows}: " in refusal_text(key, path)
     assert any(
         each.params.get("row") == rows for each in format_of(key).preview(path, {}).file_warnings
     )
@@ -136,7 +136,7 @@ def test_files_of_other_content_are_refused(tmp_path: Path, key: str) -> None:
         path = tmp_path / name
         path.write_bytes(content)
         assert format_of(key).sniff(path) < 0.7, name
-        refused(key, path)
+        refusal_text(key, path)
         examine(key, path)
 
 
@@ -200,7 +200,7 @@ SBET_CODES: dict[str, tuple[Callable[[np.ndarray], None], str, dict[str, object]
 def test_changed_sbet_records_are_read_refused_or_reported(tmp_path: Path, case: str) -> None:
     change, words = SBET_OUTCOMES[case]
     path = records_with(change)(tmp_path / "a.sbet")
-    assert re.search(words, refused("sbet", path))
+    assert re.search(words, refusal_text("sbet", path))
     examine("sbet", path)
 
 
@@ -217,7 +217,7 @@ def test_impossible_states_of_an_sbet_are_refused(tmp_path: Path, case: str) -> 
 
 def test_an_sbet_of_the_other_byte_order(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(200), order=">")
-    refused("sbet", path)
+    refusal_text("sbet", path)
     assert "sbet.big_endian" in codes(format_of("sbet").preview(path, {}).file_warnings)
 
 
@@ -263,7 +263,7 @@ def test_a_value_that_is_not_a_number_is_refused(
 ) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value or "-"))
     row = len(path.read_text().splitlines()) - 2
-    assert f"row {row}: " in refused(key, path)
+    assert f"row {row}: " in refusal_text(key, path)
 
 
 @pytest.mark.parametrize(
@@ -279,7 +279,7 @@ def test_backward_times_in_text_are_reported(
 ) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value))
     row = len(path.read_text().splitlines()) - 2
-    refusal = refused(key, path)
+    refusal = refusal_text(key, path)
     assert "file.time_order_row" in refusal
     assert f"row {row} " in refusal
     assert "0 repeated and 1 decreasing times among 200" in refusal
@@ -392,7 +392,7 @@ def test_a_file_without_permission_is_refused(tmp_path: Path) -> None:
         path.read_bytes()
     except PermissionError:
         for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS):
-            assert "permission" in refused(format.key, path)
+            assert "permission" in refusal_text(format.key, path)
             assert format.sniff(path) == 0
     else:
         pytest.skip("this user may read everything")

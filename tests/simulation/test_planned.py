@@ -8,7 +8,7 @@ import pytest
 from lispac.simulation.scene import Sphere
 from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
 from lispac.workflow.project.projects import open_project
-from tests.cli.test_cli import refused, run, run_json
+from tests.cli.test_cli import run, run_json, run_refused
 
 PORT_PLAN = Path(__file__).parents[1] / "data" / "port-plan.toml"
 
@@ -56,7 +56,7 @@ def test_files_that_are_not_plans_and_wrong_options_are_reported(
     outcome = run(capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--scanner", "zf-9012")
     assert outcome[0] == 2
     assert "a survey plan contains its scanner and lines" in outcome[2]
-    assert "no vessel named" in refused(
+    assert "no vessel named" in run_refused(
         capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--vessel", "raft"
     )
 

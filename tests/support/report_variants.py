@@ -162,7 +162,7 @@ def content_of_sample(project: Project) -> ReportContent:
         parts = tuple(
             replace(p, reason=p.reason and note("cross_check.no_common_target"))
             if p.kind != "half"
-            else replace(p, boresight=None, reason=_refused())
+            else replace(p, boresight=None, reason=_refusal_message())
             for p in (project.cross_checks.parts if project.cross_checks else ())
         )
         checks = project.cross_checks and replace(project.cross_checks, parts=parts)
@@ -172,7 +172,7 @@ def content_of_sample(project: Project) -> ReportContent:
     return replace(sample_content(project), notes=NOTES)
 
 
-def _refused() -> Message:
+def _refusal_message() -> Message:
     return error(
         "adjustment.undetermined_because",
         direction=note(

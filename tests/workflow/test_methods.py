@@ -19,7 +19,7 @@ from lispac.project import Project, Settings
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import refused, run, run_json
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.report_sample import sample_project
 
 
@@ -166,7 +166,7 @@ def test_compare_command(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> 
     write_project(
         replace(project, result=None, alternative_results=(), validation=(), absolute=None)
     )
-    assert "(lispac estimate p, or --compute)" in refused(capsys, "compare", tmp_path / "p")
+    assert "(lispac estimate p, or --compute)" in run_refused(capsys, "compare", tmp_path / "p")
 
 
 def test_compare_with_compute_runs_and_saves_the_methods(

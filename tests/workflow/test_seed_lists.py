@@ -45,7 +45,7 @@ def rows(*names: str, offset: float = 0.0) -> str:
     )
 
 
-def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
     """Pick from a list that must be refused: exit 1, one line, and an unchanged project."""
     path = folder.parent / "targets.txt"
     path.write_text(text)
@@ -119,14 +119,16 @@ def test_a_list_with_errors_is_refused_as_a_whole(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     good = rows("T1")
-    assert "row 2: the row has 2 columns" in refused(capsys, folder, good + "T2;1\n")
-    assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
-    far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
+    assert "row 2: the row has 2 columns" in run_refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: the name T1 is already in row 1" in run_refused(
+        capsys, folder, good + "T1;1;2;3\n"
+    )
+    far = run_refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
     assert "km from the trajectory" in far
-    assert "columns are missing: z" in refused(capsys, folder, good, "--columns", "name,x,y")
-    none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
+    assert "columns are missing: z" in run_refused(capsys, folder, good, "--columns", "name,x,y")
+    none = run_refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
     assert "at any of the 2 seeds. A (row 1): " in none
 
 
@@ -140,7 +142,7 @@ def test_an_existing_name_is_refused_or_replaced(
     name_error = error(
         "pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1"
     )
-    assert message_text(name_error) in refused(capsys, folder, again)
+    assert message_text(name_error) in run_refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)
