@@ -99,7 +99,7 @@ def test_conversion_there_and_back_gives_the_same_angles(capsys) -> None:
     for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
         there = run_json(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
         back = run_json(capsys, *there["angles_deg"].values(), "--lever-arm", *there["lever_arm_m"],
-                      "--from", key)["to"]  # fmt: skip
+                        "--from", key)["to"]  # fmt: skip
         assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
         assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
 
@@ -224,7 +224,7 @@ def test_refusals(capsys, tmp_path: Path) -> None:
     assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--from", "riprocess")
     assert "left-handed" in run_refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
     assert "not a direction" in run_refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
-                                        "ahead", "port", "up")  # fmt: skip
+                                            "ahead", "port", "up")  # fmt: skip
     assert command_error("angles", tmp_path).code == "project.not_found"
 
 

@@ -62,7 +62,7 @@ def test_all_given_lines_are_edited_and_an_empty_selection_changes_nothing(
     less, count = without_points(target, survey.clouds, lambda p: p[:, 2] > np.median(p[:, 2]))
     assert all(sighting.by_hand for sighting in less.sightings)
     removed = [len(a.indices) - len(b.indices)
-            for a, b in zip(target.sightings, less.sightings, strict=True)]  # fmt: skip
+               for a, b in zip(target.sightings, less.sightings, strict=True)]  # fmt: skip
     assert sum(removed) == count
     assert min(removed) > 0
     same, none = without_points(target, survey.clouds, lambda p: np.zeros(len(p), bool))

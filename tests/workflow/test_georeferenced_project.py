@@ -165,7 +165,7 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
     known = states()
     kept = (known.time < 400_020) | (known.time > 400_023)
     with_gap = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
-                      known.height[kept], known.attitude[kept])  # fmt: skip
+                          known.height[kept], known.attitude[kept])  # fmt: skip
     write_sbet(tmp_path / "sbet.out", with_gap)
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
     time = np.array(raw.gps_time)[60:] + 18.0 + MOUNTING.latency
