@@ -222,7 +222,7 @@ def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
         push(hands, then)
     press(hands, Key.Key_O, Control)
     hands.until(lambda: hands.window.document.project is not None)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 
