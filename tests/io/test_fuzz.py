@@ -41,7 +41,7 @@ from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
 from lispac.targets.finder_settings import FinderChoices
 from lispac.workflow.output.report_options import report_options
-from tests.io.test_trajectory_bad_input import anything, good
+from tests.io.test_trajectory_bad_input import anything, write_valid
 from tests.simulation.test_meshes import write_mesh
 from tests.support import point_files
 from tests.support.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
@@ -99,7 +99,7 @@ def of_format(key: str) -> Subject:
                 if format == key
             ]
         else:
-            made = point_files.cidco if key.startswith("cidco") else partial(good, key)
+            made = point_files.cidco if key.startswith("cidco") else partial(write_valid, key)
             sound = [made(folder / "sound")]
         path = folder / f"any{sound[0].suffix}"
 
@@ -167,7 +167,7 @@ def columns_of(key: str) -> Subject:
 
     def subject(folder: Path) -> tuple[Sources, Attempt]:
         named = key == "text"
-        path = point_files.text(folder / "a.csv") if named else good(key, folder / "a.txt")
+        path = point_files.text(folder / "a.csv") if named else write_valid(key, folder / "a.txt")
         roles = [
             "time", "date", "x", "y", "z", "latitude", "longitude", "easting", "height",
             "sea_height", "roll", "pitch", "heading", "sroll", "-", "", "intensity",
