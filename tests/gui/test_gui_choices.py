@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:
@@ -60,7 +60,7 @@ def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    dialogs = answer_next_dialog(picked, use_dialog)
+    dialogs = use_next_dialog(picked, use_dialog)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
     assert dialogs

@@ -34,7 +34,7 @@ def proposal(demo: Demo) -> Proposal:
     return propose_targets(demo.project, demo.survey)
 
 
-def answer_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
+def use_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
     """Call ``use_dialog`` with the next modal dialogue."""
 
     def inspect_window() -> None:
@@ -64,7 +64,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
-    answer_next_dialog(opened, use_dialog)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.targets.propose)
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
@@ -103,7 +103,7 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     before = opened.project
-    answer_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
+    use_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
     click(opened, opened.window.targets.propose)
     opened.rest()
     assert opened.project is before
@@ -174,7 +174,7 @@ def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    answer_next_dialog(driver, use_dialog)
+    use_next_dialog(driver, use_dialog)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project

@@ -22,7 +22,7 @@ from lispac.gui.widgets import ChoiceBox
 from lispac.identity import FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
 
 REPORT_STEP = 4
@@ -44,7 +44,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    answer_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
         f"the {name}" for name in FIELD_NAMES
@@ -76,7 +76,7 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(opened, use_dialog)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
@@ -170,7 +170,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
-    answer_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, panel.preview)
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
@@ -193,7 +193,7 @@ def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: 
         assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.script_runs import run, same_part
 
 DialogAction = Callable[[QWidget], None]
@@ -25,7 +25,7 @@ def shown_script(driver: Driver, use_dialog: DialogAction = lambda dialog: None)
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
         use_dialog(dialog)
 
-    answer_next_dialog(driver, inspect_dialog)
+    use_next_dialog(driver, inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()

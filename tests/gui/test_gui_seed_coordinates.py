@@ -19,7 +19,7 @@ TARGETS_STEP = 1
 T1 = demo_seeds()["T1"][1]
 
 
-def answer_next_dialog(
+def use_next_dialog(
     driver: Driver, use_dialog: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
     """Call ``use_dialog`` with the next modal dialogue; its errors fail the test."""
@@ -73,7 +73,7 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    dialogs = answer_next_dialog(opened, use_dialog)
+    dialogs = use_next_dialog(opened, use_dialog)
     press(opened, Key.Key_F3)
     opened.rest()
     assert len(dialogs) == 1
@@ -116,7 +116,7 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    dialogs = answer_next_dialog(picked, use_dialog)
+    dialogs = use_next_dialog(picked, use_dialog)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
@@ -156,7 +156,7 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
         assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    answer_next_dialog(opened, use_dialog)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.targets.type_seed)
     opened.rest()
     candidate = opened.window.controller.candidate
@@ -178,7 +178,7 @@ def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> N
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    answer_next_dialog(picked, use_dialog)
+    use_next_dialog(picked, use_dialog)
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     candidate = picked.window.controller.candidate

@@ -28,7 +28,7 @@ Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
-def answer_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
+def use_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
     """Call ``inspect_dialog`` with the next dialogue and close it with a key; errors fail the test.
 
     Enter presses the button that was clicked last, if any.
@@ -89,7 +89,7 @@ def test_the_open_result_is_compared_with_earlier_calibrations(
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
     adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
-    answer_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
+    use_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
 
 
 def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
@@ -121,7 +121,7 @@ def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
     action = adjusted.window.actions_["subsampling"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project
 
 
@@ -156,8 +156,8 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         assert len(dialog.canvas.figure.axes) == 1
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answer_next_dialog(adjusted, use_dialog)
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert len(dialogs) == 2
     stack = adjusted.window.document.undo_stack
     assert stack.undoText() == "check against tripod.txt"
@@ -171,7 +171,7 @@ def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Pat
         dialog.file.setText(str(tmp_path / "gone.laz"))
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answer_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, use_dialog)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
     assert "gone.laz" in str(error)
@@ -193,7 +193,7 @@ def test_the_error_budget_is_shown(adjusted: Driver) -> None:
         assert dialog.table.item(rows["Lever arm"], 1).text() == "not given"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
 
 
 def test_the_visibility_study_is_shown_and_copied(
@@ -244,7 +244,7 @@ def test_the_visibility_study_is_shown_and_copied(
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(driver, inspect_dialog, Key.Key_Escape)
+    use_next_dialog(driver, inspect_dialog, Key.Key_Escape)
 
 
 def test_studies_of_a_result_are_disabled_without_targets(opened: Driver) -> None:
@@ -276,5 +276,5 @@ def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
     action = adjusted.window.actions_["line_quality"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project
