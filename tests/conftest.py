@@ -66,8 +66,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     gc.freeze()
     try:
         ended = yield
-        if left := find_leaks():
-            _fail(item, "left behind: " + ", ".join(left))
+        if leaks := find_leaks():
+            _fail(item, "left behind: " + ", ".join(leaks))
         return ended
     finally:
         gc.enable()
@@ -125,8 +125,8 @@ def printed_demo(
 
     def run_demo(folder: Path) -> tuple[Path, int, str, str]:
         shutil.copytree(demo_project.folder, folder)
-        left = b"left by an earlier run, which the next one replaces"
-        (folder / "raw" / "L1_000.laz").write_bytes(left)
+        old_file = b"left by an earlier run, which the next one replaces"
+        (folder / "raw" / "L1_000.laz").write_bytes(old_file)
         with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()

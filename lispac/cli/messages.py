@@ -4,6 +4,7 @@ import sys
 from collections.abc import Iterable
 from typing import TextIO
 
+from lispac.language import to_plain_text
 from lispac.message_texts import action_text, message_text
 from lispac.messages import Action, Message
 
@@ -39,13 +40,16 @@ def option_hint(message: Message | None) -> str:
     return next(filter(None, map(option_hint, parts)), "")
 
 
+def console_text(message: Message) -> str:
+    """Text of a message with characters that every terminal shows."""
+    return to_plain_text(message_text(message))
+
+
 def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> None:
     """Print each message with its level and its suggested options, on stderr by default."""
-    from lispac.language import to_plain_text
-
     file = file or sys.stderr
     for message in messages:
-        print(f"{message.level}: {to_plain_text(message_text(message))}", file=file)
+        print(f"{message.level}: {console_text(message)}", file=file)
         if option := option_hint(message):
             print(f"    {option}", file=file)
         for action in message.actions:

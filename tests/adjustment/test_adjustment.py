@@ -236,9 +236,9 @@ def test_sigmas_agree_with_the_errors_when_the_model_is_correct(model: Stochasti
 def test_the_classical_model_is_over_confident_on_shared_pos_errors() -> None:
     exact = planar_survey(mounting(), points=100)
     noisy = disturbed(exact, correlated=True, seed=3)
-    thesis = adjust(noisy, mounting(), INDEPENDENT)
-    honest = adjust(noisy, mounting(), CORRELATED)
-    assert (honest.sigma > 2 * thesis.sigma)[[0, 2]].all()
+    independent = adjust(noisy, mounting(), INDEPENDENT)
+    correlated = adjust(noisy, mounting(), CORRELATED)
+    assert (correlated.sigma > 2 * independent.sigma)[[0, 2]].all()
 
 
 def test_sightings_at_the_same_instant_are_allowed() -> None:

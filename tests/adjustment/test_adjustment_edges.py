@@ -122,11 +122,11 @@ def test_irls_steps_replace_failing_steps_with_updated_weights(
     usual, failed = adjust(few, PRIOR, ROBUST, diagnostics=False), []
     own = AdjustmentProblem.linearised
 
-    def failing(self, *given, tangent=False):
+    def failing(self, *arguments, tangent=False):
         if tangent:
             failed.append(True)
             raise np.linalg.LinAlgError
-        return own(self, *given)
+        return own(self, *arguments)
 
     monkeypatch.setattr(AdjustmentProblem, "linearised", failing)
     plain = adjust(few, PRIOR, ROBUST, diagnostics=False)
@@ -195,8 +195,8 @@ def test_a_displaced_ball_is_confirmed_as_shifted() -> None:
     dirty, usual = _balls(0.4), fit_shapes(_balls(0.0), TRUTH)
     problem = AdjustmentProblem.of(dirty, TRUTH, MODEL)
     here = problem.linearised(problem.start(TRUTH, usual))
-    gone = [Blunder("shift", (2,)), Blunder("shift", (9,))]
-    assert find_confirmed_blunders(here, gone) == [Blunder("shift", (2,))]
+    rejected = [Blunder("shift", (2,)), Blunder("shift", (9,))]
+    assert find_confirmed_blunders(here, rejected) == [Blunder("shift", (2,))]
 
 
 @pytest.mark.parametrize("metres", [0.5, 3.0])
@@ -212,10 +212,10 @@ def test_estimated_values_are_not_contradicted(few: Observations) -> None:
     """Without the rates of the trajectory there is no latency to estimate."""
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.3, 0.0, 0.0])
     data, start = replace(few, pose_rate=None), fit_shapes(few, wrong)
-    stated = AdjustmentProblem.of(data, wrong, MODEL)
-    found = find_contradicted_parameters(stated.linearised(stated.start(wrong, start)))
+    problem = AdjustmentProblem.of(data, wrong, MODEL)
+    found = find_contradicted_parameters(problem.linearised(problem.start(wrong, start)))
     assert "lever_x" in {each.name for each in found}
-    free = stated.with_parameters(
+    free = problem.with_parameters(
         tuple(Parameter(name) for name in OPTIONAL_NAMES if name != "latency")
     )
     assert find_contradicted_parameters(free.linearised(free.start(wrong, start))) == ()
@@ -244,8 +244,8 @@ def test_variance_factors_of_a_single_round_are_reported_and_used(
 ) -> None:
     """The sigmas of the position are five times too small; one round is not enough to converge."""
     monkeypatch.setattr(solver, "MAX_COMPONENT_ROUNDS", 1)
-    stated = survey(1, 0.3).with_scaled_sigmas(1.0, 0.2, 1.0)
-    found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
+    scaled = survey(1, 0.3).with_scaled_sigmas(1.0, 0.2, 1.0)
+    found = adjust(scaled, PRIOR, MODEL, components=True, diagnostics=False)
     position = found.components[1]
     assert position.applied
     assert position.lower < 5.0 < position.upper
@@ -364,9 +364,9 @@ def test_neither_of_two_sightings_of_a_target_is_rejected(
 def test_the_chi_square_statistic_is_the_quadratic_form_of_the_equations(few: Observations) -> None:
     """Contributions: points, POS errors, surfaces and a given value, each over its sigma."""
     data, off = shifted(few, 2, 0.02), replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.02, 0.0, 0.0])
-    stated = (Parameter("lever_x", 0.01),)
-    result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
-    solved = SolvedEquations.of(result, data, off, stated)
+    parameters = (Parameter("lever_x", 0.01),)
+    result = adjust(data, off, MODEL, parameters=parameters, diagnostics=False)
+    solved = SolvedEquations.of(result, data, off, parameters)
     assert solved is not None
     assert np.abs(solved.linearised.departures).max() > 0
     assert result.chi_square.statistic == pytest.approx(

@@ -47,9 +47,9 @@ def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
     fewer = average_points_in_cells(survey, PRIOR, 0.2)
     counts = (survey.sigma_lidar[0, 0] / fewer.sigma_lidar[:, 0]) ** 2
     for name in ("sigma_position", "sigma_attitude"):
-        stated = getattr(survey, name)
-        assert np.ptp(stated, axis=0).max() == 0
-        expected = np.broadcast_to(stated[0], (len(fewer), 3))
+        given_values = getattr(survey, name)
+        assert np.ptp(given_values, axis=0).max() == 0
+        expected = np.broadcast_to(given_values[0], (len(fewer), 3))
         np.testing.assert_allclose(getattr(fewer, name), expected, rtol=1e-12)
     assert np.average(fewer.time, weights=counts) == pytest.approx(survey.time.mean(), abs=1e-9)
 
@@ -129,8 +129,8 @@ def test_a_clean_survey_has_no_outliers(survey) -> None:
 
 def test_larger_lidar_noise_than_given_makes_no_outliers(survey) -> None:
     """The limit follows from the spread of the points, not from the given sigma."""
-    told = survey.with_scaled_sigmas(0.2, 1.0, 1.0)
-    assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
+    scaled = survey.with_scaled_sigmas(0.2, 1.0, 1.0)
+    assert average_points_in_cells(scaled, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
 def test_the_smaller_of_two_surfaces_in_a_sighting_is_excluded(survey) -> None:

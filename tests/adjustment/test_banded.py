@@ -33,7 +33,7 @@ def test_solutions_agree_with_those_of_the_dense_matrix(
 ) -> None:
     whole, band = banded(n, width, seed)
     right = np.random.default_rng(seed + 1).normal(size=(n, many))
-    given_right = right.copy()
+    right_before = right.copy()
     factor, root = cholesky_factor(band), np.linalg.cholesky(whole)
     half = forward_substitution(factor, right)
     assert half == pytest.approx(scipy.linalg.solve_triangular(root, right, lower=True), rel=1e-6)
@@ -42,7 +42,7 @@ def test_solutions_agree_with_those_of_the_dense_matrix(
     assert solution == pytest.approx(
         scipy.linalg.cho_solve_banded((factor, True), right), rel=1e-9, abs=1e-12
     )
-    assert np.array_equal(right, given_right)
+    assert np.array_equal(right, right_before)
 
 
 def test_one_right_hand_side_and_any_memory_order_are_accepted() -> None:

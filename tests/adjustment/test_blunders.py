@@ -31,17 +31,17 @@ def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
 
 @pytest.mark.parametrize(("change", "kind"), [(turned, "surface"), (shifted, "shift")])
 def test_a_blunder_has_the_right_kind(change, kind, monkeypatch: pytest.MonkeyPatch) -> None:
-    said: list[Blunder | None] = []
+    blunders: list[Blunder | None] = []
     worst = sighting_rejection.worst_blunder
 
-    def find(*given: object) -> Blunder | None:
-        said.append(worst(*given))  # type: ignore[arg-type]
-        return said[-1]
+    def find(*arguments: object) -> Blunder | None:
+        blunders.append(worst(*arguments))  # type: ignore[arg-type]
+        return blunders[-1]
 
     monkeypatch.setattr(sighting_rejection, "worst_blunder", find)
     amount = 3.0 if kind == "surface" else 0.1
     found = adjust(change(survey(24, 0.1), 4, amount), PRIOR, StochasticModel(loss="tukey"))
-    first = said[0]
+    first = blunders[0]
     assert first is not None
     assert (first.kind, first.sightings) == (kind, (4,))
     assert survey(24, 0.1).sightings[4] in found.rejected_sightings
@@ -49,9 +49,9 @@ def test_a_blunder_has_the_right_kind(change, kind, monkeypatch: pytest.MonkeyPa
 
 def test_variance_factors_follow_from_the_remaining_sightings() -> None:
     """Position sigmas two and a half times too small, and one sighting displaced by 10 cm."""
-    stated = shifted(survey(24, 0.1), 4, 0.1).with_scaled_sigmas(1.0, 0.4, 1.0)
+    scaled = shifted(survey(24, 0.1), 4, 0.1).with_scaled_sigmas(1.0, 0.4, 1.0)
     model = StochasticModel(loss="tukey")
-    found = adjust(stated, PRIOR, model, components=True)
-    assert [stated.sightings.index(each) for each in found.rejected_sightings] == [4]
+    found = adjust(scaled, PRIOR, model, components=True)
+    assert [scaled.sightings.index(each) for each in found.rejected_sightings] == [4]
     position = found.components[1]
     assert position.lower < 2.5 < position.upper

@@ -43,7 +43,7 @@ class Found:
     """Stand-in for a solution, with the attributes `_reject_unexplained_sightings` uses."""
 
     problem: Case
-    let_go: int
+    rejected_count: int
     state: None = None
     path: None = None
 
@@ -53,7 +53,7 @@ class Found:
 
 
 @pytest.mark.parametrize(
-    ("judged", "remain", "taken"),
+    ("contradicted_names", "remaining_count", "is_accepted"),
     [
         ([("x", "y"), ("x",)], {("x", "y"): 0, ("x",): 3}, True),
         ([("x",), ("x", "y")], {("x",): 3, ("x", "y"): 0}, True),
@@ -64,12 +64,12 @@ class Found:
     ],
 )
 def test_given_values_are_freed_if_that_rejects_fewer_sightings(
-    judged: list[tuple[str, ...]], remain: dict[tuple[str, ...], int], taken: bool,
-    monkeypatch: pytest.MonkeyPatch,
+    contradicted_names: list[tuple[str, ...]], remaining_count: dict[tuple[str, ...], int],
+    is_accepted: bool, monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     """Four sightings are rejected with the given values; each freed value counts as one."""
     start, rejected = Found(Case(), 0), Found(Case(rejected=REJECTED), 4)
-    names = dict(zip((id(start), id(rejected)), judged, strict=True))
+    names = dict(zip((id(start), id(rejected)), contradicted_names, strict=True))
 
     def iterated(problem: Case, *_rest: object, **_more: object) -> Found:
         if any(each.name == "hidden" for each in problem.parameters):
@@ -79,8 +79,8 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
     def agreeing(solution: Found, *_rest: object) -> Found:
         if solution is start:
             return rejected
-        wanted = tuple(each.name for each in solution.problem.parameters)
-        return Found(replace(solution.problem, rejected=REJECTED), remain[wanted])
+        estimated_names = tuple(each.name for each in solution.problem.parameters)
+        return Found(replace(solution.problem, rejected=REJECTED), remaining_count[estimated_names])
 
     for name, stand_in in {
         "find_contradicted_parameters": lambda here, **_: [
@@ -88,13 +88,13 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
         ],
         "iterate": iterated,
         "_reject_blunders": agreeing,
-        "_count_rejected_sightings": lambda solution: solution.let_go,
+        "_count_rejected_sightings": lambda solution: solution.rejected_count,
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
         monkeypatch.setattr(sighting_rejection, name, stand_in)
     found = sighting_rejection._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
-    assert (found is not rejected) == taken
-    if taken:  # the given values themselves do not change
+    assert (found is not rejected) == is_accepted
+    if is_accepted:  # the given values themselves do not change
         problem = found.linearised.problem
         assert problem.parameters == ()
         assert problem.rejected.tolist() == REJECTED.tolist()
@@ -102,23 +102,23 @@ def test_given_values_are_freed_if_that_rejects_fewer_sightings(
 
 
 def test_a_restored_sighting_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    found, spared = Blunder("shift", (3,)), []
+    found, known_blunders = Blunder("shift", (3,)), []
     todo, back = [found], [found]
 
     def worst(_here: object, known: set[Blunder]) -> Blunder | None:
-        spared.append(set(known))
+        known_blunders.append(set(known))
         return todo.pop() if todo else None
 
     monkeypatch.setattr(sighting_rejection, "worst_blunder", worst)
     monkeypatch.setattr(
         sighting_rejection,
         "find_restorable_blunder",
-        lambda _, gone: back.pop() if gone and back else None,
+        lambda _, rejected: back.pop() if rejected and back else None,
     )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
     assert result.rejected_sightings == ()
-    assert spared[:2] == [set(), {found}]
+    assert known_blunders[:2] == [set(), {found}]
 
 
 def test_a_cross_check_without_a_result_has_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -126,7 +126,7 @@ def test_a_cross_check_without_a_result_has_a_reason(monkeypatch: pytest.MonkeyP
     refused = error("adjustment.parallel_planes")
     whole = adjust(points, PRIOR, model, diagnostics=False)
 
-    def refuse(*_given: object, **_more: object) -> None:
+    def refuse(*_arguments: object, **_more: object) -> None:
         raise RankDeficient(refused)
 
     monkeypatch.setattr(crosscheck, "estimate", refuse)

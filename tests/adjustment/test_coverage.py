@@ -19,29 +19,29 @@ from tests.studies.coverage_study import (
 def test_most_intervals_contain_the_truth() -> None:
     """Forty surveys; bounds of the binomial and chi-square distributions at one in a thousand."""
     count, times = 40, (300.0, 600.0)
-    answers = study(times, (0.10,), count, workers=1)
-    honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
-    said = table_text(times, answers)
+    results = study(times, (0.10,), count, workers=1)
+    correlated, independent = results["correlated", 0.10], results["independent", 0.10]
+    table = table_text(times, results)
     fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
-    assert (honest.hits >= fewest).all(), said
-    assert ((honest.spread > lower) & (honest.spread < upper)).all(), said
-    assert (thesis.hits < 0.5).all(), said
-    assert (honest.rmse < 1.1 * thesis.rmse).all(), said
-    assert honest.rmse[1] < thesis.rmse[1] / 2, said
+    assert (correlated.hits >= fewest).all(), table
+    assert ((correlated.spread > lower) & (correlated.spread < upper)).all(), table
+    assert (independent.hits < 0.5).all(), table
+    assert (correlated.rmse < 1.1 * independent.rmse).all(), table
+    assert correlated.rmse[1] < independent.rmse[1] / 2, table
 
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
 @pytest.mark.parametrize("times", CORRELATION_TIMES)
 def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
-    answers = study(times, (0.10,), 1000)
-    said = table_text(times, answers)
-    print(said)
-    honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
-    assert ((honest.hits > 0.93) & (honest.hits < 0.97)).all(), said
-    assert ((honest.spread > 0.9) & (honest.spread < 1.1)).all(), said
-    assert (honest.rmse < 1.02 * thesis.rmse).all(), said
+    results = study(times, (0.10,), 1000)
+    table = table_text(times, results)
+    print(table)
+    correlated, independent = results["correlated", 0.10], results["independent", 0.10]
+    assert ((correlated.hits > 0.93) & (correlated.hits < 0.97)).all(), table
+    assert ((correlated.spread > 0.9) & (correlated.spread < 1.1)).all(), table
+    assert (correlated.rmse < 1.02 * independent.rmse).all(), table
 
 
 @pytest.mark.long
@@ -49,22 +49,22 @@ def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
 @pytest.mark.parametrize("times", CORRELATION_TIMES)
 def test_sigmas_do_not_depend_on_subsampling(times: tuple[float, float]) -> None:
     """Twenty surveys, each compared with itself, with a margin of three standard errors."""
-    answers = study(times, DISTANCES, SUBSAMPLED_SURVEYS)
-    ratio, error = sigma_ratios(answers)
-    said = f"{table_text(times, answers)}\nby the first\n{ratio}\n+- {error.max():.4f}"
-    print(said)
+    results = study(times, DISTANCES, SUBSAMPLED_SURVEYS)
+    ratio, error = sigma_ratios(results)
+    table = f"{table_text(times, results)}\nby the first\n{ratio}\n+- {error.max():.4f}"
+    print(table)
     most = (ratio + 3 * error).max(axis=0) / (ratio - 3 * error).min(axis=0)
-    assert (most < 1.10).all(), said
+    assert (most < 1.10).all(), table
 
 
 @pytest.mark.parametrize("kind", ["none", "POS time / 10"])
 def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> None:
     """Five surveys; an angle misses two of the intervals with a probability of 1/40."""
-    answers = study_of_errors(kind, 5, workers=1)
-    said = row(kind, answers)
-    assert (hits(answers) >= 0.6).all(), said
-    assert not any(each.serious for each in answers), said
-    shortened = [each.shortened for each in answers]
+    results = study_of_errors(kind, 5, workers=1)
+    table_row = row(kind, results)
+    assert (hits(results) >= 0.6).all(), table_row
+    assert not any(each.serious for each in results), table_row
+    shortened = [each.shortened for each in results]
     assert all(shortened) if kind == "POS time / 10" else not any(shortened)
 
 
@@ -72,7 +72,9 @@ def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> Non
 @pytest.mark.timeout(7200)
 @pytest.mark.parametrize("kind", KINDS)
 def test_intervals_of_surveys_without_a_serious_warning_contain_the_truth(kind: str) -> None:
-    answers = study_of_errors(kind, 200)
-    print(row(kind, answers))
-    calm = [each for each in answers if not each.serious]
-    assert (hits(calm) >= 0.93 - 2 * np.sqrt(0.95 * 0.05 / max(1, len(calm)))).all()
+    results = study_of_errors(kind, 200)
+    print(row(kind, results))
+    without_warning = [each for each in results if not each.serious]
+    assert (
+        hits(without_warning) >= 0.93 - 2 * np.sqrt(0.95 * 0.05 / max(1, len(without_warning)))
+    ).all()

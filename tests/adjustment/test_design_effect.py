@@ -59,8 +59,8 @@ def test_outliers_are_noise_unless_a_robust_loss_is_used() -> None:
         problem = AdjustmentProblem.of(outliers, TRUTH, StochasticModel(loss=loss))
         problem = with_noise_blocks(problem)
         state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))
-        told = reestimate_noise(problem, state)
-        noise[loss], scale[loss] = told.noise, told.scale
+        estimated = reestimate_noise(problem, state)
+        noise[loss], scale[loss] = estimated.noise, estimated.scale
     np.testing.assert_array_equal(scale["none"], 1.0)
     np.testing.assert_array_equal(noise["huber"], noise["tukey"])
     assert (noise["none"] > 3.0 * noise["tukey"]).all(), noise

@@ -99,8 +99,8 @@ def test_a_displaced_line_is_rejected_and_no_offset_sigma() -> None:
 
 @pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
 def test_a_wrong_lever_arm_is_not_mistaken_for_displaced_targets(boards) -> None:
-    stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
-    found = adjust(survey(701, 0.0, boards), stated, MODEL)
+    wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
+    found = adjust(survey(701, 0.0, boards), wrong_prior, MODEL)
     assert found.offset is None
     assert [each.name for each in found.contradictions] == ["lever_x"]
 
@@ -108,8 +108,8 @@ def test_a_wrong_lever_arm_is_not_mistaken_for_displaced_targets(boards) -> None
 @pytest.mark.long
 def test_a_wrong_lever_arm_and_a_blunder_are_detected_with_displaced_targets() -> None:
     clean = survey(407, 0.005)
-    stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
-    assert [each.name for each in adjust(clean, stated, MODEL).contradictions] == ["lever_x"]
+    wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
+    assert [each.name for each in adjust(clean, wrong_prior, MODEL).contradictions] == ["lever_x"]
     assert clean.sightings[8] in adjust(shifted(clean, 8, 0.06), PRIOR, MODEL).rejected_sightings
 
 
@@ -127,7 +127,7 @@ def test_the_estimated_offset_sigma_can_be_given() -> None:
     assert whole.offset is not None
     tilts, also, offset = whole.surfaces
     assert tilts == also == whole.surface
-    held = replace(MODEL, surface=tilts, offset=offset)
-    same = adjust(data, PRIOR, held, diagnostics=False)
+    given_model = replace(MODEL, surface=tilts, offset=offset)
+    same = adjust(data, PRIOR, given_model, diagnostics=False)
     assert same.offset == offset
     assert np.abs(same.boresight - whole.boresight).max() < 0.05 * whole.sigma.min()

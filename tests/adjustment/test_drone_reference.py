@@ -64,9 +64,9 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
         survey = load_survey(project)
         reference = json.loads((data / "reference.json").read_text())["boresight_deg"]
         labels = {line: values for line, values in np.load(data / "labels.npz").items()}
-        placed = places(survey, np.array(reference))
+        placed = georeferenced_points(survey, np.array(reference))
         inside = [
-            outlined(placed, {line: labels[line] == k for line in placed})
+            indices_in_outline(placed, {line: labels[line] == k for line in placed})
             for k in range(int(labels["line1"].max()) + 1)
             if min((labels[line] == k).sum() for line in placed) >= MIN_LABELLED_POINTS
         ]
@@ -75,14 +75,14 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
     return opened
 
 
-def places(survey: Survey, boresight_deg: np.ndarray) -> Labels:
+def georeferenced_points(survey: Survey, boresight_deg: np.ndarray) -> Labels:
     """All points of each line, georeferenced with a boresight."""
     one = next(iter(survey.clouds.values())).place.mounting
     clouds = place_clouds(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
     return {line: cloud[np.arange(len(survey.scans[line].time))] for line, cloud in clouds.items()}
 
 
-def outlined(placed: Labels, own: Labels) -> Labels:
+def indices_in_outline(placed: Labels, own: Labels) -> Labels:
     """Numbers of the points inside the outline of the labelled ones and near their plane."""
     labelled = np.concatenate([placed[line][own[line]] for line in placed])
     plane = fit_plane(labelled)
@@ -99,9 +99,9 @@ def outlined(placed: Labels, own: Labels) -> Labels:
     return found
 
 
-def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
+def select_in_band(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
     """Select the points of each outline in a band about the densest plane of both lines."""
-    placed, found = places(drone.survey, boresight_deg), []
+    placed, found = georeferenced_points(drone.survey, boresight_deg), []
     for inside in drone.inside:
         points = np.concatenate([placed[line][own] for line, own in inside.items()])
         even = np.concatenate([np.full(len(own), 1 / len(own)) for own in inside.values()])
@@ -116,7 +116,7 @@ def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
     return found
 
 
-def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> AdjustmentResult:
+def adjusted_flight(drone: Drone, chosen: list[Labels], model: StochasticModel) -> AdjustmentResult:
     survey = drone.survey
     parts = [(k, line, own) for k, each in enumerate(chosen) for line, own in each.items()]
     points = np.concatenate([survey.scans[line].points_lidar[own] for _, line, own in parts])
@@ -142,7 +142,7 @@ THESIS = StochasticModel("independent", loss="huber")
 @pytest.mark.parametrize("name", NAMES)
 def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
-    placed = places(here.survey, here.reference)
+    placed = georeferenced_points(here.survey, here.reference)
     beyond = 0
     for k, inside in enumerate(here.inside):
         own = {line: here.labels[line] == k for line in placed}
@@ -159,14 +159,18 @@ def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # t
 def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
     """Points selected with another boresight reproduce most of its change."""
     here: Drone = drone(name)
-    aside = np.array([0.0, 0.0, 0.1])
+    offset = np.array([0.0, 0.0, 0.1])
     ends = [
-        answer(here, cut(here, here.reference + sign * aside, 0.04), THESIS).boresight
+        adjusted_flight(
+            here, select_in_band(here, here.reference + sign * offset, 0.04), THESIS
+        ).boresight
         for sign in (1, -1)
     ]
     assert np.degrees(ends[0] - ends[1])[2] / 0.2 > follows
     wide = [
-        answer(here, cut(here, here.reference + sign * aside, BAND), THESIS).boresight
+        adjusted_flight(
+            here, select_in_band(here, here.reference + sign * offset, BAND), THESIS
+        ).boresight
         for sign in (1, -1)
     ]
     assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
@@ -175,7 +179,9 @@ def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
-    whole = answer(here, cut(here, here.reference, BAND), StochasticModel(loss="tukey"))
+    whole = adjusted_flight(
+        here, select_in_band(here, here.reference, BAND), StochasticModel(loss="tukey")
+    )
     result = here.found.result
     off = np.abs(result.boresight - whole.boresight) / np.hypot(result.sigma, whole.sigma)
     assert (off < 3).all(), off

@@ -17,45 +17,45 @@ MODEL = StochasticModel(loss="tukey")
 MAX_DIFFERENCE = np.radians(1e-9)
 
 
-def mixed(given: Observations, seed: int) -> Observations:
+def mixed(observations: Observations, seed: int) -> Observations:
     """Return the same observations with points, sightings and targets in another order."""
     generator = np.random.default_rng(seed)
-    points = given.reordered(generator.permutation(len(given)))
-    order = generator.permutation(len(given.sightings))
+    points = observations.reordered(generator.permutation(len(observations)))
+    order = generator.permutation(len(observations.sightings))
     return replace(
         points,
         sighting=np.argsort(order)[points.sighting],
-        sightings=tuple(given.sightings[k] for k in order),
+        sightings=tuple(observations.sightings[k] for k in order),
     )
 
 
 @pytest.mark.parametrize("spacing", [0.0, 0.1])
 def test_order_does_not_change_the_result(spacing) -> None:
     """The observations contain outliers and a blunder; with a spacing they are averaged."""
-    given = shifted(with_outliers(survey(3), 1)[0], 4, 0.05)
-    answers = []
+    observations = shifted(with_outliers(survey(3), 1)[0], 4, 0.05)
+    results = []
     for seed in (None, 1, 2):
-        points = given if seed is None else mixed(given, seed)
+        points = observations if seed is None else mixed(observations, seed)
         if spacing:
             points = average_points_in_cells(points, PRIOR, spacing, no_outliers=True)
-        answers.append(adjust(points, PRIOR, MODEL, diagnostics=True))
-    for other in answers[1:]:
-        assert set(other.rejected_sightings) == set(answers[0].rejected_sightings) != set()
-        assert np.abs(other.boresight - answers[0].boresight).max() < MAX_DIFFERENCE
-        assert np.abs(other.sigma - answers[0].sigma).max() < MAX_DIFFERENCE
+        results.append(adjust(points, PRIOR, MODEL, diagnostics=True))
+    for other in results[1:]:
+        assert set(other.rejected_sightings) == set(results[0].rejected_sightings) != set()
+        assert np.abs(other.boresight - results[0].boresight).max() < MAX_DIFFERENCE
+        assert np.abs(other.sigma - results[0].sigma).max() < MAX_DIFFERENCE
 
 
 def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
     points = survey(5, 0.025)
     assert len(points) > kernel_threads.MIN_PARALLEL_POINTS
-    answers = []
+    results = []
     for threads in (1, 2, 7):
         monkeypatch.setattr(kernel_threads.os, "cpu_count", lambda threads=threads: threads)
-        answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
+        results.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     monkeypatch.setattr(kernel_threads, "MIN_PARALLEL_POINTS", 10**9)  # no parallel computation
-    answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
-    for other in answers[1:]:
-        assert np.abs(other - answers[0]).max() < MAX_DIFFERENCE
+    results.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
+    for other in results[1:]:
+        assert np.abs(other - results[0]).max() < MAX_DIFFERENCE
 
 
 @pytest.mark.parametrize("sighting", [1, 5, 9])

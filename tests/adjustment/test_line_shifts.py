@@ -18,7 +18,7 @@ SHIFT = 6.0
 """Shift of a line in units of its prior sigma."""
 
 
-def seen(*shifts: float) -> LineShiftScores:
+def line_shift_scores(*shifts: float) -> LineShiftScores:
     """Return noise-free scores of lines shifted northwards by these multiples of the sigma."""
     count = len(shifts)
     differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXIS_COUNT))
@@ -43,11 +43,11 @@ def seen(*shifts: float) -> LineShiftScores:
     ],
 )
 def test_only_shifted_lines_are_named(shifts: tuple[float, ...], named: str) -> None:
-    assert "".join(seen(*shifts).shifted_lines()) == named
+    assert "".join(line_shift_scores(*shifts).shifted_lines()) == named
 
 
 def test_the_scores_without_a_line_are_those_of_the_other_lines() -> None:
-    after = seen(SHIFT, 1.0, 0.0, 0.0).without_line_shift(0)
+    after = line_shift_scores(SHIFT, 1.0, 0.0, 0.0).without_line_shift(0)
     np.testing.assert_allclose(after.score[:AXIS_COUNT], 0.0, atol=1e-12)
     np.testing.assert_allclose(after.variance[:AXIS_COUNT], 0.0, atol=1e-12)
     # The scores of the three other lines, relative to their mean.

@@ -176,36 +176,40 @@ def test_parallel_boards_are_reported() -> None:
 
 def test_directions_and_condition_agree_with_the_covariance() -> None:
     result = adjust(survey(), PRIOR, StochasticModel())
-    seen = result.observability
-    assert seen is not None
+    observability = result.observability
+    assert observability is not None
     information = np.linalg.inv(result.covariance)
     np.testing.assert_allclose(
-        seen.directions @ np.diag(seen.eigenvalues) @ seen.directions.T, information, rtol=1e-6
+        observability.directions @ np.diag(observability.eigenvalues) @ observability.directions.T,
+        information,
+        rtol=1e-6,
     )
-    assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
-    weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
-    assert seen.messages[0].code == "observability.directions"
-    assert english_text(seen.messages[0]).startswith(f"Least precisely determined: {weakest}")
+    assert observability.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
+    weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(observability.directions[:, 0])))]
+    assert observability.messages[0].code == "observability.directions"
+    assert english_text(observability.messages[0]).startswith(
+        f"Least precisely determined: {weakest}"
+    )
 
 
 def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:
     courses = six_courses()[:2] + six_courses()[4:]
     data = survey(courses=courses)
     model = StochasticModel(surface=0.0005)
-    seen = adjust(data, PRIOR, model).observability
-    assert seen is not None
+    observability = adjust(data, PRIOR, model).observability
+    assert observability is not None
     for line in ("L1", "L6"):
         keep = np.array([s.line != line for s in data.sightings])
         without = adjust(data.of_sightings(keep), PRIOR, model)
-        np.testing.assert_allclose(seen.sigma_without_line[line], without.sigma, rtol=0.05)
+        np.testing.assert_allclose(observability.sigma_without_line[line], without.sigma, rtol=0.05)
 
 
 def test_a_line_that_alone_determines_an_angle_is_named() -> None:
     """Of two lines along the wall and an oblique one, pitch and yaw depend on the oblique one."""
     courses = six_courses()[:2] + six_courses()[4:5]
-    seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
-    assert seen is not None
-    assert UncontrolledObservations("line", line="L5") in seen.unchecked
+    observability = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
+    assert observability is not None
+    assert UncontrolledObservations("line", line="L5") in observability.unchecked
 
 
 def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:
@@ -226,12 +230,12 @@ def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:
 
 def test_predicted_sigmas_of_a_further_line_with_a_latency() -> None:
     """A latency depends on the motion of the platform, which differs on the further line."""
-    courses, wanted = six_courses()[:2] + six_courses()[4:5], (Parameter("latency"),)
+    courses, parameters = six_courses()[:2] + six_courses()[4:5], (Parameter("latency"),)
     data, model = survey(courses=courses), StochasticModel(surface=0.0)
-    result = adjust(data, PRIOR, model, parameters=wanted)
+    result = adjust(data, PRIOR, model, parameters=parameters)
     lines = {round(np.degrees(line.heading)): line for line in further_lines(data, result)}
     more = (*courses, replace(six_courses()[2], name="L9", time=courses[-1].time + 180.0))
-    sailed = adjust(survey(courses=more), PRIOR, model, parameters=wanted)
+    sailed = adjust(survey(courses=more), PRIOR, model, parameters=parameters)
     np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.05)
 
 
@@ -265,8 +269,8 @@ def test_the_advice_says_if_no_line_helps() -> None:
 
 def test_the_prediction_of_further_lines_respects_the_prior() -> None:
     """A scan-angle offset with a prior sigma of 0.5 deg limits roll on any line."""
-    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
-    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    points, offset_prior = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(offset_prior,))
     assert result.sigma[0] > 0.9 * np.radians(0.5)
     best = min(line.sigma[0] for line in further_lines(points, result))
     assert best > 0.95 * result.sigma[0]
@@ -282,9 +286,11 @@ def test_the_advice_skips_an_angle_limited_by_a_prior() -> None:
     """An angle limited by a prior is named; the advised line is for the next angle."""
     courses = six_courses()[:2] + six_courses()[4:5]
     points, model = survey(courses=courses), StochasticModel(surface=0.0)
-    held = Parameter("scan_angle_offset", np.radians(0.5))
+    offset_prior = Parameter("scan_angle_offset", np.radians(0.5))
     plain = further_line_advice(points, adjust(points, PRIOR, model))
-    first, *rest = further_line_advice(points, adjust(points, PRIOR, model, parameters=(held,)))
+    first, *rest = further_line_advice(
+        points, adjust(points, PRIOR, model, parameters=(offset_prior,))
+    )
     assert len(plain) == 1
     assert plain[0].params.keys() >= {"heading", "then"}
     assert first.code == "further_line.prior"
@@ -292,18 +298,18 @@ def test_the_advice_skips_an_angle_limited_by_a_prior() -> None:
 
 
 def test_a_prior_of_small_effect_does_not_change_the_advice() -> None:
-    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
-    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    points, offset_prior = survey(), Parameter("scan_angle_offset", np.radians(0.002))
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(offset_prior,))
     assert [each.value for each in result.parameters] == [None]
     assert "further_line.prior" not in [each.code for each in further_line_advice(points, result)]
 
 
 def test_the_advice_of_the_classical_model_ignores_other_parameters() -> None:
-    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    points, offset_prior = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     model = StochasticModel("independent")
     plain = adjust(points, PRIOR, model)
     assert further_line_advice(
-        points, adjust(points, PRIOR, model, parameters=(held,))
+        points, adjust(points, PRIOR, model, parameters=(offset_prior,))
     ) == further_line_advice(points, plain)
 
 
@@ -324,11 +330,11 @@ def test_a_further_line_has_side_and_distance_of_the_targets() -> None:
 
 
 def test_cross_checks_ignore_the_prior_of_a_common_parameter() -> None:
-    points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
+    points, offset_prior = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     plain = adjust(points, PRIOR, StochasticModel())
-    result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
+    result = adjust(points, PRIOR, StochasticModel(), parameters=(offset_prior,))
     expected = cross_checks(points, PRIOR, plain)
-    found = cross_checks(points, PRIOR, result, (held,))
+    found = cross_checks(points, PRIOR, result, (offset_prior,))
     for one, other in zip(expected.parts, found.parts, strict=True):
         np.testing.assert_allclose(other.significance, one.significance, rtol=0.05, atol=0.05)
 

@@ -34,9 +34,9 @@ def test_a_harmful_wrong_value_is_named_first(name, seed) -> None:
         return
     assert first.name == name
     assert abs(first.change - 0.1) < 4 * first.sigma
-    mended = result.boresight + first.angle_change - TRUE_MOUNTING.boresight
-    assert (np.abs(mended) < 4 * result.sigma).all()
-    assert (np.abs(mended) <= np.maximum(off, 2 * result.sigma)).all()
+    corrected = result.boresight + first.angle_change - TRUE_MOUNTING.boresight
+    assert (np.abs(corrected) < 4 * result.sigma).all()
+    assert (np.abs(corrected) <= np.maximum(off, 2 * result.sigma)).all()
 
 
 @pytest.mark.parametrize(
@@ -75,16 +75,18 @@ def test_an_estimated_lever_arm_is_not_contradicted() -> None:
     from lispac.adjustment.model.parameters import Parameter
 
     data = survey(MOUNTINGS_WITH_ERROR["lever_x"], 0)
-    held = adjust(data, PRIOR, MODEL)
+    unchanged = adjust(data, PRIOR, MODEL)
     estimated = adjust(data, PRIOR, MODEL, parameters=(Parameter("lever_x"),))
-    assert [each.name for each in held.contradictions] == ["lever_x"]
-    assert 0 < held.contradictions[0].surface_sigma < held.surface
+    assert [each.name for each in unchanged.contradictions] == ["lever_x"]
+    assert 0 < unchanged.contradictions[0].surface_sigma < unchanged.surface
     assert not estimated.contradictions
     # One step of a score test predicts the adjustment with the value estimated.
     (found,) = estimated.parameters
-    assert held.contradictions[0].change == pytest.approx(found.value - found.prior, abs=0.002)
-    moved = estimated.boresight - held.boresight
-    assert np.abs(held.contradictions[0].angle_change - moved).max() < 0.3 * estimated.sigma.max()
+    assert unchanged.contradictions[0].change == pytest.approx(found.value - found.prior, abs=0.002)
+    moved = estimated.boresight - unchanged.boresight
+    assert (
+        np.abs(unchanged.contradictions[0].angle_change - moved).max() < 0.3 * estimated.sigma.max()
+    )
 
 
 @pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.long), 0.003])

@@ -141,8 +141,8 @@ def test_an_absent_error_is_not_significant() -> None:
 
 
 def test_latency_is_not_estimated_without_rates() -> None:
-    blind = replace(survey(TRUE_MOUNTING, 0), pose_rate=None)
-    (found,) = adjust(blind, PRIOR, MODEL, parameters=(Parameter("latency"),)).parameters
+    without_rates = replace(survey(TRUE_MOUNTING, 0), pose_rate=None)
+    (found,) = adjust(without_rates, PRIOR, MODEL, parameters=(Parameter("latency"),)).parameters
     assert found.value is None
 
 

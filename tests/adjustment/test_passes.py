@@ -21,11 +21,11 @@ from lispac.adjustment.model.threads import CHUNK_COUNT, MIN_PARALLEL_POINTS, ru
     ids=lambda counts: f"{len(counts)} of {sum(counts)}",
 )
 def test_each_element_is_processed_once_in_one_chunk(counts: list[int]) -> None:
-    taken: list[tuple[int, int]] = []
+    ranges: list[tuple[int, int]] = []
     run_in_chunks(
-        lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64)
+        lambda first, last: ranges.append((first, last)), np.cumsum(counts, dtype=np.int64)
     )
-    assert len(taken) <= CHUNK_COUNT
-    elements = [k for first, last in sorted(taken) for k in range(first, last)]
+    assert len(ranges) <= CHUNK_COUNT
+    elements = [k for first, last in sorted(ranges) for k in range(first, last)]
     assert elements == list(range(len(counts)))
-    assert (len(taken) > 1) == (sum(counts) >= MIN_PARALLEL_POINTS and len(counts) > 1)
+    assert (len(ranges) > 1) == (sum(counts) >= MIN_PARALLEL_POINTS and len(counts) > 1)

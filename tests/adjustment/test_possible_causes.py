@@ -39,14 +39,16 @@ WRONG_MOUNTINGS = {
 Place = tuple[str, str, str]
 
 
-def exact(mounting: Mounting, seed: int) -> tuple[Observations, np.random.Generator]:
+def error_free_observations(
+    mounting: Mounting, seed: int
+) -> tuple[Observations, np.random.Generator]:
     generator = np.random.default_rng([9, seed])
     return error_free_survey(mounting, THESIS_BOARDS, six_courses(), 0.05, generator), generator
 
 
 def survey(kind: str, seed: int) -> tuple[Observations, Place]:
     """Return a survey with one error, and the cause that should be named."""
-    data, generator = exact(
+    data, generator = error_free_observations(
         WRONG_MOUNTINGS[kind][0] if kind in WRONG_MOUNTINGS else TRUE_MOUNTING, seed
     )
     chance = np.random.default_rng([77, seed])
@@ -55,7 +57,7 @@ def survey(kind: str, seed: int) -> tuple[Observations, Place]:
     place = (kind, "", "")
     if kind == "line_boresight":
         turned = TRUE_MOUNTING.boresight + np.radians(chance.choice([-0.3, 0.3], 3))
-        second, _ = exact(TRUE_MOUNTING.with_boresight(turned), seed)
+        second, _ = error_free_observations(TRUE_MOUNTING.with_boresight(turned), seed)
         points = np.where(on_line[:, None], second.points_lidar, data.points_lidar)
         data, place = replace(data, points_lidar=points), (kind, "", line)
     elif kind == "line_position":
@@ -77,7 +79,7 @@ def survey(kind: str, seed: int) -> tuple[Observations, Place]:
     return average_points_in_cells(add_errors(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1), place
 
 
-def places(result: AdjustmentResult) -> list[list[Place]]:
+def cause_groups(result: AdjustmentResult) -> list[list[Place]]:
     assert result.causes is not None
     return [[(each.kind, each.target, each.line) for each in group] for group in result.causes]
 
@@ -87,7 +89,7 @@ def places(result: AdjustmentResult) -> list[list[Place]]:
 def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
-    assert places(result) == [[place]]
+    assert cause_groups(result) == [[place]]
     assert result.causes is not None
     ((cause,),) = result.causes
     assert (
@@ -100,7 +102,7 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
         np.abs(cause.angle_change - moved).max()
         < 0.4 * wide.sigma.max() + 0.05 * np.abs(moved).max()
     )
-    assert places(wide) == []
+    assert cause_groups(wide) == []
     found = [each for each in result_warnings(result, None) if each.is_serious]
     assert f"contradicted_{kind}" in map(former_code, found)
 
@@ -110,7 +112,7 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
-    (group,) = places(result) or [[place]]  # an error along the boards has no effect
+    (group,) = cause_groups(result) or [[place]]  # an error along the boards has no effect
     assert place in group
     assert not any(code.startswith("adjustment.contradicted_") for code in _codes(result))
     if len(group) > 1:
@@ -118,7 +120,7 @@ def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
 
 
 def test_two_components_of_the_lever_arm_are_both_named() -> None:
-    data, generator = exact(
+    data, generator = error_free_observations(
         replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0.06, -0.05, 0]), 3
     )
     result = adjust(
@@ -126,14 +128,14 @@ def test_two_components_of_the_lever_arm_are_both_named() -> None:
         PRIOR,
         MODEL,
     )
-    assert {group[0][0] for group in places(result)} == {"lever_x", "lever_y"}
+    assert {group[0][0] for group in cause_groups(result)} == {"lever_x", "lever_y"}
     assert result.causes is not None
-    mended = (
+    corrected = (
         result.boresight
         + sum(group[0].angle_change for group in result.causes)
         - TRUE_MOUNTING.boresight
     )
-    assert (np.abs(mended) < 4 * result.sigma).all()
+    assert (np.abs(corrected) < 4 * result.sigma).all()
 
 
 @pytest.mark.parametrize("rough", [0.0, 0.003])
@@ -155,7 +157,7 @@ def _false_alarms(seeds: range, rough: float) -> int:
         off = np.random.default_rng(seed).normal(0, rough, len(data.sightings))[data.sighting]
         beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
         data = replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
-        found += bool(places(adjust(data, PRIOR, MODEL)))
+        found += bool(cause_groups(adjust(data, PRIOR, MODEL)))
     return found
 
 
@@ -168,7 +170,7 @@ def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
     counts: Counter[str] = Counter()
     for seed in range(100, 120):
         data, place = survey(kind, seed)
-        found = places(adjust(data, PRIOR, MODEL))
+        found = cause_groups(adjust(data, PRIOR, MODEL))
         if not found:
             counts["none"] += 1
         else:
@@ -202,8 +204,8 @@ def test_an_error_known_from_the_data_replaces_a_contradicted_value(
 
 def test_the_classical_model_and_fixed_surfaces_have_no_cause() -> None:
     data, _ = survey("lever_x", 0)
-    assert places(adjust(data, PRIOR, StochasticModel("independent"))) == []
-    assert places(adjust(data, PRIOR, StochasticModel(surface=0.0))) == []
+    assert cause_groups(adjust(data, PRIOR, StochasticModel("independent"))) == []
+    assert cause_groups(adjust(data, PRIOR, StochasticModel(surface=0.0))) == []
 
 
 def test_no_cause_is_named_if_too_few_lines_distinguish_them() -> None:
@@ -235,7 +237,7 @@ def test_no_cause_is_named_if_too_few_lines_distinguish_them() -> None:
 def test_causes_are_kept_with_the_result() -> None:
     result = adjust(survey("line_position", 0)[0], PRIOR, MODEL)
     kept = decode_value(encode_value(result), AdjustmentResult)
-    assert places(kept) == places(result) != []
+    assert cause_groups(kept) == cause_groups(result) != []
     content = encode_value(result)
     del content["causes"]  # a result of an earlier version
     assert decode_value(content, AdjustmentResult).causes is None

@@ -231,9 +231,9 @@ def test_variance_components_recover_the_simulated_errors() -> None:
     logs = []
     for seed in range(6):
         data = survey(30 + seed, 0.08)
-        stated = data.with_scaled_sigmas(0.5, 2.0, 1.0)
+        scaled = data.with_scaled_sigmas(0.5, 2.0, 1.0)
         result = adjust(
-            stated, PRIOR, StochasticModel(surface=0.0), components=True, diagnostics=False
+            scaled, PRIOR, StochasticModel(surface=0.0), components=True, diagnostics=False
         )
         lidar, position, attitude = result.components
         assert [each.name for each in result.components] == [
@@ -255,16 +255,16 @@ def test_variance_components_recover_the_simulated_errors() -> None:
 def test_variance_components_recover_too_small_position_sigmas() -> None:
     """Positions are 2.5 times worse than given; only without components sigmas are too small."""
     model = StochasticModel(loss="tukey")
-    plain, told, factors = [], [], []
+    plain, with_components, factors = [], [], []
     for seed in range(6):
-        stated = survey(60 + seed, 0.2).with_scaled_sigmas(1.0, 0.4, 1.0)
-        without = adjust(stated, PRIOR, model, diagnostics=False)
-        result = adjust(stated, PRIOR, model, components=True, diagnostics=False)
+        scaled = survey(60 + seed, 0.2).with_scaled_sigmas(1.0, 0.4, 1.0)
+        without = adjust(scaled, PRIOR, model, diagnostics=False)
+        result = adjust(scaled, PRIOR, model, components=True, diagnostics=False)
         plain.append((without.boresight - TRUTH.boresight) / without.sigma)
-        told.append((result.boresight - TRUTH.boresight) / result.sigma)
+        with_components.append((result.boresight - TRUTH.boresight) / result.sigma)
         factors.append(result.components[1].factor)
     assert np.mean(np.square(plain)) > 1.5
-    assert np.mean(np.square(told)) < 1.5
+    assert np.mean(np.square(with_components)) < 1.5
     assert np.exp(np.mean(np.log(factors))) == pytest.approx(2.5, rel=0.35)
 
 
@@ -338,8 +338,8 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_a_blunder() -> None:
         shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1
     )
     plain = replace(model, loss="none")
-    said = cross_checks(inconsistent, PRIOR, adjust(inconsistent, PRIOR, plain))
-    assert {"L1", "L2"} & {c.part for c in said.disagreements}
+    cross_checked = cross_checks(inconsistent, PRIOR, adjust(inconsistent, PRIOR, plain))
+    assert {"L1", "L2"} & {c.part for c in cross_checked.disagreements}
 
 
 def test_subsets_without_a_result_give_the_reason() -> None:

@@ -35,12 +35,14 @@ def survey(seed: int, spacing: float = 0.06) -> Observations:
 def with_outliers(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
     """Displace 5 % of the points by 0.1 to 1 m along the beam."""
     generator = np.random.default_rng([8, seed])
-    stray = generator.random(len(clean)) < 0.05
+    is_outlier = generator.random(len(clean)) < 0.05
     points = clean.points_lidar.copy()
-    beams = points[stray] / np.linalg.norm(points[stray], axis=1, keepdims=True)
-    off = generator.uniform(0.1, 1.0, stray.sum()) * generator.choice([-1, 1], stray.sum())
-    points[stray] += off[:, None] * beams
-    return replace(clean, points_lidar=points), stray
+    beams = points[is_outlier] / np.linalg.norm(points[is_outlier], axis=1, keepdims=True)
+    off = generator.uniform(0.1, 1.0, is_outlier.sum()) * generator.choice(
+        [-1, 1], is_outlier.sum()
+    )
+    points[is_outlier] += off[:, None] * beams
+    return replace(clean, points_lidar=points), is_outlier
 
 
 def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
@@ -55,12 +57,12 @@ def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
 def test_outliers_change_no_angle_by_one_sigma(seed) -> None:
     model = StochasticModel(loss="tukey")
     clean = survey(seed)
-    dirty, stray = with_outliers(clean, seed)
+    dirty, is_outlier = with_outliers(clean, seed)
     before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
     assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
     found = sum(item.outliers for item in after.reliability)
     # At the level of the test, one point in a thousand is rejected by chance.
-    assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
+    assert is_outlier.sum() <= found < is_outlier.sum() + 0.006 * len(clean)
 
 
 def test_robust_losses_reduce_errors_and_sigmas_reflect_outliers() -> None:
@@ -76,7 +78,9 @@ def test_robust_losses_reduce_errors_and_sigmas_reflect_outliers() -> None:
     assert (np.array(errors) < 3 * np.array(sigmas)).all()
 
 
-def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, AdjustmentResult]:
+def effect_in_sigmas(
+    clean: Observations, dirty: Observations
+) -> tuple[np.ndarray, AdjustmentResult]:
     """Return the effect of a blunder on the angles, in sigmas, besides the loss of its data.
 
     The clean survey is adjusted with the sightings free that were rejected in the other: an unknown
@@ -84,9 +88,9 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
     """
     model = StochasticModel(loss="tukey")
     found = adjust(dirty, PRIOR, model)
-    gone = [dirty.sightings.index(s) for s in found.rejected_sightings]
+    rejected = [dirty.sightings.index(s) for s in found.rejected_sightings]
     with pytest.MonkeyPatch.context() as patch:
-        todo = [Blunder("shift", (s,)) for s in gone]
+        todo = [Blunder("shift", (s,)) for s in rejected]
         patch.setattr(sighting_rejection, "worst_blunder", lambda *_: todo.pop() if todo else None)
         patch.setattr(sighting_rejection, "find_restorable_blunder", lambda *_: None)
         patch.setattr(
@@ -99,7 +103,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
 @pytest.mark.parametrize("sighting", [0, 3, 7, 10])
 def test_a_shifted_sighting_is_rejected_without_effect_on_the_angles(sighting) -> None:
     clean = survey(20 + sighting)
-    done, after = harm(clean, shifted(clean, sighting, 0.05))
+    done, after = effect_in_sigmas(clean, shifted(clean, sighting, 0.05))
     assert clean.sightings[sighting] in after.rejected_sightings
     assert {s.line for s in after.rejected_sightings} == {clean.sightings[sighting].line}
     assert (done < 0.1).all()
@@ -149,7 +153,7 @@ def test_steps_with_updated_weights_converge_to_the_irls_result(loss) -> None:
 def test_a_surface_metres_off_is_rejected_without_effect(seed, sighting, metres) -> None:
     """The board is 1 m wide: a plane through all its points would stand across it."""
     clean = survey(7000 + seed, 0.1)
-    done, after = harm(clean, shifted(clean, sighting, metres))
+    done, after = effect_in_sigmas(clean, shifted(clean, sighting, metres))
     assert after.rejected_sightings == (clean.sightings[sighting],)
     assert all(target.noise < 1.5 for target in after.targets)
     assert (done < 1).all()
@@ -176,7 +180,7 @@ def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
 @pytest.mark.parametrize("line", ["L2", "L4", "L5"])
 def test_a_line_with_a_position_jump_is_rejected_without_effect(line) -> None:
     clean = survey(40 + int(line[1]), 0.1)
-    done, after = harm(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
+    done, after = effect_in_sigmas(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
     assert {s.line for s in after.rejected_sightings} == {line}
     assert (done < 1).all()
 
@@ -186,7 +190,7 @@ def test_interchanged_boards_on_a_line_are_rejected_without_effect() -> None:
     first, second = (k for k, s in enumerate(clean.sightings) if s.line == "L4")
     sighting = clean.sighting.copy()
     sighting[clean.sighting == first], sighting[clean.sighting == second] = second, first
-    done, after = harm(clean, replace(clean, sighting=sighting))
+    done, after = effect_in_sigmas(clean, replace(clean, sighting=sighting))
     assert set(after.rejected_sightings) == {clean.sightings[first], clean.sightings[second]}
     assert after.rejected_lines == ("L4",)
     assert (done < 1).all()
@@ -200,7 +204,9 @@ def test_a_sighting_rejected_by_mistake_is_restored() -> None:
     with pytest.MonkeyPatch.context() as patch:
         own = sighting_rejection.worst_blunder
         patch.setattr(
-            sighting_rejection, "worst_blunder", lambda *given: todo.pop() if todo else own(*given)
+            sighting_rejection,
+            "worst_blunder",
+            lambda *arguments: todo.pop() if todo else own(*arguments),
         )
         found = adjust(dirty, PRIOR, StochasticModel(loss="tukey"))
     assert set(found.rejected_sightings) == {clean.sightings[2], clean.sightings[5]}

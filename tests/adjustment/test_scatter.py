@@ -45,7 +45,7 @@ def adjusted(
     return adjust(observations, prior, model), observations, prior
 
 
-def solved(
+def solved_equations(
     result: AdjustmentResult, observations: Observations, prior: Mounting
 ) -> SolvedEquations:
     found = SolvedEquations.of(result, observations, prior)
@@ -53,7 +53,7 @@ def solved(
     return found
 
 
-def parts_of(found: SolvedEquations) -> tuple[LinearisedProblem, np.ndarray]:
+def problem_and_origins(found: SolvedEquations) -> tuple[LinearisedProblem, np.ndarray]:
     return found.linearised, found.origins
 
 
@@ -63,7 +63,9 @@ def test_sigmas_hardly_change_where_the_model_is_right(
     """On 26 simulated quays they increased by 5 % on average and by 19 % at most."""
     model = thinned[0].settings.stochastic_model
     plain, observations, prior = adjusted(clean, thinned[1], model)
-    raised = raise_sigmas_by_scatter(plain, *parts_of(solved(plain, observations, prior)))
+    raised = raise_sigmas_by_scatter(
+        plain, *problem_and_origins(solved_equations(plain, observations, prior))
+    )
     factors = raised.sigma / plain.sigma
     assert (factors >= 1).all()
     assert factors.max() < 1.25, factors
@@ -111,6 +113,6 @@ def test_excess_variances_of_few_surfaces_are_finite(
     prior = few.mounting("prior")
     observations = observations_of(few, thinned[1], mounting=clean.result.mounting)
     result = adjust(observations, prior, model, accept_single_orientation=True)
-    more = excess_variance(*parts_of(solved(result, observations, prior)))
+    more = excess_variance(*problem_and_origins(solved_equations(result, observations, prior)))
     assert np.isfinite(more).all()
     assert (more >= 0).all()

@@ -63,9 +63,9 @@ def test_the_result_of_an_adjustment_has_radius_discrepancies() -> None:
     data = average_points_in_cells(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
     result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
     assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}
-    told = [
+    discrepancies = [
         each for each in result_warnings(result, None) if each.code.startswith("adjustment.radii_")
     ]
-    assert all(each.is_serious for each in told)
-    assert told
+    assert all(each.is_serious for each in discrepancies)
+    assert discrepancies
     assert adjust(data, TRUTH, StochasticModel(), diagnostics=False).radius_discrepancies == ()

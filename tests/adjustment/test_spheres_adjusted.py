@@ -156,12 +156,12 @@ def test_balls_determine_the_boresight_and_are_saved(balls, picked, board):
 
 def test_a_line_can_have_its_own_seed(balls, picked):
     target = picked.target("S1")
-    lost = replace(
+    without_sighting = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != "L3"),
         missing={"L3": note("finder.not_alike")},
     )
-    project = picked.with_target(lost)
+    project = picked.with_target(without_sighting)
     how = {"name": "S1", "line": "L3", "shape": "sphere"}
     seed = balls.seed("S1", "L3")
     found = picking.find_target(project, balls.survey, seed, sphere_radius=0.15, **how)
@@ -183,7 +183,7 @@ def test_a_wall_is_not_picked_as_a_ball(balls):
 
 
 @pytest.mark.parametrize(
-    ("asked", "code"),
+    ("options", "code"),
     [
         ({"shape": "sphere", "role": "validation"}, "target.validation_sphere"),
         ({"shape": "plane", "sphere_radius": 0.1}, "target.plane_with_radius"),
@@ -191,9 +191,9 @@ def test_a_wall_is_not_picked_as_a_ball(balls):
         ({"shape": "sphere", "sphere_radius": float("nan")}, "target.invalid_radius"),
     ],
 )
-def test_invalid_import_options_are_refused(balls, asked, code):
+def test_invalid_import_options_are_refused(balls, options, code):
     with pytest.raises(ProjectError, check=lambda e: e.code == code):
-        picking.pick_target(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
+        picking.pick_target(balls.project, balls.survey, balls.seed("S1"), name="S1", **options)
 
 
 @pytest.mark.parametrize("wrong", [-0.1, 0.0, "plane"])
@@ -212,10 +212,10 @@ def test_the_command_line_picks_balls(balls, capsys):
     words = ["pick", str(balls.project.folder), "--seed", *map(str, balls.seed("S1"))]
     words += ["--name", "S1"]
     assert main([*words, "--shape", "sphere", "--sphere-radius", "0.15", "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
-    assert (said["shape"], said["sphere_radius_m"]) == ("sphere", 0.15)
-    assert set(said["lines"]) == set(balls.survey.lines)
-    for line in said["lines"].values():
+    picked = json.loads(capsys.readouterr().out)
+    assert (picked["shape"], picked["sphere_radius_m"]) == ("sphere", 0.15)
+    assert set(picked["lines"]) == set(balls.survey.lines)
+    for line in picked["lines"].values():
         # Georeferenced without a boresight: an error of one degree at 15 m
         assert np.linalg.norm(np.array(line["centre_m"]) - BALLS["S1"][0]) < 0.5
         assert line["sphere_radius_m"] == 0.15

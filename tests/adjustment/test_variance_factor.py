@@ -31,17 +31,19 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
     """Simulate a survey; return observations with true labels and the sigmas of the simulator."""
     survey, pos, scanner = simulate_survey(setup, seed=seed), setup.pos, setup.scanner
     assert isinstance(pos, PosErrorModel)
-    said = survey.trajectory
-    attitude = np.stack([said.roll, said.pitch, said.heading], axis=1)
-    states = Trajectory(said.time, said.latitude, said.longitude, said.height, attitude)
+    measured = survey.trajectory
+    attitude = np.stack([measured.roll, measured.pitch, measured.heading], axis=1)
+    states = Trajectory(
+        measured.time, measured.latitude, measured.longitude, measured.height, attitude
+    )
     trajectory = LocalTrajectory.of(states, LocalFrame(*setup.origin))
-    seen = [
+    points_of_sightings = [
         (Sighting(name, line.name), np.flatnonzero(line.label == k), line)
         for line in survey.lines
         for k, name in enumerate(survey.surface_names)
     ]
-    points = np.concatenate([line.points_lidar[own] for _, own, line in seen])
-    time = np.concatenate([line.time[own] for _, own, line in seen])
+    points = np.concatenate([line.points_lidar[own] for _, own, line in points_of_sightings])
+    time = np.concatenate([line.time[own] for _, own, line in points_of_sightings])
     poses = trajectory.at(time)
     across = scanner.angle_sigma * np.linalg.norm(points, axis=1)
     return Observations(
@@ -53,8 +55,10 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
         sigma_position=np.tile(pos.sigma_position, (len(time), 1)),
         sigma_attitude=np.tile(pos.sigma_attitude, (len(time), 1)),
         time=time,
-        sighting=np.repeat(np.arange(len(seen)), [len(own) for _, own, _ in seen]),
-        sightings=tuple(sighting for sighting, _, _ in seen),
+        sighting=np.repeat(
+            np.arange(len(points_of_sightings)), [len(own) for _, own, _ in points_of_sightings]
+        ),
+        sightings=tuple(sighting for sighting, _, _ in points_of_sightings),
     )
 
 

@@ -58,15 +58,15 @@ def agreement(vessel, mounting):
     clouds = vessel.clouds(mounting.boresight)
     apart, rms = [], []
     for name in BALLS:
-        seen = [cloud[vessel.labels[line] == name] for line, cloud in clouds.items()]
-        first, second = (fit_sphere(points, 0.1).centre for points in seen)
+        ball_points = [cloud[vessel.labels[line] == name] for line, cloud in clouds.items()]
+        first, second = (fit_sphere(points, 0.1).centre for points in ball_points)
         apart.append(np.linalg.norm(first - second))
-        both = np.concatenate(seen)
+        both = np.concatenate(ball_points)
         rms.append(rms_from_sphere(fit_sphere(both, 0.1), both))
     return np.array(apart), np.array(rms)
 
 
-def shown(values):
+def millimetres_text(values):
     return ", ".join(f"{1000.0 * value:.1f}" for value in values)
 
 
@@ -81,8 +81,8 @@ def test_the_files_agree_with_the_georeferencing_equation(vessel):
 def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model):
     result = adjust(observations(vessel, names), VESSEL, model)
     before, after = agreement(vessel, VESSEL), agreement(vessel, result.mounting)
-    print(f"centres apart {shown(before[0])} -> {shown(after[0])} mm")
-    print(f"RMS about one ball {shown(before[1])} -> {shown(after[1])} mm")
+    print(f"centres apart {millimetres_text(before[0])} -> {millimetres_text(after[0])} mm")
+    print(f"RMS about one ball {millimetres_text(before[1])} -> {millimetres_text(after[1])} mm")
     moved = np.degrees(result.boresight - VESSEL.boresight)
     print(
         f"boresight {np.degrees(result.boresight).round(3)} deg, {moved.round(3)} from the stored "
@@ -96,14 +96,14 @@ def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model)
     assert np.abs(moved).max() < 2.0
 
 
-@pytest.mark.parametrize("left_out", BALLS)
-def test_a_ball_excluded_from_the_adjustment_agrees_better_too(vessel, left_out):
-    names = [name for name in BALLS if name != left_out]
+@pytest.mark.parametrize("excluded", BALLS)
+def test_a_ball_excluded_from_the_adjustment_agrees_better_too(vessel, excluded):
+    names = [name for name in BALLS if name != excluded]
     result = adjust(observations(vessel, names), VESSEL, StochasticModel())
-    k = BALLS.index(left_out)
+    k = BALLS.index(excluded)
     before, after = agreement(vessel, VESSEL)[0][k], agreement(vessel, result.mounting)[0][k]
     print(
-        f"without {left_out}: its centres {1000.0 * before:.1f} -> {1000.0 * after:.1f} mm apart, "
+        f"without {excluded}: its centres {1000.0 * before:.1f} -> {1000.0 * after:.1f} mm apart, "
         f"boresight {np.degrees(result.boresight).round(3)} deg, sigma "
         f"{np.degrees(result.sigma).round(3)}"
     )

@@ -69,12 +69,12 @@ def test_banded(knots, unknowns):
     factor = cholesky_factor(band)
 
     def seconds(solve):
-        taken = []
+        durations = []
         for _ in range(7):
             start = perf_counter()
             found = solve()
-            taken.append(perf_counter() - start)
-        return median(taken), found
+            durations.append(perf_counter() - start)
+        return median(durations), found
 
     solve = scipy.linalg.cho_solve_banded
     theirs, expected = seconds(lambda: solve((factor, True), right.T))

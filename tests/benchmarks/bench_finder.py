@@ -108,12 +108,12 @@ def test_one_plane_beside_open3d() -> None:
     patches = median_time(lambda: theirs_cloud.detect_planar_patches(), 1)
     truth = board[near]
     print(f"\none plane among {len(near)} points around the seed")
-    for name, seconds, taken in (
+    for name, seconds, indices in (
         ("here", ours, patch.indices),
         ("Open3D segment_plane", theirs, segmented),
     ):
         print(
-            f"  {name:22s} {1000 * seconds:7.1f} ms, precision {truth[taken].mean():.4f}, "
-            f"recall {truth[taken].sum() / truth.sum():.4f}"
+            f"  {name:22s} {1000 * seconds:7.1f} ms, precision {truth[indices].mean():.4f}, "
+            f"recall {truth[indices].sum() / truth.sum():.4f}"
         )
     print(f"  Open3D detect_planar_patches {1000 * patches:.1f} ms, all planes, no points")

@@ -23,8 +23,8 @@ from tests.targets.test_finder_sites import scenery
 def test_the_target_around_a_seed() -> None:
     print(f"\n{'scene':17s}{'method':28s}{'ms':>8s}{'precision':>11s}{'recall':>8s}")
     for name in ("5 cm proud", "similar targets", "bollard", "grazing"):
-        seen = scenery(name)
-        cloud, truth = seen.clouds()["L1"], seen.on("L1", "T1")
+        scene_site = scenery(name)
+        cloud, truth = scene_site.clouds()["L1"], scene_site.on("L1", "T1")
         seed = cloud[truth][np.argmin(np.linalg.norm(cloud[truth] - cloud[truth].mean(0), axis=1))]
         near = points_within(cloud, seed, 2.0)
         points, on = cloud[near], truth[near]
@@ -55,9 +55,9 @@ def test_the_target_around_a_seed() -> None:
         ):  # fmt: skip
             work()
             start = time.perf_counter()
-            taken = work()
+            indices = work()
             took = time.perf_counter() - start
-            precision, recall = precision_and_recall(taken, on)
+            precision, recall = precision_and_recall(indices, on)
             print(f"{name:12s}{method:28s}{1000 * took:8.0f}{precision:11.3f}{recall:8.3f}")
 
 

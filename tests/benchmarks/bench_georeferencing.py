@@ -187,11 +187,13 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
     write_cloud(warm, ours, ours, mapper, layout_of_columns)
     made, laspys = [], []
     for _ in range(rounds):
-        held = list(profiler(count)) if count <= 20_000_000 else None
-        laspys.append(LaspyWriter(alone, mapper).run(iter(held) if held else profiler(count)))
-        if held is None:  # measure the time of the simulation, which is part of the export's
+        scan_chunks = list(profiler(count)) if count <= 20_000_000 else None
+        laspys.append(
+            LaspyWriter(alone, mapper).run(iter(scan_chunks) if scan_chunks else profiler(count))
+        )
+        if scan_chunks is None:  # measure the time of the simulation, which is part of the export's
             making.append(timed(lambda: [None for _ in profiler(count)])[0])
-        source = held if held is not None else profiler(count)
+        source = scan_chunks if scan_chunks is not None else profiler(count)
         made.append(timed(lambda source=source: write_cloud(
             source, ours, ours, mapper, layout_of_columns)))  # fmt: skip
     size = ours.stat().st_size / alone.stat().st_size

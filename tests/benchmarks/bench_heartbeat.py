@@ -27,7 +27,7 @@ from tests.gui.pulse import Draws, Pulse, timed_viewport
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 LONG_MS = 200.0
-PATIENCE_S = 300.0
+TIMEOUT_S = 300.0
 
 
 @pytest.mark.timeout(900)
@@ -89,7 +89,7 @@ class Workflow:
 
     def until(self, done: Callable[[], bool]) -> None:
         """Process events until a condition holds."""
-        limit = time.monotonic() + PATIENCE_S
+        limit = time.monotonic() + TIMEOUT_S
         while not done():
             self._application.processEvents()
             time.sleep(0.0005)
@@ -107,21 +107,21 @@ class Workflow:
         name: str,
         act: Callable[[], object],
         done: Callable[[], bool] | None = None,
-        answer: Callable[[Any], object] | None = None,
+        on_dialog: Callable[[Any], object] | None = None,
     ) -> None:
         """Perform a step and summarise the beats until it is done and the window is idle.
 
         Parameters
         ----------
         done : whether the step is done; `idle` by default
-        answer : called every 100 ms with the open dialogue
+        on_dialog : called every 100 ms with the open dialogue
         """
         self._heart.discard()
         begun = time.monotonic()
         answering = QTimer(interval=100)
-        if answer is not None:
+        if on_dialog is not None:
             answering.timeout.connect(
-                lambda: (dialog := QApplication.activeModalWidget()) and answer(dialog)
+                lambda: (dialog := QApplication.activeModalWidget()) and on_dialog(dialog)
             )
             answering.start()
         act()
@@ -186,9 +186,12 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     first = window.document.survey.lines[0]
     for name, (role, position) in demo_seeds().items():
         window.targets.set_role(role)
-        seen = PickedPoint(first, position)
+        clicked_point = PickedPoint(first, position)
         workflow.step(
-            f"seed on {name}", lambda seen=seen: window.viewport.signals.seed_clicked.emit(seen)
+            f"seed on {name}",
+            lambda clicked_point=clicked_point: window.viewport.signals.seed_clicked.emit(
+                clicked_point
+            ),
         )
         workflow.step(f"{name} accepted", window.actions_["accept"].trigger)
     workflow.step("estimate", window.actions_["estimate"].trigger)

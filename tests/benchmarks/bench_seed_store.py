@@ -83,11 +83,11 @@ def report(folder: Path) -> None:
     opened = since(start)
     total = sum(len(scan) for scan in survey.scans.values())
     start = now()
-    met = survey.alignment.matched_share
+    matched_share = survey.alignment.matched_share
     aligned = since(start)
     print(
         f"six lines, {total:,} points, opened (or imported) {least([opened])}; "
-        f"laid onto each other {least([aligned])}, {100 * met:.0f} % meet"
+        f"laid onto each other {least([aligned])}, {100 * matched_share:.0f} % meet"
     )
     truth = port_survey()
     for name, centre in truth.targets.items():

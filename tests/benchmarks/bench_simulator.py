@@ -26,12 +26,12 @@ BOARD = tilted_rectangle("board", (0.0, -15.0, 6.0), 400.0, 400.0, 270, 20)
 def median_time(work: Callable[[], object], times: int = 5) -> float:
     """Median time of some runs, s, after a first run that compiles."""
     work()
-    taken = []
+    seconds = []
     for _ in range(times):
         start = perf_counter()
         work()
-        taken.append(perf_counter() - start)
-    return float(np.median(taken))
+        seconds.append(perf_counter() - start)
+    return float(np.median(seconds))
 
 
 def beams() -> tuple[np.ndarray, Poses]:
@@ -62,8 +62,8 @@ def test_ranges_in_closed_form_and_cast() -> None:
     turned = median_time(lambda: beam_rays(directions, poses, MOUNTING))
     print(f"{'  of this, beams':34s} {COUNT / turned / 1e6:7.2f} M/s")
     for name, scene in scenes.items():
-        taken = median_time(lambda scene=scene: scene.intersect(origins, cast, 90.0))
-        print(f"{name:34s} {COUNT / taken / 1e6:7.2f} M/s, {formula / taken:5.2f} closed forms")
+        seconds = median_time(lambda scene=scene: scene.intersect(origins, cast, 90.0))
+        print(f"{name:34s} {COUNT / seconds / 1e6:7.2f} M/s, {formula / seconds:5.2f} closed forms")
 
 
 def test_lines() -> None:
@@ -83,8 +83,8 @@ def test_lines() -> None:
             return len(echoes.time)
 
         points = line()
-        taken = median_time(line, 3)
+        seconds = median_time(line, 3)
         print(
             f"\n{name}: {pulses / 1e6:.2f} M pulses, {points / 1e6:.2f} M points, "
-            f"{pulses / taken / 1e6:.2f} M pulses/s, {points / taken / 1e6:.2f} M points/s"
+            f"{pulses / seconds / 1e6:.2f} M pulses/s, {points / seconds / 1e6:.2f} M points/s"
         )

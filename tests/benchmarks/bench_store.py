@@ -129,7 +129,7 @@ def report(folder: str) -> None:
     stored.require_sound()
     checking = least([since(start)])
     print(f"  check      every byte of the store, as after a copy, {checking}")
-    forget(stored.folder)
+    drop_page_cache(stored.folder)
     for state, rounds in (("cold", 1), ("warm", 9)):
         opening, regions = [], []
         for _ in range(rounds):
@@ -175,7 +175,7 @@ def laspy_alone(path: Path) -> tuple[float, float]:
     return since(start)
 
 
-def forget(folder: Path) -> None:
+def drop_page_cache(folder: Path) -> None:
     """Drop the files of a store from the cache of the system."""
     for path in folder.rglob("*.npy"):
         handle = os.open(path, os.O_RDONLY)

@@ -48,9 +48,12 @@ def test_pick_among_six_million():
     size = ViewportSize(1200, 800)
     camera = Camera(np.array([0.0, 25.0, 10.0]), -1.2, 0.4, 90.0)
     took = median_ms(lambda: pick_point(clouds, camera, 600.0, 420.0, size))
-    seen = median_ms(lambda: [points_in_view(points, camera, size) for points in clouds.values()])
+    view_ms = median_ms(
+        lambda: [points_in_view(points, camera, size) for points in clouds.values()]
+    )
     print(
-        f"\npick among {LINES * POINTS:,} points: {took:.0f} ms; which are in view: {seen:.0f} ms"
+        f"\npick among {LINES * POINTS:,} points: {took:.0f} ms; "
+        f"which are in view: {view_ms:.0f} ms"
     )
 
 

@@ -43,13 +43,13 @@ def import_workflow() -> None:
             import_module(each.name)
 
 
-def answer(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, Any]:
+def run_json(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, Any]:
     code, out, err = run(capsys, *words, "--json")
     assert code == 0, err
     return json.loads(out)  # type: ignore[no-any-return]
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     """Run a command that must be refused: exit 1, one line, nothing on stdout."""
     code, out, err = run(capsys, *words)
     assert code == 1, (code, out, err)
@@ -73,21 +73,23 @@ def test_all_commands_from_raw_files_to_the_report(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
     project = tmp_path / "quay"
-    made = answer(capsys, *new_words(project, raw))
+    made = run_json(capsys, *new_words(project, raw))
     assert len(made["points"]) == 6
     seeds = {
         "T1": (1.15, -14.7, 8.1, "target"),
         "T2": (-1.1, -14.38, 7.7, "target"),
     }
     for name, (x, y, z, role) in seeds.items():
-        picked = answer(capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role)
+        picked = run_json(
+            capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role
+        )
         assert len(picked["lines"]) == 6, picked["missing"]
-    numbers = answer(capsys, "estimate", project, "--pos-errors", "correlated")
-    wanted = {
+    numbers = run_json(capsys, "estimate", project, "--pos-errors", "correlated")
+    expected = {
         "boresight_deg", "sigma_deg", "correlation", "variance_factor", "chi_square", "iterations",
         "points", "sightings", "targets", "elapsed_s",
     }  # fmt: skip
-    assert wanted <= set(numbers)
+    assert expected <= set(numbers)
     truth = {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
     for angle, value in truth.items():
         error = abs(numbers["boresight_deg"][angle] - value)
@@ -96,7 +98,9 @@ def test_all_commands_from_raw_files_to_the_report(
     assert len(numbers["targets"]) == 2
     assert set(numbers["chi_square"]) == {"statistic", "lower", "upper", "passed", "text"}
     assert len(numbers["cross_checks"]["parts"]) > 2
-    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
+    thesis = run_json(
+        capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks"
+    )
     assert thesis["sigma_deg"]["roll"] < 0.5 * numbers["sigma_deg"]["roll"]
     code, out, _ = run(capsys, "estimate", project, "--subsample", 0.15, "--no-cross-checks")
     assert code == 0
@@ -104,19 +108,19 @@ def test_all_commands_from_raw_files_to_the_report(
     assert "Pitch" in out
 
     assert command_error("validate", project).code == "validate.no_planes"
-    picked = answer(
+    picked = run_json(
         capsys, "pick", project, "--seed", 29.75, -24.6, 5.0, "--name", "V1",
         "--role", "validation", "--radius", 3,
     )  # fmt: skip
     assert picked["role"] == "validation"
-    rows = answer(capsys, "subsample", project, "--distances", 0.3, 0.2)["adjustments"]
+    rows = run_json(capsys, "subsample", project, "--distances", 0.3, 0.2)["adjustments"]
     assert [row["distance_m"] for row in rows] == [0.2, 0.3]
     assert rows[0]["points"] > rows[1]["points"] > 100
     words = ("--distance-to", "quadric", "--neighbours", 20)
-    (bent,) = answer(capsys, "validate", project, *words)["validation"]
+    (bent,) = run_json(capsys, "validate", project, *words)["validation"]
     assert bent["model"] == {"kind": "quadric", "neighbours": 20, "radius_m": None}
-    assert "at least 3 neighbouring" in refused(capsys, "validate", project, "--neighbours", 2)
-    planes = answer(capsys, "validate", project)["validation"]
+    assert "at least 3 neighbouring" in run_refused(capsys, "validate", project, "--neighbours", 2)
+    planes = run_json(capsys, "validate", project)["validation"]
     assert [plane["name"] for plane in planes] == ["V1"]
     assert planes[0]["model"]["kind"] == "plane"
 
@@ -150,7 +154,7 @@ def test_demo_prints_the_result_the_truth_and_the_report(
 def test_prototype_plane_files(capsys: pytest.CaptureFixture[str], shared_data: Path) -> None:
     folder = shared_data / "prototype"
     expected = json.loads((folder / "expected.json").read_text())["c"]
-    numbers = answer(
+    numbers = run_json(
         capsys, "estimate", "--planes", folder / "c/plane1.txt", folder / "c/plane2.txt",
         "--lever-arm", *expected["lever_arm_m"], "--boresight", 0, 45, 0, "--lidar-sigma", 0.0031,
         "--pos-errors", "independent", "--subsample", 0,
@@ -166,9 +170,9 @@ def test_one_plane_file_is_refused_unless_accepted(
 ) -> None:
     plane = shared_data / "prototype/a/plane2.txt"
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
-    assert "--accept-single-orientation" in refused(capsys, *words)
+    assert "--accept-single-orientation" in run_refused(capsys, *words)
     assert "adjustment.only_plane" in codes_of(command_error(*words))
-    numbers = answer(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
+    numbers = run_json(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
     assert "is the only target" in numbers["observability"]["messages"][-1]
 
 
@@ -281,7 +285,7 @@ def test_bad_input_is_refused_and_no_project_is_left(
     words = new_words(tmp_path / "project", folder, line)
     failure = command_error(*words)
     assert code in codes_of(failure)
-    assert str(failure) in refused(capsys, *words)
+    assert str(failure) in run_refused(capsys, *words)
     assert not (tmp_path / "project").exists()
 
 
@@ -292,7 +296,7 @@ def test_text_line_with_named_columns(
     rows = np.column_stack([las.gps_time, las.x, las.y, las.z])[:5000]
     np.savetxt(tmp_path / "line.csv", rows, delimiter=",", fmt="%.7f")
     words = new_words(tmp_path / "project", raw, tmp_path / "line.csv")
-    assert answer(capsys, *words, "--columns", "time,x,y,z")["points"] == {"line": 5000}
+    assert run_json(capsys, *words, "--columns", "time,x,y,z")["points"] == {"line": 5000}
     other = new_words(tmp_path / "other", raw, tmp_path / "line.csv")
     refused_with("text.columns_missing", *other, "--columns", "time,x,y", missing=("z",))
 
@@ -301,13 +305,13 @@ def test_a_refused_pick_does_not_change_the_project(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
     project = tmp_path / "project"
-    answer(capsys, *new_words(project, raw, one_line(raw)))
+    run_json(capsys, *new_words(project, raw, one_line(raw)))
     before = (project / "project.json").read_bytes()
-    refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
-    refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
+    run_refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
+    run_refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
     assert (project / "project.json").read_bytes() == before
     # With one line the target is found, but there is nothing to compare it with.
-    answer(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")
+    run_json(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")
     picked = (project / "project.json").read_bytes()
     assert "estimate.one_line" in codes_of(command_error("estimate", project))
     assert (project / "project.json").read_bytes() == picked

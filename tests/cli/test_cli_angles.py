@@ -34,7 +34,7 @@ def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     return out
 
 
-def answer(capsys: pytest.CaptureFixture[str], *words: object) -> Any:
+def run_json(capsys: pytest.CaptureFixture[str], *words: object) -> Any:
     return json.loads(printed_json(capsys, *words))
 
 
@@ -44,7 +44,7 @@ def printed_json(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     return out
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -> str:
     got, out, err = run(capsys, *words)
     assert (got, out) == (code, ""), (got, out, err)
     assert err.count("\n") == 1
@@ -70,7 +70,7 @@ def test_without_arguments_every_system_is_listed(capsys) -> None:
         assert f"\n{each.key} (" in text
     assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
     assert text.count("  Assumption ") == sum(bool(each.assumption) for each in SYSTEMS)
-    assert [each["system"] for each in answer(capsys)] == [each.key for each in SYSTEMS]
+    assert [each["system"] for each in run_json(capsys)] == [each.key for each in SYSTEMS]
 
 
 def test_to_applanix(capsys) -> None:
@@ -88,7 +88,7 @@ def test_to_applanix(capsys) -> None:
 def test_angles_have_names_if_their_order_differs(capsys) -> None:
     text = printed_by(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
     shown = [line.split() for line in text.splitlines() if " rotation  " in line]
-    angles = answer(capsys, 0.1, 0.2, 0.3, "--to", "novatel")["to"]["angles"]
+    angles = run_json(capsys, 0.1, 0.2, 0.3, "--to", "novatel")["to"]["angles"]
     assert [f"{row[0]} {row[1]}" for row in shown] == ["X rotation", "Y rotation", "Z rotation"]
     assert [angle["name"] for angle in angles] == ["X rotation", "Y rotation", "Z rotation"]
     assert angles[0]["value_deg"] == pytest.approx(-0.2, abs=0.002)
@@ -100,20 +100,20 @@ def test_unverified_systems_are_marked_as_assumed(capsys, key: str) -> None:
     text = printed_by(capsys, 0.1, -0.2, 0.3, "--to", key)
     assert "New angles" not in text
     assert "  Assumption " in text.split("\nTo ")[1]
-    assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
+    assert run_json(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
 
 
 def test_conversion_there_and_back_gives_the_same_angles(capsys) -> None:
     for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
-        there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
-        back = answer(capsys, *degrees(there), "--lever-arm", *there["lever_arm_m"],
-                      "--from", key)["to"]  # fmt: skip
+        there = run_json(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
+        back = run_json(capsys, *degrees(there), "--lever-arm", *there["lever_arm_m"],
+                        "--from", key)["to"]  # fmt: skip
         assert degrees(back) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
         assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
 
 
 def test_negative_and_tiny_numbers_are_accepted(capsys) -> None:
-    content = answer(capsys, "--to", "lispac", "-1e-3", "-.5", "-2")
+    content = run_json(capsys, "--to", "lispac", "-1e-3", "-.5", "-2")
     assert degrees(content["to"]) == pytest.approx([-0.001, -0.5, -2])
 
 
@@ -123,7 +123,7 @@ def test_correction_to_present_settings(capsys) -> None:
     assert column(text, "Current angles") == [0.1, 1.0, -3.0]
     assert column(text, "New angles") == [0.125, 1.192, 0.276]
     assert "Do not add the angles: the sum would be wrong by 0.0101 deg" in text
-    found = answer(capsys, *words)["correction"]
+    found = run_json(capsys, *words)["correction"]
     assert found["side"] == "left"
     turns = {
         name: Rotation.from_euler("ZYX", list(found[name].values())[::-1], degrees=True)
@@ -142,9 +142,9 @@ def test_a_sum_of_angles_that_is_accurate_enough_is_reported(capsys) -> None:
 
 def test_the_current_angles_may_already_be_applied(capsys) -> None:
     words = ("--to", "applanix", "--current", 10, 20, 30)
-    nothing = answer(capsys, 0, 0, 0, *words, "--current-applied")["correction"]
+    nothing = run_json(capsys, 0, 0, 0, *words, "--current-applied")["correction"]
     assert list(nothing["new_deg"].values()) == pytest.approx([10, 20, 30])
-    found = answer(capsys, 0.5, -1.0, 2.0, *words, "--current-applied")["correction"]
+    found = run_json(capsys, 0.5, -1.0, 2.0, *words, "--current-applied")["correction"]
     remainder = Rotation.from_euler("ZYX", [2.0, 1.0, 0.5], degrees=True)
     old = Rotation.from_euler("ZYX", [30, 20, 10], degrees=True)
     new = Rotation.from_euler("ZYX", list(found["new_deg"].values())[::-1], degrees=True)
@@ -157,7 +157,7 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
     rows = text.splitlines()[-4:]
     file = tmp_path / "scan2imu.txt"
     file.write_text("# of the survey\n" + "\n".join(rows))
-    back = answer(capsys, "--from", "pdal", "--from-matrix", file)["to"]
+    back = run_json(capsys, "--from", "pdal", "--from-matrix", file)["to"]
     assert degrees(back) == pytest.approx([0.4395, -1.8681, 0.3992], abs=1e-7)
     assert back["lever_arm_m"] == pytest.approx([-0.185596, 0.037658, 2.419063])
     file.write_text("1,0,0; 0,0,-1; 0,1,0")
@@ -168,20 +168,20 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("key", ["applanix", "opals", "phoenix", "hypack"])
 def test_a_printed_matrix_can_be_read_again(capsys, tmp_path: Path, key: str) -> None:
-    there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
+    there = run_json(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
     file = tmp_path / "matrix.txt"
     file.write_text(json.dumps(there["transform"]))
-    back = answer(capsys, "--from", key, "--from-matrix", file)["to"]
+    back = run_json(capsys, "--from", key, "--from-matrix", file)["to"]
     assert degrees(back) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
     assert back["lever_arm_m"] == pytest.approx([1, -2, 3])
 
 
 def test_axes_of_an_imu_can_be_given(capsys) -> None:
     words = (0, 0, 0, "--lever-arm", 1, 2, 3, "--to", "phoenix")
-    content = answer(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
+    content = run_json(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
     assert content["lever_arm_m"] == [-3, -2, -1]
     assert "is assumed" not in content["assumption"]
-    assert ": X forward, Y port, Z up is assumed" in answer(capsys, *words)["to"]["assumption"]
+    assert ": X forward, Y port, Z up is assumed" in run_json(capsys, *words)["to"]["assumption"]
 
 
 def test_a_project_gives_its_estimated_boresight_with_sigmas(
@@ -189,7 +189,7 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
 ) -> None:
     project = calibrated[0]
     assert project.result is not None
-    content = answer(capsys, project.folder, "--to", "novatel")
+    content = run_json(capsys, project.folder, "--to", "novatel")
     own = content["from"]
     np.testing.assert_allclose(degrees(own), np.degrees(project.result.boresight))
     np.testing.assert_allclose(degrees(own, "sigma_deg"), np.degrees(project.result.sigma))
@@ -222,33 +222,33 @@ def test_refusals(capsys, tmp_path: Path) -> None:
         "1 0 0 nan  0 1 0 0  0 0 1 0  0 0 0 1": "NaN or infinite",
     }.items():
         file.write_text(text)
-        assert words in refused(capsys, "--from-matrix", file)
-    assert "No such file" in refused(capsys, "--from-matrix", tmp_path / "none.txt")
+        assert words in run_refused(capsys, "--from-matrix", file)
+    assert "No such file" in run_refused(capsys, "--from-matrix", tmp_path / "none.txt")
     refused_with("survey.unknown_program", "angles", 1, 2, 3, "--to", "posmv", name="posmv")
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
-    assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
-    assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
-                                        "ahead", "port", "up")  # fmt: skip
+    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
+    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--from", "riprocess")
+    assert "left-handed" in run_refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
+    assert "not a direction" in run_refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
+                                            "ahead", "port", "up")  # fmt: skip
     assert command_error("angles", tmp_path).code == "project.not_found"
 
 
 def test_wrong_usage(capsys, tmp_path: Path) -> None:
-    assert "three angles" in refused(capsys, 1, 2, code=2)
-    assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
-    assert "finite" in refused(capsys, 1, "inf", 3, code=2)
-    assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
-    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever-arm", 1, 2, 3, code=2)
-    assert "give only one of" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
+    assert "three angles" in run_refused(capsys, 1, 2, code=2)
+    assert "three numbers" in run_refused(capsys, 1, "two", 3, code=2)
+    assert "finite" in run_refused(capsys, 1, "inf", 3, code=2)
+    assert "--current" in run_refused(capsys, 1, 2, 3, "--current-applied", code=2)
+    assert "contains its lever arm" in run_refused(capsys, tmp_path, "--lever-arm", 1, 2, 3, code=2)
+    assert "give only one of" in run_refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
-    assert "have not been estimated" in refused(capsys, demo_project.folder, "--to", "applanix")
+    assert "have not been estimated" in run_refused(capsys, demo_project.folder, "--to", "applanix")
 
 
-def given_matrix(capsys, angles, *words) -> list[float]:
+def printed_matrix(capsys, angles, *words) -> list[float]:
     """Numbers of the matrix from scanner to body, as the command prints them."""
-    found = answer(capsys, *angles, "--lever-arm", 0, 0, 0, *words)["from"]["transform"]
+    found = run_json(capsys, *angles, "--lever-arm", 0, 0, 0, *words)["from"]["transform"]
     return np.round(np.array(found)[:3, :3], 12).ravel().tolist()
 
 
@@ -258,19 +258,19 @@ def test_a_present_matrix_has_the_same_effect_as_present_angles(
 ) -> None:
     now = (0.1, 1.0, -3.0)
     words = (0.125, -1.192, 0.276, "--to", key)
-    numbers = given_matrix(capsys, now, "--from", key)
-    by_angles = answer(capsys, *words, "--current", *now)["correction"]
+    numbers = printed_matrix(capsys, now, "--from", key)
+    by_angles = run_json(capsys, *words, "--current", *now)["correction"]
     path = tmp_path / "now.txt"
     path.write_text(f"# scanner to body\n{numbers[:3]}\n{numbers[3:6]}\n{numbers[6:]}\n")
-    for given in (numbers, [path]):
-        found = answer(capsys, *words, "--current-matrix", *given)["correction"]
+    for arguments in (numbers, [path]):
+        found = run_json(capsys, *words, "--current-matrix", *arguments)["correction"]
         for name in ("current_deg", "new_deg", "correction_deg"):
             assert found[name] == pytest.approx(by_angles[name], abs=1e-8)
         np.testing.assert_allclose(found["matrix"], by_angles["matrix"], atol=1e-10)
     applied = (*words, "--current-applied")
     np.testing.assert_allclose(
-        answer(capsys, *applied, "--current-matrix", path)["matrix"],
-        answer(capsys, *applied, "--current", *now)["matrix"],
+        run_json(capsys, *applied, "--current-matrix", path)["matrix"],
+        run_json(capsys, *applied, "--current", *now)["matrix"],
         atol=1e-10,
     )
 
@@ -279,7 +279,7 @@ def test_the_correction_of_a_program_that_accepts_only_a_matrix(capsys) -> None:
     now = Rotation.from_euler("ZYX", [3.0, -1.0, 0.5], degrees=True).as_matrix()
     words = (0.4395, -1.8681, 0.3992, "--to", "pdal")
     numbers = np.round(now, 12).ravel().tolist()
-    found = answer(capsys, *words, "--current-matrix", *numbers)
+    found = run_json(capsys, *words, "--current-matrix", *numbers)
     new = np.array(found["matrix"])
     np.testing.assert_allclose(np.array(found["correction"]["matrix"]) @ now, new, atol=1e-9)
     assert found["correction"]["new_deg"] is None
@@ -295,7 +295,7 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
     numbers = np.round(now, 12).ravel().tolist()
     words = (0.4395, -1.8681, 0.3992, "--to", "applanix", "--current-matrix", *numbers)
     # Without a given lever arm the present one is kept
-    found = answer(capsys, *words)
+    found = run_json(capsys, *words)
     assert found["to"]["lever_arm_m"] == pytest.approx([0.12, -0.34, 2.5], abs=1e-12)
     assert found["correction"]["lever_arm"] == "taken over"
     correction, new = (np.array(found[k]["transform"]) for k in ("correction", "to"))
@@ -307,7 +307,7 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
     printed = text.splitlines()[-4:]
     np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
     # A given lever arm replaces the present one
-    found = answer(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
+    found = run_json(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert found["to"]["lever_arm_m"] == pytest.approx([0.1, -0.3, 2.4], abs=1e-12)
     np.testing.assert_allclose(
         np.array(found["correction"]["transform"]) @ now, found["to"]["transform"], atol=1e-11
@@ -321,8 +321,8 @@ def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_p
 
 def test_an_invalid_present_matrix_is_refused(capsys, tmp_path: Path) -> None:
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
-    assert "Give 9 numbers" in refused(capsys, *words, 1, 0, 0)
-    assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
-    assert "give only one of" in refused(
+    assert "Give 9 numbers" in run_refused(capsys, *words, 1, 0, 0)
+    assert "not a rotation" in run_refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
+    assert "give only one of" in run_refused(
         capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2
     )

@@ -14,7 +14,7 @@ from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.checking.repeated_surveys import comparability_notes
 from lispac.workflow.project.shared_lines import shared_lines
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.report_sample import sample_project, with_lines_of_its_own
 
@@ -39,7 +39,7 @@ def test_three_surveys_are_compared(capsys: pytest.CaptureFixture[str], tmp_path
     surveyed_again(tmp_path / "august", (0.01, -0.01, 0.02))
     surveyed_again(tmp_path / "october", (0.0, 0.2, 0.0))
     projects = [tmp_path / name for name in ("july", "august", "october")]
-    found = answer(capsys, "compare", *projects)
+    found = run_json(capsys, "compare", *projects)
     assert [each["name"] for each in found["calibrations"]] == ["july", "august", "october"]
     close, bumped = found["differences"]
     assert by_angle(close["difference_deg"]) == pytest.approx([0.01, -0.01, 0.02])
@@ -71,19 +71,19 @@ def test_shared_lines_and_lever_arms_are_reported(
     (tmp_path / "b").mkdir()
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
+    texts = run_json(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
     for found in (
         note("repeat.same_lines", name="b", other="a"),
         note("repeat.lever_arm", name="b", other="a"),
     ):
-        assert english_text(found) in remarks
+        assert english_text(found) in texts
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
+    texts = run_json(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
     found = note("repeat.shared_lines", name="c", other="a", count=1)
-    assert english_text(found) in remarks
+    assert english_text(found) in texts
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -92,11 +92,11 @@ def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     surveyed_again(tmp_path / "c", (0.01, 0.0, 0.0))
     assert first.result is not None
     sigma = np.degrees(first.result.sigma)
-    two = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["combined"]
+    two = run_json(capsys, "compare", tmp_path / "a", tmp_path / "b")["combined"]
     assert two["counted"] == ["a"]
     assert by_angle(two["sigma_deg"]) == pytest.approx(sigma.tolist())
     assert two["spread_deg"] is None
-    three = answer(capsys, "compare", *(tmp_path / name for name in "abc"))["combined"]
+    three = run_json(capsys, "compare", *(tmp_path / name for name in "abc"))["combined"]
     assert three["counted"] == ["a", "c"]
     assert by_angle(three["sigma_deg"]) == pytest.approx((sigma / np.sqrt(2)).tolist())
     _, out, err = run(capsys, "compare", tmp_path / "a", tmp_path / "b")
@@ -148,8 +148,8 @@ def test_differences_that_limit_a_comparison_are_reported(tmp_path: Path) -> Non
     other = replace(second, settings=settings, lines=second.lines[:2])
     first.lines[0].path.unlink()
     changed = replace(first, lines=first.lines[:3])
-    told = comparability_notes(("a", "b"), (changed, other))
-    assert told == [
+    notes = comparability_notes(("a", "b"), (changed, other))
+    assert notes == [
         note("repeat.shared_lines", name="b", other="a", count=1),
         note("repeat.lever_arm", name="b", other="a"),
         note("repeat.pos_errors", name="b", other="a"),

@@ -71,7 +71,7 @@ SUGGESTED_CHECK = "Check the path, the disk and the permissions."
 
 
 @pytest.mark.parametrize(
-    ("error", "said"),
+    ("error", "printed"),
     [
         (MemoryError(), "lispac: not enough memory; use shorter lines.\n"),
         (KeyboardInterrupt(), "lispac: interrupted.\n"),
@@ -84,14 +84,14 @@ SUGGESTED_CHECK = "Check the path, the disk and the permissions."
 )  # fmt: skip
 def test_an_error_or_interrupt_is_printed_as_one_line(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
-    error: BaseException, said: str,
+    error: BaseException, printed: str,
 ) -> None:  # fmt: skip
     def stop(_: object) -> None:
         raise error
 
     monkeypatch.setattr(sensors, "run", stop)
     assert main(["sensors"]) == 1
-    assert capsys.readouterr() == ("", said)
+    assert capsys.readouterr() == ("", printed)
 
 
 def test_the_module_can_be_run(

@@ -17,7 +17,7 @@ from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.command_errors import command_error
 from tests.support.narrow_site import narrow_site
 
@@ -33,15 +33,15 @@ def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
 
 
 def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
-    found = answer(capsys, "predict", PORT)
+    found = run_json(capsys, "predict", PORT)
     assert found["determined"]
     assert len(found["points"]) == 12
     sigma = {"roll": 0.0126, "pitch": 0.0282, "yaw": 0.0241}
     assert found["sigma_deg"] == pytest.approx(sigma, abs=0.0002)
     assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
-    said = printed_by(capsys, "predict", PORT)
-    assert "Least precisely determined: pitch" in said
-    assert "roll-pitch" in said
+    printed = printed_by(capsys, "predict", PORT)
+    assert "Least precisely determined: pitch" in printed
+    assert "roll-pitch" in printed
 
 
 def test_undetermined_plans_are_reported(
@@ -55,7 +55,7 @@ def test_undetermined_plans_are_reported(
     )
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
-    found = answer(capsys, "predict", one_line)
+    found = run_json(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
     assert found["messages"] == [message_text(note("design.undetermined"))]
     missing = command_error("predict", tmp_path / "none.toml")
@@ -66,34 +66,34 @@ def test_undetermined_plans_are_reported(
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     folder = tmp_path / "out"
-    said = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
-    assert "all six" in said
-    assert "not determined" in said
+    printed = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
+    assert "all six" in printed
+    assert "not determined" in printed
     with (folder / "scenarios.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 * (11 + 4)
     assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
     # The scenarios of the thesis have their own boards, wherever the wall of the plan is
     assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0
-    found = answer(capsys, "scenarios", PORT, "--only", "distance")
+    found = run_json(capsys, "scenarios", PORT, "--only", "distance")
     assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
 
 
 def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"
     site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [2, 8]"}))
-    found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
+    found = run_json(capsys, "design", site, "--workers", 1, "--output", folder)
     assert found["exact"]
     assert found["plans_evaluated"] == 28 * 27
     assert {path.name for path in folder.iterdir()} == {
         "plan.toml", "field-plan.pdf", "front.svg", "front.csv",
     }  # fmt: skip
-    again = answer(capsys, "predict", folder / "plan.toml")
+    again = run_json(capsys, "predict", folder / "plan.toml")
     assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
-    assert answer(capsys, "design", site, "--workers", 2) == found
-    said = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
-    assert "smallest standard deviation of yaw" in said
-    assert "all that are possible" in said
+    assert run_json(capsys, "design", site, "--workers", 2) == found
+    printed = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
+    assert "smallest standard deviation of yaw" in printed
+    assert "all that are possible" in printed
     assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
 
 
@@ -115,7 +115,7 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
 def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5.0 minutes available" in refused(capsys, "design", site)
+    assert "longer than the 5.0 minutes available" in run_refused(capsys, "design", site)
 
 
 def test_replay_of_the_built_in_survey(
@@ -124,25 +124,25 @@ def test_replay_of_the_built_in_survey(
     """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
-    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
-    stated, predicted = (
+    found = run_json(capsys, "compare-plan", folder, "--plan", PORT)
+    adjusted, predicted = (
         found["obtained_sigma_deg"],
         found["surveyed_with_form_error_sigma_deg"],
     )
-    assert stated == pytest.approx(predicted, rel=0.05)
+    assert adjusted == pytest.approx(predicted, rel=0.05)
     assert found["missing_lines"] == []
     assert found["missing_targets"] == []
     more = tmp_path / "more.toml"
     further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
-    said = printed_by(capsys, "compare-plan", folder, "--plan", more)
-    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
-    assert "Target T9 was not used." in said
-    assert said.count("With it the standard deviation of") == 2
+    printed = printed_by(capsys, "compare-plan", folder, "--plan", more)
+    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in printed
+    assert "Target T9 was not used." in printed
+    assert printed.count("With it the standard deviation of") == 2
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
-    off = answer(capsys, "compare-plan", folder, "--plan", far)
+    off = run_json(capsys, "compare-plan", folder, "--plan", far)
     assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"

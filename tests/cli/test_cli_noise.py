@@ -9,7 +9,7 @@ import pytest
 
 from lispac.project import Project
 from lispac.workflow.project import projects
-from tests.cli.test_cli import answer, new_words, run
+from tests.cli.test_cli import new_words, run, run_json
 
 SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}
 WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
@@ -22,9 +22,9 @@ def raw(demo_project: Project) -> Path:
 
 def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:
     made = [word for word in new_words(folder, raw) if word not in ("--lidar-sigma", 0.0017)]
-    answer(capsys, *made, *words)
+    run_json(capsys, *made, *words)
     for name, seed in SEEDS.items():
-        answer(capsys, "pick", folder, "--seed", *seed, "--name", name)
+        run_json(capsys, "pick", folder, "--seed", *seed, "--name", name)
     return folder
 
 
@@ -37,18 +37,18 @@ def test_noise_and_offsets_of_a_project(
 ) -> None:
     project = picked(capsys, raw, tmp_path / "quay", "--lidar-sigma-xyz", 0.003, 0.004, 0.005,
                      "--longest-gap", 2.5)  # fmt: skip
-    stated = projects.open_project(project).settings
-    assert stated.lidar_sigma_xyz == (0.003, 0.004, 0.005)
-    assert stated.longest_gap == 2.5
+    sensor_settings = projects.open_project(project).settings
+    assert sensor_settings.lidar_sigma_xyz == (0.003, 0.004, 0.005)
+    assert sensor_settings.longest_gap == 2.5
 
     def estimated(*words: object) -> dict[str, Any]:
-        return answer(capsys, "estimate", project, *WITHOUT_DIAGNOSTICS, *words)
+        return run_json(capsys, "estimate", project, *WITHOUT_DIAGNOSTICS, *words)
 
     axis = estimated("--lidar-sigma", 0.004)
     settings = projects.open_project(project).settings
     assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
-    alike = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
-    np.testing.assert_allclose(angles(alike), angles(axis), rtol=0, atol=1e-9)
+    equal_axes = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
+    np.testing.assert_allclose(angles(equal_axes), angles(axis), rtol=0, atol=1e-9)
     # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
     beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
     settings = projects.open_project(project).settings
@@ -81,12 +81,12 @@ def test_noise_and_offsets_of_plane_files(
     words = ("estimate", "--planes", folder / "plane1.txt", folder / "plane2.txt",
              "--lever-arm", 0, 0, 0, "--boresight", 0, 45, 0, "--pos-errors", "independent",
              "--no-cross-checks")  # fmt: skip
-    axis = answer(capsys, *words, "--lidar-sigma", 0.0031)
-    alike = answer(capsys, *words, "--lidar-sigma-xyz", 0.0031, 0.0031, 0.0031)
-    np.testing.assert_array_equal(angles(alike), angles(axis))
-    beam = answer(capsys, *words, "--lidar-beam-sigma", 0.0031, 0.2)
+    axis = run_json(capsys, *words, "--lidar-sigma", 0.0031)
+    equal_axes = run_json(capsys, *words, "--lidar-sigma-xyz", 0.0031, 0.0031, 0.0031)
+    np.testing.assert_array_equal(angles(equal_axes), angles(axis))
+    beam = run_json(capsys, *words, "--lidar-beam-sigma", 0.0031, 0.2)
     assert (angles(beam, "sigma_deg") > angles(axis, "sigma_deg")).all()
-    longer = answer(capsys, *words, "--lidar-sigma", 0.0031, "--range-offset", 0.05)
+    longer = run_json(capsys, *words, "--lidar-sigma", 0.0031, "--range-offset", 0.05)
     assert np.abs(angles(longer) - angles(axis)).max() > 0.001
     code, out, err = run(capsys, *words, "--latency", 0.01)
     assert (code, out) == (2, "")

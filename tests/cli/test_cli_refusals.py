@@ -11,7 +11,7 @@ ESTIMATE_PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "refusal"),
     [
         (["patchtest", "p", "--object", "pole=1,2,3,4,5,6", "--object", "pole=1,2,3,4,5,7"],
          "patchtest: two objects have the same name."),
@@ -29,9 +29,9 @@ ESTIMATE_PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"
     ],
 )  # fmt: skip
 def test_incompatible_options_are_refused(
-    capsys: pytest.CaptureFixture[str], words: list[str], said: str
+    capsys: pytest.CaptureFixture[str], words: list[str], refusal: str
 ) -> None:
-    assert run(capsys, *words) == (2, "", f"lispac: {said}\n")
+    assert run(capsys, *words) == (2, "", f"lispac: {refusal}\n")
 
 
 def test_an_unknown_parameter_is_refused_with_a_list_of_the_known_ones(
@@ -45,7 +45,7 @@ def test_an_unknown_parameter_is_refused_with_a_list_of_the_known_ones(
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "refusal"),
     [
         (["patchtest", "p", "--object", "pole"], "'pole' is not NAME=VALUE"),
         (["patchtest", "p", "--object", "=1,2,3"], "'=1,2,3' is not NAME=VALUE"),
@@ -53,11 +53,11 @@ def test_an_unknown_parameter_is_refused_with_a_list_of_the_known_ones(
     ],
 )  # fmt: skip
 def test_invalid_option_values_are_refused(
-    capsys: pytest.CaptureFixture[str], words: list[str], said: str
+    capsys: pytest.CaptureFixture[str], words: list[str], refusal: str
 ) -> None:
     code, out, err = run(capsys, *words)
     assert (code, out) == (2, "")
-    assert err.endswith(f"{said}\n")
+    assert err.endswith(f"{refusal}\n")
 
 
 def test_a_lever_arm_beside_a_matrix_that_contains_one_is_refused(

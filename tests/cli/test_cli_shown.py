@@ -26,7 +26,7 @@ from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.planning import sensors
-from tests.cli.test_cli import answer, import_workflow, run
+from tests.cli.test_cli import import_workflow, run, run_json
 from tests.support.narrow_site import narrow_site
 from tests.support.report_sample import sample_project
 from tests.support.surveys import TARGETS, planar_survey
@@ -81,7 +81,7 @@ def test_planes_that_were_not_compared_are_reported_with_the_reason(
 
 
 @pytest.mark.parametrize(
-    ("asked", "radius", "notes"),
+    ("given_radius", "radius", "notes"),
     [
         (None, 1.0, ()),
         (None, 3.0, (note("finder.radius_increased", target="T1", usual=2.0, radius=3.0),)),
@@ -89,9 +89,12 @@ def test_planes_that_were_not_compared_are_reported_with_the_reason(
     ],
 )  # fmt: skip
 def test_a_wider_search_for_a_target_is_noted(
-    asked: float | None, radius: float, notes: tuple[Message, ...]
+    given_radius: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
-    assert search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
+    assert (
+        search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), given_radius)
+        == notes
+    )
 
 
 def one_line(path: Path) -> Path:
@@ -168,7 +171,7 @@ def test_plane_files_are_adjusted_and_reported(
         write_plane_file(path, observations, path.stem, nowhere, plane)
     words = ("estimate", "--planes", *files, "--lever-arm", 0.1, -0.2, 0.3, "--no-cross-checks")
     out, _ = printed_by(capsys, *words)
-    numbers = answer(capsys, *words)
+    numbers = run_json(capsys, *words)
     rows = [line.split() for line in out.splitlines()[2:5]]
     assert [row[0] for row in rows] == ["Roll", "Pitch", "Yaw"]
     np.testing.assert_allclose([float(row[2]) for row in rows], [0.27, -1.14, 0.36], atol=1e-4)
@@ -191,7 +194,7 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     assert [row[-2] for row in rows] == ["+0.2700", "-1.1400", "+0.3600"]
     printed_by(capsys, "demo", "--output", project.folder, "--no-window")
     monkeypatch.setattr(demo, "has_display", lambda: False)
-    numbers = answer(capsys, "demo", "--output", project.folder)
+    numbers = run_json(capsys, "demo", "--output", project.folder)
     assert len(started) == 1
     assert numbers["report"] == str(project.folder / "report.pdf")
     assert numbers["truth_deg"] == {"roll": 0.27, "pitch": -1.14, "yaw": 0.36}
@@ -312,6 +315,6 @@ def test_a_design_is_compared_with_a_usual_plan_that_is_undetermined(
     assert rows[4].split("  ")[1:3] == ["Shahraji's plan", "not determined"]
     assert rows[-1] == str(folder)
     assert written == [folder]
-    numbers = answer(capsys, "design", site, "--workers", 1)
+    numbers = run_json(capsys, "design", site, "--workers", 1)
     assert numbers["thesis_sigma_deg"] is None
     assert len(written) == 1, "nothing is written where no folder is named"

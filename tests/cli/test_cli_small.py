@@ -33,7 +33,7 @@ from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import answer, import_workflow, refused, run
+from tests.cli.test_cli import import_workflow, run, run_json, run_refused
 from tests.support.report_sample import sample_project
 from tests.support.sharing import make_once
 from tests.validation.test_absolute_warnings import check as against_reference
@@ -43,22 +43,22 @@ import_workflow()
 TWO_METRE_BOX = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
 
 
-def _made(folder: Path) -> Project:
+def _make_small_demo(folder: Path) -> Project:
     return lispac.demo(folder, points_per_second=5_000.0).project
 
 
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey with few points; tests must not change it on disk."""
-    return make_once(tmp_path_factory, "small", _made)
+    return make_once(tmp_path_factory, "small", _make_small_demo)
 
 
 @pytest.fixture
 def project(small: Project, tmp_path: Path) -> Project:
     """A project of the same files in a separate folder."""
-    mine = replace(small, folder=tmp_path / "mine")
-    write_project(mine)
-    return mine
+    copy_of_project = replace(small, folder=tmp_path / "mine")
+    write_project(copy_of_project)
+    return copy_of_project
 
 
 @pytest.fixture(scope="module")
@@ -130,10 +130,10 @@ class FakePatchTest:
         self.pairs = pairs
         named = [each.name for each in laid.objects]
         objects = tuple(ObjectAgreement(name, ("L1 L2",), 0.01, 0, 0.0, 0.001) for name in named)
-        return answered(laid.boresight, objects)
+        return patch_test_result(laid.boresight, objects)
 
 
-def answered(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchTestResult:
+def patch_test_result(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchTestResult:
     return PatchTestResult(
         angles, angles, np.diag(np.radians([0.01, 0.02, 0.03]) ** 2), np.array([10.0, 20.0, 30.0]),
         0.05, 0.01, ("L1", "L2", "L3"), objects, 3, True,
@@ -151,18 +151,18 @@ def test_a_patch_test_uses_the_given_objects_and_pairs(
     monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: shown)
 
     def objects(*words: object) -> list[str]:
-        found = answer(capsys, "patchtest", project.folder, *words)
+        found = run_json(capsys, "patchtest", project.folder, *words)
         return [each["name"] for each in found["objects"]]
 
-    mine = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
-    assert objects(*mine) == ["pole", "edge"], "none is looked for besides"
+    object_options = ("--object", "pole=0,-15,5,1,1,4", "edge=3,-15,5,1,1,4,20")
+    assert objects(*object_options) == ["pole", "edge"], "none is looked for besides"
     assert len(bench.pairs) == 15
-    assert objects(*mine, "--count", 2) == ["pole", "edge", "A01", "A02"]
+    assert objects(*object_options, "--count", 2) == ["pole", "edge", "A01", "A02"]
     assert objects("--count", 1, "--pairs", "reciprocal", "crossing") == ["A01"]
     assert {pair.kind for pair in bench.pairs} == {"reciprocal", "crossing"}
     assert objects("--lines", "L1_000", "L2_180", "L3_045", "--count", 1) == ["A01"]
     assert len(bench.pairs) == 3
-    rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
+    rows = printed_by(capsys, "patchtest", project.folder, *object_options)[0].splitlines()
     objects_title = rows.index("Objects")
     assert [row.split()[0] for row in rows[objects_title + 2 : objects_title + 4]] == [
         "pole", "edge",
@@ -177,7 +177,7 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
         ObjectAgreement("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
         ObjectAgreement("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
     )
-    patchtest.print_patch_test(PatchTestValues.of(answered(angles, objects)))
+    patchtest.print_patch_test(PatchTestValues.of(patch_test_result(angles, objects)))
     rows = capsys.readouterr().out.splitlines()
     assert rows[2].split() == ["+0.2500", "0.0100", "-1.1000", "0.0200", "+0.4000", "0.0300"]
     assert rows[6].split() == ["+0.2500", "-1.1000", "+0.4000"]
@@ -219,7 +219,7 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
     assert "one in 3 of them" in err
     assert read_project(project.folder).targets == ()
-    numbers = answer(capsys, "propose", project.folder, "--accept")
+    numbers = run_json(capsys, "propose", project.folder, "--accept")
     assert numbers["accepted"] is True
     assert numbers["sigma_deg"] == pytest.approx({"roll": 0.01, "pitch": 0.02, "yaw": 0.03})
     assert numbers["targets"][0] == {
@@ -243,17 +243,17 @@ def test_the_result_of_the_scene_is_printed_and_saved_on_request(
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr("lispac.workflow.calibration.targetless.targetless", lambda *_, **__: found)
     out, _ = printed_by(capsys, "targetless", project.folder)
-    remarks = list(map(english_text, found.messages))
-    assert out.splitlines()[-len(remarks) :] == remarks
+    texts = list(map(english_text, found.messages))
+    assert out.splitlines()[-len(texts) :] == texts
     assert out.startswith("Boresight\n")
     assert read_project(project.folder).alternative_results == ()
-    numbers = answer(capsys, "targetless", project.folder, "--save")
+    numbers = run_json(capsys, "targetless", project.folder, "--save")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
-    assert numbers["messages"] == remarks
-    wanted = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
-    assert {key: numbers[key] for key in wanted} == wanted
+    assert numbers["messages"] == texts
+    expected = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
+    assert {key: numbers[key] for key in expected} == expected
     assert numbers["disagreeing_lines"] == ["L6"]
     kept = read_project(project.folder).alternative_result("targetless")
     assert kept is not None
@@ -306,7 +306,7 @@ def test_a_script_reports_a_missing_file(
     out, err = printed_by(capsys, "script", project.folder)
     assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
-    numbers = answer(capsys, "script", project.folder)
+    numbers = run_json(capsys, "script", project.folder)
     assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
 
 
@@ -342,10 +342,10 @@ def test_a_seed_without_a_target_has_a_reason_in_json(
         found = (SeedOutcome(there, target), SeedOutcome(none, None, note("finder.not_alike")))
         return project.with_target(target), found
 
-    seen = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
+    quality = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
         "lispac.workflow.calibration.sighting_assessment.assess_target",
-        lambda *_: {"L1_000": seen, "L2_180": seen},
+        lambda *_: {"L1_000": quality, "L2_180": quality},
     )
     monkeypatch.setattr("lispac.workflow.calibration.seed_lists.pick_seeds", picked)
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")
@@ -374,7 +374,7 @@ def test_the_absence_of_warnings_is_reported(
     )
     monkeypatch.setattr("lispac.workflow.checking.warnings.warnings_of", lambda *_: ())
     assert printed_by(capsys, "warnings", project.folder) == ("No warnings.\n", "")
-    assert answer(capsys, "warnings", project.folder) == {"warnings": []}
+    assert run_json(capsys, "warnings", project.folder) == {"warnings": []}
 
 
 def test_methods_without_a_result_are_noted_with_the_reason(
@@ -395,7 +395,7 @@ def test_methods_without_a_result_are_noted_with_the_reason(
     assert err.count("not run yet") == 3
     bare = replace(project, result=None)
     write_project(bare)
-    assert "or --compute" in refused(capsys, "compare", project.folder)
+    assert "or --compute" in run_refused(capsys, "compare", project.folder)
 
 
 def test_the_trajectory_is_exported_as_text(
@@ -403,7 +403,7 @@ def test_the_trajectory_is_exported_as_text(
 ) -> None:
     path = tmp_path / "track.txt"
     words = ("export", project.folder, "--what", "trajectory", "--format", "text", "--output", path)
-    found = answer(capsys, *words)
+    found = run_json(capsys, *words)
     assert found == {"files": [str(path)]}
     out, err = printed_by(capsys, *words)
     assert out == f"{path}\n"

@@ -37,7 +37,7 @@ def done(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     return out
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     code, _, err = run(capsys, *words)
     assert code == 1
     assert err.count("\n") == 1
@@ -242,7 +242,7 @@ def test_unsuitable_trajectories_are_not_replayed(
 ) -> None:
     _, start = recorded(tmp_path, capsys)
     scene = tmp_path / "wall.toml"
-    for text, said in (
+    for text, reason in (
         (REPLAY_SCENE.format(scanner="profiler", start=10, stop=20), "Correct start_s and stop_s"),
         (
             REPLAY_SCENE.format(scanner="profiler", start=start, stop=start + 1).replace(
@@ -258,7 +258,7 @@ def test_unsuitable_trajectories_are_not_replayed(
         ),
     ):
         scene.write_text(text)
-        assert said in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
+        assert reason in run_refused(capsys, "simulate", scene, "--output", tmp_path / "no")
         assert not (tmp_path / "no").exists()
     refusal = command_error(
         "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output", tmp_path / "no"
@@ -275,24 +275,24 @@ def test_wrong_options_of_simulate_are_reported(
     assert refusal.message.params["known"] == ("marine", "port", "terrestrial")
     refusal = command_error("simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
     assert refusal.code == "simulate.no_vessel"
-    for option, value, told in (
+    for option, value, reason in (
         ("--latency", 100, "latency of 100 s is larger than 10.0 s"),
         ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
         ("--scan-angle-offset", 400, "scan-angle offset of 400 deg is larger than 180 deg"),
     ):  # fmt: skip
-        said = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
-        assert told in said
+        printed = run_refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
+        assert reason in printed
     hurried = tmp_path / "hurried.toml"
     hurried.write_text(
         (resource_path("vessels") / "van.toml")
         .read_text()
         .replace("ramp_s = 4", "ramp_s = 1\nwait_s = 1")
     )
-    said = refused(
+    printed = run_refused(
         capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
         tmp_path / "a", "--points-per-second", 5_000,
     )  # fmt: skip
-    assert "extend beyond the trajectory" in said
+    assert "extend beyond the trajectory" in printed
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")
@@ -300,10 +300,10 @@ def test_wrong_options_of_simulate_are_reported(
     assert refusal.code == "simulate.folder_in_use"
     assert [path.name for path in full.iterdir()] == ["thesis.doc"]
     assert run(capsys, "simulate", "--output", tmp_path / "a")[0] == 2
-    blind = tmp_path / "blind.toml"
+    distant_scene = tmp_path / "blind.toml"
     text = (resource_path("scenes") / "marine.toml").read_text()
-    blind.write_text(text.replace("distance_m = 15", "distance_m = 400"))
-    refusal = command_error("simulate", blind, "--output", tmp_path / "a")
+    distant_scene.write_text(text.replace("distance_m = 15", "distance_m = 400"))
+    refusal = command_error("simulate", distant_scene, "--output", tmp_path / "a")
     assert refusal.code == "simulate.line_without_points"
     assert not (tmp_path / "a").exists()
 
@@ -346,8 +346,8 @@ def test_a_failed_simulation_keeps_the_earlier_one(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr("lispac.workflow.planning.simulate.write_smrmsg", full)
-    refused(capsys, *words, tmp_path / "survey", "--seed", 7)
-    refused(capsys, *words, tmp_path / "new" / "survey")
+    run_refused(capsys, *words, tmp_path / "survey", "--seed", 7)
+    run_refused(capsys, *words, tmp_path / "new" / "survey")
     after = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     assert after == before
     assert not (tmp_path / "new").exists()
@@ -375,5 +375,5 @@ def test_vessels_with_impossible_pos_errors_are_refused(
     assert old in sound
     vessel = tmp_path / "vessel.toml"
     vessel.write_text(sound.replace(old, new, 1), encoding="utf-8")
-    refused(capsys, "simulate", "port", "--vessel", vessel, "--output", tmp_path / "survey")
+    run_refused(capsys, "simulate", "port", "--vessel", vessel, "--output", tmp_path / "survey")
     assert not (tmp_path / "survey").exists()

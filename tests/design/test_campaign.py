@@ -33,7 +33,7 @@ from lispac.workflow.planning.cluster import cluster_mapper
 from lispac.workflow.planning.cluster_access import ClusterAccess
 from lispac.workflow.planning.parallel_map import choose_mapper, chunk_size, process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.studies.prediction_study import PLAN
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
@@ -57,7 +57,7 @@ def cluster(clusters: Clusters) -> distributed.LocalCluster:
     return clusters.with_workers()
 
 
-def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
+def are_identical(one: MonteCarloResult, other: MonteCarloResult) -> bool:
     """Whether two results are equal to the last bit."""
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
@@ -65,9 +65,9 @@ def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
 def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     here = run_monte_carlo(SMALL, 12)
     with process_pool_mapper(2) as mapper:
-        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
     with cluster_mapper(cluster.scheduler_address) as mapper:
-        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
     assert np.array_equal(run_monte_carlo(SMALL, 5).errors, here.errors[:5])
     assert not np.isclose(run_monte_carlo(SMALL, 5, seed=1).errors, here.errors[:5]).any()
 
@@ -97,8 +97,8 @@ def test_at_the_command_line(
     cluster: distributed.LocalCluster, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = ("campaign", PORT, "--surveys", 4)
-    here = answer(capsys, *words, "--workers", 1)
-    assert answer(capsys, *words, "--cluster", cluster.scheduler_address) == here
+    here = run_json(capsys, *words, "--workers", 1)
+    assert run_json(capsys, *words, "--cluster", cluster.scheduler_address) == here
     assert len(here["coverage_95"]) == 3
     code, out, err = run(capsys, *words, "--workers", 2, "--flatness-known")
     assert code == 0, err
@@ -153,7 +153,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
                 killed.append(workers[0])
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
-        assert same(run_monte_carlo(SMALL, 20, mapper=mapper, progress=kill), here)
+        assert are_identical(run_monte_carlo(SMALL, 20, mapper=mapper, progress=kill), here)
         client.wait_for_workers(2, timeout=120)
         assert workers[0] not in client.run(os.getpid).values()
 
@@ -193,9 +193,9 @@ class Slow:
         return number
 
 
-def stopped_at_once(answers: Iterable[int]) -> None:
+def stopped_at_once(results: Iterable[int]) -> None:
     """Cancel after the first result, like the progress of a search."""
-    for _ in answers:
+    for _ in results:
         raise Cancelled
 
 
@@ -235,10 +235,10 @@ def test_addresses_without_a_scheduler_are_refused(
         assert refusal.code == "cluster.no_scheduler"
         assert nobody in str(refusal)
     with socket.create_server(("127.0.0.1", 0)) as mute:  # another service, which does not answer
-        silent = f"127.0.0.1:{mute.getsockname()[1]}"
-        refusal = command_error("design", QUAY, "--cluster", silent)
+        address = f"127.0.0.1:{mute.getsockname()[1]}"
+        refusal = command_error("design", QUAY, "--cluster", address)
         assert refusal.code == "cluster.no_scheduler"
-        assert silent in str(refusal)
+        assert address in str(refusal)
     assert time.monotonic() - start < 20
     code, _, err = run(capsys, *words, nobody, "--workers", 2)
     assert code == 2
@@ -281,8 +281,8 @@ def test_a_cluster_without_workers_is_refused_without_waiting(
         monkeypatch.setattr(cluster_module, "POLL_INTERVAL", 0.1)
         monkeypatch.setattr(cluster_module, "WORKER_TIMEOUT", 0.3)
         with cluster_mapper(address) as mapper:
-            answers = mapper(abs, range(3))
-            assert next(answers) == 0
+            results = mapper(abs, range(3))
+            assert next(results) == 0
             tasks = empty.scheduler.tasks
             while sum(task.state == "memory" for task in list(tasks.values())) < 2:
                 time.sleep(0.05)
@@ -290,7 +290,7 @@ def test_a_cluster_without_workers_is_refused_without_waiting(
             while empty.scheduler.workers:
                 time.sleep(0.05)
             with pytest.raises(LispacError) as raised:
-                list(answers)
+                list(results)
             assert raised.value.code == "cluster.no_workers_left"
             with pytest.raises(LispacError) as raised:
                 list(mapper(abs, range(3)))
@@ -318,12 +318,12 @@ def test_a_lost_scheduler_is_reported(
         client = distributed.Client(address, timeout=4, set_as_default=False)
         scheduler.kill()
         scheduler.wait()
-        told = cluster_module._Cluster(client, address)
+        cluster = cluster_module._Cluster(client, address)
         with cluster_module._suppressed_logs():
             with pytest.raises(LispacError) as raised:
-                list(told.map(abs, range(3)))
+                list(cluster.map(abs, range(3)))
             assert raised.value.code == "cluster.connection_lost"
-            told.close()
+            cluster.close()
         assert capfd.readouterr().err == ""
     finally:
         scheduler.kill()
@@ -334,8 +334,8 @@ def test_a_missing_package_is_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
-    said = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
-    assert "pip install -e '.[cluster]'" in said
+    refusal = run_refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
+    assert "pip install -e '.[cluster]'" in refusal
     with choose_mapper(1, None) as mapper:
         assert mapper is map
 
@@ -387,10 +387,10 @@ def test_the_summary_names_the_sigma_that_is_too_small() -> None:
     assert "the errors agree with the prediction" in str(others.messages[1])
     off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
     assert any(
-        "mean error of pitch is significant: +0.00" in said for said in map(str, off.messages)
+        "mean error of pitch is significant: +0.00" in text for text in map(str, off.messages)
     )
     small = replace(others, errors=0.8 * others.errors)
-    assert any("are smaller than predicted" in said for said in map(str, small.messages))
+    assert any("are smaller than predicted" in text for text in map(str, small.messages))
 
 
 def test_chi_square_uses_the_correlation_of_the_angles() -> None:
@@ -513,7 +513,7 @@ def test_plain_tcp_to_other_computers_requires_an_option(
     address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 0.2)
-    assert "--plain-tcp" in refused(capsys, "campaign", PORT, "--cluster", address)
+    assert "--plain-tcp" in run_refused(capsys, "campaign", PORT, "--cluster", address)
     assert ClusterAccess(address, plain_tcp=True).is_open
     code, _, err = run(capsys, "campaign", PORT, "--plain-tcp")
     assert code == 2

@@ -57,15 +57,15 @@ def test_the_tables_agree_with_the_plan() -> None:
             Line(335.0, 30.0, False),
         ),
     )
-    said = words(
+    texts = words(
         field_plan_figure(plan, wall, "Quai Bickerdike", ["Ask the harbour master first."])
     )
     for text in (
         "Quai Bickerdike", "left", "\u22123.25", "90, vertical", "50, tilted forward", "+0.50",
         "sphere, r 0.145", "1.00 x 0.80", "1, 2", "12.5", "starboard", "port", "0.7", "335",
     ):  # fmt: skip
-        assert text in said, text
-    assert any("Ask the harbour master first." in text for text in said)
+        assert text in texts, text
+    assert any("Ask the harbour master first." in text for text in texts)
 
 
 def test_north_is_up_and_the_scale_bar_has_the_given_length() -> None:
@@ -76,9 +76,9 @@ def test_north_is_up_and_the_scale_bar_has_the_given_length() -> None:
     north = next(text for text in above.texts if text.get_text() == "N")
     tip = above.patches[-1].get_xy().max(axis=0)
     assert north.get_position()[1] > tip[1] > above.patches[-1].get_xy().min(axis=0)[1]
-    said = next(text.get_text() for text in above.texts if text.get_text().endswith(" m"))
+    bar_text = next(text.get_text() for text in above.texts if text.get_text().endswith(" m"))
     bar = above.lines[-1].get_xdata()
-    assert bar[1] - bar[0] == pytest.approx(float(said.split()[0]))
+    assert bar[1] - bar[0] == pytest.approx(float(bar_text.split()[0]))
     (left, right), (low, high) = above.get_xlim(), above.get_ylim()
     box = above.get_window_extent()
     assert (right - left) / (high - low) == pytest.approx(box.width / box.height, rel=1e-3)
@@ -109,8 +109,8 @@ def test_all_texts_are_on_the_page(lines: int, balls: int) -> None:
 def test_an_undetermined_plan_is_reported() -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)
-    said = words(field_plan_figure(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
-    assert "This survey plan does not determine the boresight angles." in said
+    texts = words(field_plan_figure(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
+    assert "This survey plan does not determine the boresight angles." in texts
 
 
 def test_the_same_plan_gives_the_same_page() -> None:

@@ -56,8 +56,8 @@ def test_overlapping_boards_are_reported(plan: Plan) -> None:
 
 def test_parallel_boards_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
-    alike = replace(plan, targets=(one, replace(one, name="duplicate")))
-    assert observability_messages(alike) == (ONE_ORIENTATION_ERROR,)
+    parallel = replace(plan, targets=(one, replace(one, name="duplicate")))
+    assert observability_messages(parallel) == (ONE_ORIENTATION_ERROR,)
     with pytest.raises(RankDeficient) as caught:
-        simulate_surveys(alike, 3, seed=1)
+        simulate_surveys(parallel, 3, seed=1)
     assert caught.value.message == ONE_ORIENTATION_ERROR

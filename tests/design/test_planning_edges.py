@@ -53,15 +53,15 @@ def test_lines_without_targets_have_no_clearance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "values"),
+    ("bounds", "values"),
     [
         ((0.0, 1.0, 0.5), (0.0, 0.5, 1.0)),
         ((2.0, 2.0, 1.0), (2.0,)),
         ((0.0, 0.3, 0.2), (0, 0.2, 0.3)),
     ],
 )
-def test_steps_end_at_the_given_bounds(given: tuple, values: tuple) -> None:
-    assert evenly_spaced(*given) == pytest.approx(values)
+def test_steps_end_at_the_given_bounds(bounds: tuple, values: tuple) -> None:
+    assert evenly_spaced(*bounds) == pytest.approx(values)
 
 
 def test_a_board_that_no_line_sees_has_no_sightings() -> None:

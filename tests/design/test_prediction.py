@@ -135,12 +135,12 @@ def test_elimination_agrees_with_a_dense_matrix(lines: int) -> None:
     assert np.abs((normal.information(3) - expected) / size).max() < 1e-9
     assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(predict(plan).sigma, rel=1e-9)
     kept = len(normal.eliminate_surfaces.matrix)
-    answer = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
+    solution = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
         np.ones(len(normal.matrix)), np.arange(knots)
     ))[:kept] * scale[:kept]  # fmt: skip
     pushed = replace(normal, right=np.ones(len(normal.matrix)), pull=np.arange(knots) * 1.0)
     correction, _ = pushed.eliminate_surfaces.solve()
-    assert correction == pytest.approx(answer, rel=1e-6)
+    assert correction == pytest.approx(solution, rel=1e-6)
 
 
 def test_spheres_determine_the_boresight() -> None:
@@ -156,7 +156,7 @@ def test_spheres_determine_the_boresight() -> None:
 def test_forty_surveys_scatter_as_predicted() -> None:
     """The limits are those of the chi-square distribution at 0.1 % for each angle."""
     count = 40
-    found = compared(PLAN, count, stated=True, workers=1)
+    found = compared(PLAN, count, flatness_known=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     ratio = found.empirical_sigma / found.predicted
     assert ((ratio > lower) & (ratio < upper)).all(), SimulationValues.of(found)
@@ -165,8 +165,8 @@ def test_forty_surveys_scatter_as_predicted() -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-@pytest.mark.parametrize("stated", [True, False])
-def test_a_thousand_surveys_scatter_as_predicted(stated: bool) -> None:
-    found = compared(PLAN, 1000, stated=stated)
+@pytest.mark.parametrize("flatness_known", [True, False])
+def test_a_thousand_surveys_scatter_as_predicted(flatness_known: bool) -> None:
+    found = compared(PLAN, 1000, flatness_known=flatness_known)
     print(SimulationValues.of(found))
     assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08)

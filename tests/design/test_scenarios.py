@@ -134,12 +134,12 @@ def test_sigmas_of_the_classical_model_are_several_times_too_small() -> None:
 
 
 def test_selected_scenarios_are_predicted_and_can_be_cancelled() -> None:
-    told: list[str] = []
+    steps: list[str] = []
     found = predict_scenarios(
-        thesis_setting(), ("size",), progress=lambda done, step=None: told.append(str(step or ""))
+        thesis_setting(), ("size",), progress=lambda done, step=None: steps.append(str(step or ""))
     )
     assert {each.scenario for each in found} == {"size"}
-    assert told == ["Scenario: size", ""]
+    assert steps == ["Scenario: size", ""]
     assert {each.scenario for each in everything()} == set(SCENARIOS)
 
     def stop(fraction: float, step: Step | None = None) -> None:

@@ -22,7 +22,7 @@ from lispac.message_texts import english_text
 from lispac.project import Settings
 from lispac.workflow.planning import sensors
 from lispac.workflow.project.projects import open_project
-from tests.cli.test_cli import answer, new_words, run
+from tests.cli.test_cli import new_words, run, run_json
 from tests.support.command_errors import command_error
 
 OWN_SCANNER = ScannerSpecification(
@@ -124,8 +124,8 @@ def test_an_invalid_user_file_is_named_and_the_others_are_read(tmp_path: Path) -
     path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
     found = sensors.read_library(tmp_path)
     assert found.pos == sensors.read_library(tmp_path / "none").pos
-    (remark,) = found.messages
-    assert english_text(remark).startswith(f"{path}: rtk.position_m contains zero")
+    (message,) = found.messages
+    assert english_text(message).startswith(f"{path}: rtk.position_m contains zero")
 
 
 @pytest.mark.parametrize(
@@ -176,7 +176,7 @@ def test_the_list_has_every_sensor_with_its_source(
     capsys: pytest.CaptureFixture[str], own: Path
 ) -> None:
     sensors.store_sensor(own, OWN_SCANNER)
-    listed = answer(capsys, "sensors")
+    listed = run_json(capsys, "sensors")
     assert listed["folder"] == str(own)
     assert listed["scanners"]["maker-s-new-one-2"]["user_defined"]
     assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Shahraji's thesis")
@@ -192,7 +192,7 @@ def test_a_new_project_has_sigmas_and_names_of_the_library(
 ) -> None:
     raw = demo_project.folder / "raw"  # type: ignore[attr-defined]
     words = [w for w in new_words(tmp_path / "quay", raw) if w not in ("--lidar-sigma", 0.0017)]
-    answer(
+    run_json(
         capsys, *words, "--scanner", "zf-9012", "--pos", "apogee:ppk", "--position-sigma", 0.1, 0.1,
         0.2,
     )  # fmt: skip
@@ -233,7 +233,7 @@ def test_unknown_sensors_are_reported(
 def test_a_pos_without_sigmas_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text('title = "My INS"\n')
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_pos_specification(path)
-    assert told.value.code == "sensor.no_accuracies"
-    assert told.value.message.params == {"file": str(path), "tables": GNSS_SOLUTIONS}
+    assert caught.value.code == "sensor.no_accuracies"
+    assert caught.value.message.params == {"file": str(path), "tables": GNSS_SOLUTIONS}

@@ -199,10 +199,10 @@ def _rows(panel: QWidget, language: str) -> Iterator[tuple[str, ...]]:
     for field in panel.findChildren(QWidget):
         if not isinstance(field, FIELDS) or isinstance(field.parent(), FIELDS):
             continue
-        told = field.toolTip()
+        tip = field.toolTip()
         name = _name(field, labels)
-        if told and name and told != name:
-            yield name, _range(field, language), told
+        if tip and name and tip != name:
+            yield name, _range(field, language), tip
 
 
 def _name(field: QWidget, labels: dict[QWidget, str]) -> str:
@@ -229,12 +229,12 @@ def _labels(panel: QWidget) -> dict[QWidget, str]:
             if label is None or item is None or label.widget() is None:
                 continue
             inside = item.layout()
-            held = (
+            items = (
                 [item.widget()]
                 if inside is None
                 else [inside.itemAt(k).widget() for k in range(inside.count())]
             )
-            found |= {each: label.widget().text() for each in held if each is not None}
+            found |= {each: label.widget().text() for each in items if each is not None}
     return {widget: text.replace("&", "").strip() for widget, text in found.items()}
 
 
@@ -243,8 +243,8 @@ def _range(field: QWidget, language: str) -> str:
         ends = [f"{value:,.10g}" for value in (field.minimum(), field.maximum())]
         if language == "fr":
             ends = [each.replace(",", "\xa0").replace(".", ",") for each in ends]
-        said = WORDS[language][3].format(*ends).replace("-", "−")
-        return f"{said}\xa0{field.suffix().strip()}".replace(" ", "\xa0").strip()
+        text = WORDS[language][3].format(*ends).replace("-", "−")
+        return f"{text}\xa0{field.suffix().strip()}".replace(" ", "\xa0").strip()
     if isinstance(field, QComboBox):
         items = [field.itemText(k) for k in range(field.count())]
         return "; ".join(items) if len(items) <= MAX_CHOICES else ""
@@ -294,9 +294,9 @@ def _keys(language: str) -> str:
 def _format(format: FileFormat, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
     text = f"### {message_text(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
-    told = [message_text(each) for each in assumed(format.key, file)]
-    if told:
-        text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)
+    texts = [message_text(each) for each in assumed(format.key, file)]
+    if texts:
+        text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in texts)
     own = [option for option in format.options if option not in COMMON_POINT_OPTIONS]
     return f"{text}\n{_options(own, language)}" if own else text
 

@@ -34,7 +34,7 @@ from lispac.workflow.planning.demo import run_demo
 from tests.support.screen_findings import Findings
 
 SIZES = ("1600x1000", "1366x768")
-LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
+THEMES, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
 DIALOGUE_ACTIONS = (
     "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check",
@@ -59,14 +59,14 @@ class Photographer:
         self._application, self._folder, self._project = application, folder, project
         self._sizes = [tuple(map(int, size.split("x"))) for size in sizes]
         self._settings = AppSettings(project.parent / "settings.ini")
-        self._settings.language, self._settings.theme = LANGUAGES[0], LOOKS[0]
+        self._settings.language, self._settings.theme = LANGUAGES[0], THEMES[0]
         self._settings.units = units
         self._session = Session(application, VtkViewport, self._settings)
         self._prefix = ""
         self._watch = QTimer(interval=100)
         self._watch.timeout.connect(self._poll)
-        self._seen: QWidget | None = None
-        self._asked = ""
+        self._last_dialog: QWidget | None = None
+        self._dialog_name = ""
 
     @property
     def window(self):
@@ -90,9 +90,9 @@ class Photographer:
         picture = widget.screen().grabWindow(0, top.x(), top.y(), top.width(), top.height())
         picture.save(str(self._folder / f"{self._prefix}-{name}.png"))
 
-    def everything(self, looks: Sequence[str], languages: Sequence[str]) -> None:
+    def everything(self, themes: Sequence[str], languages: Sequence[str]) -> None:
         """Take all pictures."""
-        for _ in self._dressed(looks, languages):
+        for _ in self._dressed(themes, languages):
             self.empty()
         self.window.open_project(self._project)
         self.rest(2.0)
@@ -102,32 +102,32 @@ class Photographer:
         self._found = Findings.of(
             window.document.project, window.document.survey, self._project.parent
         )
-        for _ in self._dressed(looks, languages):
+        for _ in self._dressed(themes, languages):
             self.panels()
-        for look in looks:
+        for theme in themes:
             for language in languages:
-                self._dress(look, language)
-                self._prefix = f"{look}-{language}"
+                self._dress(theme, language)
+                self._prefix = f"{theme}-{language}"
                 self.dialogues()
                 self.design()
-        for look in looks:
+        for theme in themes:
             for language in languages:
-                self._dress(look, language)
-                self._prefix = f"{look}-{language}"
+                self._dress(theme, language)
+                self._prefix = f"{theme}-{language}"
                 self.tour()
 
-    def _dressed(self, looks: Sequence[str], languages: Sequence[str]) -> Iterator[None]:
+    def _dressed(self, themes: Sequence[str], languages: Sequence[str]) -> Iterator[None]:
         """Set each combination of colour scheme, language and size in turn."""
-        for look in looks:
+        for theme in themes:
             for language in languages:
-                self._dress(look, language)
+                self._dress(theme, language)
                 for width, height in self._sizes:
-                    self._prefix = f"{look}-{language}-{width}x{height}"
+                    self._prefix = f"{theme}-{language}-{width}x{height}"
                     self.window.setGeometry(0, 0, width, height)
                     yield
 
-    def _dress(self, look: str, language: str) -> None:
-        self._settings.theme, self._settings.language = look, language
+    def _dress(self, theme: str, language: str) -> None:
+        self._settings.theme, self._settings.language = theme, language
         former = self.window
         self.window.rebuild_window()
         while self.window is former:
@@ -179,49 +179,51 @@ class Photographer:
         window, dialogs = self.window, self.window.dialogs
         self._watch.start()
         for name in DIALOGUE_ACTIONS:
-            self._ask(name, window.actions_[name].trigger)
-        self._ask("details", window.report.details_requested.emit)
-        self._ask("preview", window.report.preview_requested.emit)
+            self._open_dialog(name, window.actions_[name].trigger)
+        self._open_dialog("details", window.report.details_requested.emit)
+        self._open_dialog("preview", window.report.preview_requested.emit)
         bad = InputError(
             "line.las: point 17 has a coordinate or time that is not a number (nan, 2.5, 3.0); "
             "clean or export it again."
         )
-        self._ask("error", lambda: dialogs.show_error(bad))
-        self._ask("excess_variance", lambda: dialogs.show_error(ValueError("for the picture")))
-        self._ask("save-changes", lambda: dialogs.ask_to_save_changes("harbour"))
+        self._open_dialog("error", lambda: dialogs.show_error(bad))
+        self._open_dialog(
+            "excess_variance", lambda: dialogs.show_error(ValueError("for the picture"))
+        )
+        self._open_dialog("save-changes", lambda: dialogs.ask_to_save_changes("harbour"))
         raw = [self._project / "raw"]
-        self._ask("import-empty", lambda: dialogs.new_project(self._settings))
-        self._ask("import", lambda: dialogs.new_project(self._settings, raw))
+        self._open_dialog("import-empty", lambda: dialogs.new_project(self._settings))
+        self._open_dialog("import", lambda: dialogs.new_project(self._settings, raw))
         document = window.document
-        for name, ask in self._found.asked(
+        for name, open_dialog in self._found.dialogs_by_name(
             dialogs, self._settings, document.project, document.survey
         ).items():
-            self._ask(name, ask)
+            self._open_dialog(name, open_dialog)
         self._watch.stop()
 
-    def _ask(self, name: str, ask: Callable[[], object]) -> None:
-        self._asked = name
-        ask()
+    def _open_dialog(self, name: str, open_dialog: Callable[[], object]) -> None:
+        self._dialog_name = name
+        open_dialog()
         self.rest()
 
     def _poll(self) -> None:
         dialog = self._application.activeModalWidget()
-        if dialog is None or dialog is self._seen:
+        if dialog is None or dialog is self._last_dialog:
             return
         self._watch.stop()
-        self._seen = dialog
+        self._last_dialog = dialog
         if isinstance(dialog, ImportDialog):
             while dialog.work.busy:
                 self.rest(0.1)
-        self.take(dialog, f"dialogue-{self._asked}")
+        self.take(dialog, f"dialogue-{self._dialog_name}")
         for tabs in dialog.findChildren(QTabWidget):
             for page in range(1, tabs.count() if tabs.isVisible() else 0):
                 tabs.setCurrentIndex(page)
-                self.take(dialog, f"dialogue-{self._asked}-{page + 1}")
+                self.take(dialog, f"dialogue-{self._dialog_name}-{page + 1}")
         if isinstance(dialog, QDialog):
             # some dialogues cannot be closed without a choice
             dialog.done(QDialog.DialogCode.Rejected)
-        self._seen = None
+        self._last_dialog = None
         self._watch.start()
 
     def design(self) -> None:
@@ -264,7 +266,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.documents.screens", description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("project", type=Path, nargs="?", help="an estimated, validated project")
-    parser.add_argument("--looks", nargs="+", default=LOOKS, choices=LOOKS)
+    parser.add_argument("--looks", nargs="+", default=THEMES, choices=THEMES)
     parser.add_argument("--languages", nargs="+", default=LANGUAGES, choices=LANGUAGES)
     parser.add_argument("--sizes", nargs="+", default=SIZES, metavar="WIDTHxHEIGHT")
     parser.add_argument("--angles", default="degrees", choices=ANGLE_UNITS)

@@ -32,7 +32,7 @@ LIBRARIES = (
 PATH = "/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 SCREEN = "xvfb"
 DESKTOP = "desktop-file-utils shared-mime-info libglib2.0-bin"
-ASK_PYTHON = "for name in python3 python; do if command -v $name; then exit 1; fi; done"
+FIND_PYTHON = "for name in python3 python; do if command -v $name; then exit 1; fi; done"
 # Xvfb keeps the contents of the screen in a file, which is read from outside.
 START_SCREEN = "mkdir -p /tmp/screen; Xvfb :7 -screen 0 1600x1000x24 -fbdir /tmp/screen & sleep 3"
 
@@ -73,12 +73,12 @@ class Root:
     Parameters
     ----------
     folder : Path
-    given : sequence of str
+    arguments : sequence of str
         Files of this machine that are copied into the root.
     """
 
-    def __init__(self, folder: Path, given: Sequence[str]) -> None:
-        self.folder, self.given = folder, given
+    def __init__(self, folder: Path, arguments: Sequence[str]) -> None:
+        self.folder, self.arguments = folder, arguments
 
     def make(self, base: Path, suite: str, mirror: str) -> None:
         """Copy the minimal system, which is made first if it does not exist."""
@@ -101,7 +101,7 @@ class Root:
 
         They are not mounted, because packages in the root must not write to this machine.
         """
-        for path in self.given:
+        for path in self.arguments:
             there = self.folder / path.lstrip("/")
             there.parent.mkdir(parents=True, exist_ok=True)
             there.unlink(missing_ok=True)
@@ -158,8 +158,8 @@ class Root:
 
     def install(self, packages: str) -> None:
         """Install packages of the distribution."""
-        quiet = "export DEBIAN_FRONTEND=noninteractive; apt-get -qq update"
-        command = f"{quiet}; apt-get -qq install -y --no-install-recommends {packages}"
+        update = "export DEBIAN_FRONTEND=noninteractive; apt-get -qq update"
+        command = f"{update}; apt-get -qq install -y --no-install-recommends {packages}"
         self.run(f"apt-get install {packages}", command)
         self.give()
 
@@ -194,8 +194,8 @@ def window(root: Root, command: str, output: Path, seconds: float = 150) -> None
             while time.monotonic() - began < seconds and found < 500:
                 time.sleep(5)
                 if process.poll() is not None:
-                    said = (root.folder / "tmp" / "window.log").read_text(errors="replace")
-                    raise RootError(f"{command} ended with {process.returncode}:\n{said}")
+                    log_text = (root.folder / "tmp" / "window.log").read_text(errors="replace")
+                    raise RootError(f"{command} ended with {process.returncode}:\n{log_text}")
                 if (root.folder / "tmp" / "screen" / "Xvfb_screen0").exists():
                     found = picture(root, output)
             shown = time.monotonic() - began
@@ -205,10 +205,10 @@ def window(root: Root, command: str, output: Path, seconds: float = 150) -> None
             process.kill()
     if found < 500:
         raise RootError(f"{command}: the screen has {found} colours only, see {output}")
-    said = (root.folder / "tmp" / "window.log").read_text(errors="replace").strip()
+    log_text = (root.folder / "tmp" / "window.log").read_text(errors="replace").strip()
     say(f"{command}: shows its points after {shown:.0f} s, {found} colours: {output}")
-    if said:
-        say(f"    it says: {said[:500]}")
+    if log_text:
+        say(f"    it says: {log_text[:500]}")
 
 
 def check_bundle(root: Root, folder: Path, output: Path) -> None:
@@ -222,7 +222,7 @@ def check_bundle(root: Root, folder: Path, output: Path) -> None:
     """
     subprocess.run(["cp", "-a", str(folder), str(root.folder / "opt")], check=True)
     here = f"/opt/{folder.name}"
-    root.run("there is no Python", ASK_PYTHON)
+    root.run("there is no Python", FIND_PYTHON)
     version = root.run("lispac --version", f"{here}/lispac --version").strip()
     say(f"    {version}; the bundle has {megabytes(folder):.0f} MB")
     root.install(LIBRARIES)
@@ -238,13 +238,15 @@ def check_bundle(root: Root, folder: Path, output: Path) -> None:
     pages = f"{here}/_internal/resources/manual/html"
     root.run("the manual is built", f"test -s {pages}/en/index.html -a -s {pages}/fr/index.html")
     project = "/root/demo"
-    said = root.run("lispac demo --no-window", f"{here}/lispac demo --output {project} --no-window")
-    say("    " + "\n    ".join(said.splitlines()[-12:]))
+    printed = root.run(
+        "lispac demo --no-window", f"{here}/lispac demo --output {project} --no-window"
+    )
+    say("    " + "\n    ".join(printed.splitlines()[-12:]))
     again = f"cd /tmp; {here}/lispac estimate {project}"
     root.run("lispac estimate, compiled before", again)
     shutil.copy(root.folder / project.lstrip("/") / "report.pdf", output / "report.pdf")
     root.install(SCREEN)
-    root.run("there is still no Python", ASK_PYTHON)
+    root.run("there is still no Python", FIND_PYTHON)
     window(root, f"{here}/lispac-gui {project}/project.lispac", output / "window.png")
     root.run("install.sh /usr/local", f"{here}/install.sh /usr/local; lispac --version")
     root.install(DESKTOP)
@@ -258,9 +260,9 @@ def check_bundle(root: Root, folder: Path, output: Path) -> None:
     if "application/x-lispac-project" not in kind or "lispac.desktop" not in kind:
         raise RootError(f"The file type is not tied to the program:\n{kind}")
     root.run("uninstall.sh", "/usr/local/lib/lispac/uninstall.sh /usr/local; ! command -v lispac")
-    left = root.run("what is left", "find /usr/local -iname '*lispac*'").strip()
-    if left:
-        raise RootError(f"uninstall.sh leaves {left}")
+    remaining = root.run("what is left", "find /usr/local -iname '*lispac*'").strip()
+    if remaining:
+        raise RootError(f"uninstall.sh leaves {remaining}")
 
 
 def check_readme(root: Root, output: Path, tests: Sequence[str]) -> None:
@@ -281,8 +283,8 @@ def check_readme(root: Root, output: Path, tests: Sequence[str]) -> None:
     shutil.copy(root.folder / "root/.cache/lispac/demo/report.pdf", output / "readme-report.pdf")
     root.run("bootstrap.py demo again", "cd /root/lispac; python3 installer/bootstrap.py demo")
     command = shlex.join(["python3", "installer/bootstrap.py", "test", *tests])
-    said = root.run("bootstrap.py test", f"cd /root/lispac; {command}")
-    say("    " + "\n    ".join(said.splitlines()[-8:]))
+    printed = root.run("bootstrap.py test", f"cd /root/lispac; {command}")
+    say("    " + "\n    ".join(printed.splitlines()[-8:]))
     root.run("the clone is clean", 'cd /root/lispac; [ -z "$(git status --porcelain)" ]')
 
 

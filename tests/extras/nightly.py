@@ -116,12 +116,12 @@ def coverage(folder: Path, log: Log) -> str:
     run([*measure, "json", settings, "-o", str(folder / "coverage.json")], log, **data)
     totals = json.loads((folder / "coverage.json").read_text(encoding="utf-8"))["totals"]
     share = 100.0 * totals["covered_branches"] / totals["num_branches"]
-    said = f"{share:.1f} % of {totals['num_branches']} branches of the core"
+    text = f"{share:.1f} % of {totals['num_branches']} branches of the core"
     if share < MIN_BRANCH_COVERAGE:
         raise Failed(
-            f"{said}, less than {MIN_BRANCH_COVERAGE:.0f} %; see {folder / 'coverage.json'}"
+            f"{text}, less than {MIN_BRANCH_COVERAGE:.0f} %; see {folder / 'coverage.json'}"
         )
-    return said
+    return text
 
 
 def mutation(folder: Path, log: Log) -> str:
@@ -143,7 +143,7 @@ def mutation_whole(folder: Path, log: Log) -> str:
 
 def _mutation(folder: Path, log: Log, most: int | None) -> str:
     justifications = Justifications.of(tomllib.loads(JUSTIFICATIONS.read_text(encoding="utf-8")))
-    told, open_ = [], []
+    texts, open_ = [], []
     for package, tests in PACKAGES.items():
         place = folder / f"mutation-{package}"
         shutil.rmtree(place, ignore_errors=True)
@@ -158,28 +158,30 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         counts = Counter(found.values())
         if not counts["killed"]:
             raise Failed(f"{package}: mutmut did not come to an end; see {log}")
-        left = {
+        survivors = {
             name: _output([*mutmut, "show", name], place)
             for name, what in found.items()
             if what == "survived"
         }
-        unjustified = justifications.missing_for(left)
+        unjustified = justifications.missing_for(survivors)
         arguments = [*MUTATION_ARGUMENTS, *_files(tests)]
         noticed = noticed_afresh(unjustified, place / "mutants", arguments)
-        left = {name: difference for name, difference in left.items() if name not in noticed}
+        survivors = {
+            name: difference for name, difference in survivors.items() if name not in noticed
+        }
         unjustified = [each for each in unjustified if each not in noticed]
         tried = sum(counts[what] for what in ("killed", "survived", "timeout", "suspicious"))
-        told.append(
-            f"{package}: {len(left)} of {tried} survived, {len(unjustified)} not justified, "
+        texts.append(
+            f"{package}: {len(survivors)} of {tried} survived, {len(unjustified)} not justified, "
             f"{counts['no tests']} reached by no quick test"
         )
         open_ += unjustified
-    said = "; ".join(told)
+    text = "; ".join(texts)
     if unmatched := justifications.unmatched(whole=most is None):
-        said += f"; {JUSTIFICATIONS.name} has entries that match nothing: {', '.join(unmatched)}"
+        text += f"; {JUSTIFICATIONS.name} has entries that match nothing: {', '.join(unmatched)}"
     if open_:
-        raise Failed(f"{said}; to be justified in {JUSTIFICATIONS.name}: {' '.join(open_)}")
-    return said
+        raise Failed(f"{text}; to be justified in {JUSTIFICATIONS.name}: {' '.join(open_)}")
+    return text
 
 
 def noticed_afresh(names: Sequence[str], mutants: Path, tests: Sequence[str]) -> set[str]:
@@ -300,9 +302,9 @@ class Justifications:
         entries = [(f, f"{f}: {kind}") for f, kinds in self.functions.items() for kind in kinds]
         unused = [each for each in self.families if whole and each not in self._used]
         return unused + [
-            entry
-            for function, entry in entries
-            if function not in functions or (whole and entry not in self._used)
+            justification
+            for function, justification in entries
+            if function not in functions or (whole and justification not in self._used)
         ]
 
 
@@ -332,7 +334,7 @@ def changed_lines(difference: str) -> tuple[str, str]:
     """Original and mutated lines of a unified difference."""
     lines = re.findall(r"^([-+])(?![-+]{2} )(.*)", difference, re.MULTILINE)
     ours, theirs = (
-        "\n".join(text.strip() for sign, text in lines if sign == wanted) for wanted in "-+"
+        "\n".join(text.strip() for sign, text in lines if sign == side) for side in "-+"
     )
     return ours, theirs
 
@@ -420,10 +422,12 @@ def main() -> int:
         log, start = folder / f"{name}.log", time.monotonic()
         log.write_text("", encoding="utf-8")
         try:
-            said, word = STEPS[name](folder, log), "done"
+            outcome, word = STEPS[name](folder, log), "done"
         except Failed as error:
-            said, word, failed = str(error), "FAILED", failed + 1
-        print(f"{name:10s}{word:8s}{(time.monotonic() - start) / 60:6.1f} min  {said}", flush=True)
+            outcome, word, failed = str(error), "FAILED", failed + 1
+        print(
+            f"{name:10s}{word:8s}{(time.monotonic() - start) / 60:6.1f} min  {outcome}", flush=True
+        )
     return 1 if failed else 0
 
 

@@ -31,9 +31,9 @@ def pytest_configure() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Deselect slow tests and tests that need a whole survey."""
     slow = set(json.loads(SLOW.read_text(encoding="utf-8"))) if SLOW.is_file() else set()
-    left_out = {
+    excluded = {
         each for each in items
         if each.nodeid in slow or SURVEY_FIXTURES & set(getattr(each, "fixturenames", ()))
     }  # fmt: skip
-    config.hook.pytest_deselected(items=list(left_out))
-    items[:] = [each for each in items if each not in left_out]
+    config.hook.pytest_deselected(items=list(excluded))
+    items[:] = [each for each in items if each not in excluded]

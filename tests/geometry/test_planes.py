@@ -140,16 +140,16 @@ def test_grid_and_direct_search_agree_with_the_definition(cell):
     for centre in (np.zeros(3), np.array([3.0, -3.0, 1.0]), np.array([40.0, 0, 0])):
         for radius in (0.01, 0.7, 9.0):
             with np.errstate(invalid="ignore"):
-                wanted = np.flatnonzero(np.linalg.norm(points - centre, axis=1) <= radius)
-            np.testing.assert_array_equal(points_within(points, centre, radius), wanted)
-            np.testing.assert_array_equal(grid.within(centre, radius), wanted)
+                expected = np.flatnonzero(np.linalg.norm(points - centre, axis=1) <= radius)
+            np.testing.assert_array_equal(points_within(points, centre, radius), expected)
+            np.testing.assert_array_equal(grid.within(centre, radius), expected)
 
 
 def test_direct_search_in_threads_agrees_with_the_definition(monkeypatch):
     monkeypatch.setattr("os.cpu_count", lambda: 8)  # more than there are chunks
     points = np.random.default_rng(6).uniform(-3, 3, (600_000, 3))
-    wanted = np.flatnonzero((points**2).sum(axis=1) <= 1.0)
-    np.testing.assert_array_equal(points_within(points, np.zeros(3), 1.0), wanted)
+    expected = np.flatnonzero((points**2).sum(axis=1) <= 1.0)
+    np.testing.assert_array_equal(points_within(points, np.zeros(3), 1.0), expected)
 
 
 def test_a_distant_outlier_does_not_exhaust_the_memory_of_the_grid():

@@ -106,14 +106,14 @@ def test_points_that_determine_no_sphere_are_refused(points, radius, code):
 def centre_or_reason(points, radius=None):
     try:
         return fit_sphere(points, radius).centre
-    except SphereNotFound as said:
-        return said.code
+    except SphereNotFound as error:
+        return error.code
 
 
 def test_a_known_radius_helps_where_a_free_one_is_undetermined():
     """The cap of a ball of 0.1 m with a half angle of 8 degrees is 1 mm high."""
     true = Sphere(np.zeros(3), 0.1)
-    helped = 0
+    help_count = 0
     for draw in range(50):
         points = cap(np.random.default_rng(draw), true, 8, 100, noise=0.001)
         free, known = centre_or_reason(points), centre_or_reason(points, 0.1)
@@ -121,16 +121,16 @@ def test_a_known_radius_helps_where_a_free_one_is_undetermined():
             assert known == "target.sphere_side"
         else:  # never on the wrong side, with an error of 0.2 m
             assert np.linalg.norm(known) < 0.01
-            helped += isinstance(free, str) and free == "target.sphere_little_curved"
-    assert helped > 20
+            help_count += isinstance(free, str) and free == "target.sphere_little_curved"
+    assert help_count > 20
 
 
 @pytest.mark.parametrize("half_angle_deg", [20, 45, 90, 150])
 def test_visible_share_is_that_of_the_cap(half_angle_deg):
     sphere = Sphere(np.array([5.0, 6.0, 7.0]), 0.2)
     points = cap(np.random.default_rng(6), sphere, half_angle_deg, 20_000)
-    wanted = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
-    assert visible_share(sphere, points) == pytest.approx(wanted, rel=0.01)
+    expected = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
+    assert visible_share(sphere, points) == pytest.approx(expected, rel=0.01)
     assert visible_share(sphere, points[:2]) == 0.0
     assert visible_share(sphere, points[:0]) == 0.0
 

@@ -52,7 +52,7 @@ class DialogAnswers(QObject):
         self.trouble: list[str] = []
         self._expected: deque[tuple[type[QDialog], Act]] = deque()
         self._acting: QWidget | None = None
-        self._answered: QWidget | None = None
+        self._used_dialog: QWidget | None = None
         self._until = 0.0
         self._on = True
         self._schedule_poll()
@@ -68,7 +68,7 @@ class DialogAnswers(QObject):
         self._expected.clear()
 
     @property
-    def all_given(self) -> bool:
+    def all_done(self) -> bool:
         """Whether all expected dialogues have been answered."""
         return not self._expected
 
@@ -81,25 +81,25 @@ class DialogAnswers(QObject):
         self._schedule_poll()
         dialog = QApplication.activeModalWidget()
         if dialog is None:
-            self._answered = None
+            self._used_dialog = None
         if dialog is None or not dialog.isVisible() or dialog is self._acting:
             return
-        closes = dialog is self._answered and monotonic() < self._until
+        closes = dialog is self._used_dialog and monotonic() < self._until
         if self.trouble:  # the dialogues under the unexpected one
             _reject(dialog)
         elif self._expected and isinstance(dialog, self._expected[0][0]):
             if in_front(dialog):  # keys typed earlier are lost
-                self._answer(dialog)
+                self._use(dialog)
         elif not closes:
             self.trouble.append(f"nobody foresaw {_dialog_text(dialog)}")
             _reject(dialog)
 
-    def _answer(self, dialog: QDialog) -> None:
+    def _use(self, dialog: QDialog) -> None:
         kind, act = self._expected.popleft()
         former, self._acting = self._acting, dialog
         try:
             if act(dialog):
-                self._answered, self._until = dialog, monotonic() + CLOSES_S
+                self._used_dialog, self._until = dialog, monotonic() + CLOSES_S
             else:
                 self._expected.appendleft((kind, act))
         except Exception as error:  # otherwise the event loop drops it and the dialogue stays open
@@ -161,9 +161,9 @@ class Hands(Driver):
         self.until(lambda: not self.window.runner.active)
         self.until(lambda: in_front(self.window))
 
-    def answered(self) -> None:
+    def until_dialogs_used(self) -> None:
         """Wait until all expected dialogues have been answered."""
-        self.until(lambda: self.answers.all_given)
+        self.until(lambda: self.answers.all_done)
 
     def to_next_window(self) -> None:
         """Wait for the window that replaces this one, and continue in it."""
@@ -201,13 +201,13 @@ def push(hands: Hands, text: str) -> None:
 
 def name_project(hands: Hands, folder: Path) -> None:
     """Type the path of the project file into the next file dialogue."""
-    wanted = str(folder / "project.json")
+    path = str(folder / "project.json")
 
     def act(dialog: QFileDialog) -> bool:
         name = dialog.findChild(QLineEdit, "fileNameEdit")
-        if name.text() != wanted:
+        if name.text() != path:
             name.selectAll()
-            hands.bot.keyClicks(name, wanted)
+            hands.bot.keyClicks(name, path)
             return False
         hands.bot.keyClick(name, Key.Key_Return)
         return True
@@ -222,7 +222,7 @@ def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
         push(hands, then)
     press(hands, Key.Key_O, Control)
     hands.until(lambda: hands.window.document.project is not None)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 

@@ -49,7 +49,7 @@ def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifie
     """Drag with the mouse; return the texts of the roll sigma during the drag."""
     design = driver.window.site_design.window
     first, last = start.toPoint(), stop.toPoint()
-    seen = []
+    shown_sigmas = []
     driver.bot.mousePress(view, Left, pos=first)
     for share in (0.3, 0.7, 1.0):
         # QTest.mouseMove sends no pressed button.
@@ -57,9 +57,9 @@ def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifie
         event = mouse_move(view, at, modifier)
         QApplication.sendEvent(view, event)
         wait_for_plan(design)
-        seen.append(design.results.sigma["roll"].text())
+        shown_sigmas.append(design.results.sigma["roll"].text())
     driver.bot.mouseRelease(view, Left, pos=last)
-    return seen
+    return shown_sigmas
 
 
 def mouse_move(view, at: QPointF, modifier):

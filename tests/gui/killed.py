@@ -32,8 +32,8 @@ def killed_after_editing(folder: Path) -> None:
     """Start a program that edits a project, and kill it once the last edit is on the disk."""
     home = folder.parent / "killed"
     home.mkdir()
-    told = home / "told.txt"
-    with told.open("w", encoding="utf-8") as out:
+    output_path = home / "told.txt"
+    with output_path.open("w", encoding="utf-8") as out:
         program = subprocess.Popen(
             [sys.executable, "-m", "tests.gui.killed", str(folder), str(home)],
             cwd=CHECKOUT, stdout=out, stderr=subprocess.STDOUT,
@@ -42,8 +42,10 @@ def killed_after_editing(folder: Path) -> None:
         until = time.monotonic() + LIMIT_S
         try:
             while not _kept(folder):
-                assert program.poll() is None, f"it ended by itself: {told.read_text()}"
-                assert time.monotonic() < until, f"no edit is written down: {told.read_text()}"
+                assert program.poll() is None, f"it ended by itself: {output_path.read_text()}"
+                assert time.monotonic() < until, (
+                    f"no edit is written down: {output_path.read_text()}"
+                )
                 time.sleep(0.02)
         finally:
             program.kill()

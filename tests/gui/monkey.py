@@ -38,7 +38,7 @@ from tests.support.report_sample import sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0
-PATIENCE_S = 0.25
+ACTION_TIMEOUT_S = 0.25
 HANG_LIMIT_S = 150.0
 """Time without an event after which the process dumps the stacks of its threads and exits."""
 NO_DRAG_PX = 100_000
@@ -93,17 +93,17 @@ class Records(logging.Handler):
         text = record.getMessage()
         if error is not None:
             if isinstance(error, OSError) and error.strerror:
-                self._monkey.seen.refusals[text] += 1
+                self._monkey.findings.refusals[text] += 1
             else:
                 self._monkey.caught("".join(traceback.format_exception(error)))
         elif text.startswith("Qt:"):
-            self._monkey.seen.warnings[text] += 1
+            self._monkey.findings.warnings[text] += 1
             if record.levelno >= logging.ERROR:
                 self._monkey.caught(text)
         elif record.levelno >= logging.ERROR:
-            self._monkey.seen.refusals[text] += 1
+            self._monkey.findings.refusals[text] += 1
         else:
-            self._monkey.seen.warnings[text] += 1
+            self._monkey.findings.warnings[text] += 1
 
 
 class Links(QObject):
@@ -120,7 +120,7 @@ class Monkey(QObject):
     def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
         super().__init__()
         self.session, self.folder = session, folder
-        self.seen = Findings()
+        self.findings = Findings()
         self._hands = Hands(random.Random(seed), folder)
         self._lately: deque[str] = deque(maxlen=12)
         self._doing: Doing | None = None
@@ -129,30 +129,30 @@ class Monkey(QObject):
         self._until = 0.0
         self.ending = False
         self.pulse = Pulse(STALL_MS, draws)
-        self._told, self._again = 0, 0
+        self._reported_pauses, self._again = 0, 0
         self._window = session.window
 
     # -- findings --------------------------------------------------------------------------------
 
     def caught(self, text: str) -> None:
-        self.seen.exceptions.append("\n".join([*self._lately, text]))
+        self.findings.exceptions.append("\n".join([*self._lately, text]))
         self._diary.write(f"!!! {text}\n")
 
     def note_pauses(self) -> None:
         """Sort the pauses since the last call into the findings."""
         pauses = self.pulse.pauses
-        for pause in pauses[self._told :]:
+        for pause in pauses[self._reported_pauses :]:
             text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
             made = any("_made" in place or "session.py" in place for place in pause.places)
             if made or self.session.window is not self._window:
-                self.seen.renewed.append(text)
+                self.findings.renewed.append(text)
             elif pause.computing > STALL_MS:
-                self.seen.stalls.append(text)
-                self.seen.computing_ms.append(pause.computing)
+                self.findings.stalls.append(text)
+                self.findings.computing_ms.append(pause.computing)
             else:
-                self.seen.drawn.append(text)
+                self.findings.drawn.append(text)
             self._diary.write(f"--- {text}\n")
-        self._told = len(pauses)
+        self._reported_pauses = len(pauses)
         self._window = self.session.window
 
     # -- actions ---------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ class Monkey(QObject):
         # Temporary memory of a search (gigabytes for a target of 45 m) is not growth
         if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
-            self.seen.course_mb.append(round(resident_mb(), 1))
+            self.findings.course_mb.append(round(resident_mb(), 1))
         if time.monotonic() > self._until:
             self.ending = True
             if self._rests() and not self._inside:
@@ -183,7 +183,7 @@ class Monkey(QObject):
         doing = self._doing
         if doing is not None and doing.gi_running:  # type: ignore[attr-defined]
             # The action is not finished; it may have opened a dialogue or a menu that needs input
-            if time.monotonic() - self._since < PATIENCE_S:
+            if time.monotonic() - self._since < ACTION_TIMEOUT_S:
                 return
             doing = None
             window = QApplication.activeWindow()
@@ -216,7 +216,7 @@ class Monkey(QObject):
             if self._again == MAX_REPETITIONS:
                 self.caught(f"{MAX_REPETITIONS} times the same")
             self._lately.append(self._hands.did)
-            self.seen.done[self._hands.did.split(" ")[0]] += 1
+            self.findings.done[self._hands.did.split(" ")[0]] += 1
             self._diary.write(f"{self._hands.did}\n")
 
     def _end(self) -> Iterator[None]:
@@ -284,8 +284,8 @@ class Monkey(QObject):
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
         wait(100)
-        self.seen.memory_mb.append(round(resident_mb(), 1))
-        self.seen.widgets.append(len(QApplication.allWidgets()))
+        self.findings.memory_mb.append(round(resident_mb(), 1))
+        self.findings.widgets.append(len(QApplication.allWidgets()))
 
 
 def main() -> int:
@@ -295,16 +295,16 @@ def main() -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=1)
-    wanted = parser.parse_args()
-    folder = wanted.folder.resolve()
+    options = parser.parse_args()
+    folder = options.folder.resolve()
     home, here = folder / "home", folder / "here"
     for each in (home, here, folder / "written"):
         each.mkdir(parents=True)
     project = folder / DEMO
-    shutil.copytree(wanted.project, project)
+    shutil.copytree(options.project, project)
     # The monkey may open and overwrite "away"; memory is measured with a copy out of its reach
     for each in (folder / "away", home / "compared"):
-        shutil.copytree(wanted.project, each)
+        shutil.copytree(options.project, each)
     os.environ["HOME"] = str(home)
     for name in ("CACHE", "CONFIG", "DATA"):
         os.environ[f"XDG_{name}_HOME"] = str(home / name.lower())
@@ -332,7 +332,7 @@ def main() -> int:
     session = Session(application, viewport, settings)
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
-    monkey = Monkey(session, folder, wanted.seed, draws)
+    monkey = Monkey(session, folder, options.seed, draws)
     # The first report allocates 250 MB permanently (fonts, caches of Typst), later reports nothing:
     # make one before the first measurement, or it looks like growth
     write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
@@ -343,18 +343,18 @@ def main() -> int:
     )
     monkey.stand(home / "compared")
     monkey.pulse.start()
-    monkey.play(wanted.seconds)
+    monkey.play(options.seconds)
     monkey.note_pauses()
     monkey.pulse.stop()
-    seen = monkey.seen
-    seen.longest_ms = monkey.pulse.longest
+    findings = monkey.findings
+    findings.longest_ms = monkey.pulse.longest
     monkey.session.window.document.undo_stack.setClean()
     monkey.stand(home / "compared")
     end(monkey)
     faulthandler.cancel_dump_traceback_later()
     logbook.end()
     tidying.end()
-    (folder / "seen.json").write_text(json.dumps(vars(seen), indent=1, ensure_ascii=False))
+    (folder / "seen.json").write_text(json.dumps(vars(findings), indent=1, ensure_ascii=False))
     return 0
 
 
@@ -379,7 +379,7 @@ def end(monkey: Monkey) -> None:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     wait(1000)
     gc.collect()
-    monkey.seen.left = [
+    monkey.findings.left = [
         *(t.name for t in threading.enumerate() if t.name.startswith(("lispac", "pulse"))),
         *(type(w).__name__ for w in QApplication.topLevelWidgets() if w.isVisible()),
     ]

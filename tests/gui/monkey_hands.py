@@ -117,9 +117,9 @@ class Hands:
         for _ in range(20):
             kind = self.chance.choices(kinds, [WEIGHTS.get(kind, 2) for kind in kinds])[0]
             widget = self.chance.choice(by_kind[kind])
-            seen = widget.visibleRegion().boundingRect()
-            if not seen.isEmpty():
-                return self._doings.get(kind, Hands._draw)(self, widget, seen)
+            visible_area = widget.visibleRegion().boundingRect()
+            if not visible_area.isEmpty():
+                return self._doings.get(kind, Hands._draw)(self, widget, visible_area)
         return self._anywhere(window)
 
     # -- mouse and keys --------------------------------------------------------------------------
@@ -152,7 +152,7 @@ class Hands:
             QTest.mouseMove(handle, place)
             QTest.mouseClick(handle, button, modifier, place)
 
-    def _double(self, widget: QWidget, spot: QPoint) -> None:
+    def _double_click(self, widget: QWidget, spot: QPoint) -> None:
         handle, place = self._at(widget, spot)
         if handle is not None:
             QTest.mouseDClick(handle, Button.LeftButton, Modifier.NoModifier, place)
@@ -184,9 +184,9 @@ class Hands:
         """Press a key with its modifiers."""
         self._record(f"key {keys}", window)
         handle = window.windowHandle()
-        *held, name = keys.split("+")
+        *modifiers, name = keys.split("+")
         modifier = Modifier.NoModifier
-        for each in held:
+        for each in modifiers:
             modifier |= {
                 "Ctrl": Modifier.ControlModifier,
                 "Shift": Modifier.ShiftModifier,
@@ -224,9 +224,9 @@ class Hands:
         else:
             yield from self._drag(window, start, self._within(area), button, Modifier.NoModifier)
 
-    def _push(self, widget: QWidget, seen: QRect) -> Doing:
+    def _push(self, widget: QWidget, visible_area: QRect) -> Doing:
         self._record("click", widget)
-        self.click(widget, seen.center())
+        self.click(widget, visible_area.center())
         yield
 
     def _choose(self, menu: QMenu) -> Doing:
@@ -239,29 +239,29 @@ class Hands:
         self.click(menu, menu.actionGeometry(action).center())
         yield
 
-    def _open_menu(self, bar: QMenuBar, _seen: QRect) -> Doing:
+    def _open_menu(self, bar: QMenuBar, _visible_area: QRect) -> Doing:
         action = self.chance.choice(bar.actions())
         self._record(f"menu {action.text()!r}", bar)
         self.click(bar, bar.actionGeometry(action).center())
         yield
 
-    def _turn_to(self, tabs: QTabBar, _seen: QRect) -> Doing:
+    def _turn_to(self, tabs: QTabBar, _visible_area: QRect) -> Doing:
         self._record("tab", tabs)
         self.click(tabs, tabs.tabRect(self.chance.randrange(max(tabs.count(), 1))).center())
         yield
 
-    def _touch_cell(self, view: QAbstractItemView, seen: QRect) -> Doing:
+    def _touch_cell(self, view: QAbstractItemView, visible_area: QRect) -> Doing:
         self._record("cell", view)
-        spot = self._within(seen)
+        spot = self._within(visible_area)
         index = view.indexAt(spot)
-        cell = view.visualRect(index) if index.isValid() else seen
+        cell = view.visualRect(index) if index.isValid() else visible_area
         draw = self.chance.random()
         if draw < 0.3:
             self.click(view.viewport(), QPoint(cell.left() + 10, cell.center().y()))
         elif draw < 0.6:
             self.click(view.viewport(), cell.center())
         elif draw < 0.75:
-            self._double(view.viewport(), cell.center())
+            self._double_click(view.viewport(), cell.center())
             yield
             editor = QApplication.focusWidget()
             if isinstance(editor, QLineEdit):
@@ -276,10 +276,10 @@ class Hands:
             )
         yield
 
-    def _fill(self, field: QWidget, seen: QRect) -> Doing:
+    def _fill(self, field: QWidget, visible_area: QRect) -> Doing:
         text = self.chance.choice(TYPED_TEXTS)
         self._record(f"type {text!r} into", field)
-        self.click(field, seen.center())
+        self.click(field, visible_area.center())
         yield
         if self.chance.random() < 0.8 and (handle := field.window().windowHandle()) is not None:
             QTest.keyClick(handle, Key.Key_A, Modifier.ControlModifier)
@@ -288,30 +288,34 @@ class Hands:
         if field.isVisible():
             yield from self.press(field.window(), self.chance.choice(("Return", "Tab", "Tab")))
 
-    def _pull_down(self, combo: QComboBox, seen: QRect) -> Doing:
+    def _pull_down(self, combo: QComboBox, visible_area: QRect) -> Doing:
         self._record("pull down", combo)
         if self.chance.random() < 0.5:
-            self.click(combo, seen.center())
+            self.click(combo, visible_area.center())
         else:
-            self._wheel(combo, seen.center())
+            self._wheel(combo, visible_area.center())
         yield
 
-    def _slide(self, slider: QWidget, seen: QRect) -> Doing:
+    def _slide(self, slider: QWidget, visible_area: QRect) -> Doing:
         self._record("slide", slider)
         yield from self._drag(
-            slider, self._within(seen), self._within(seen), Button.LeftButton, Modifier.NoModifier
+            slider,
+            self._within(visible_area),
+            self._within(visible_area),
+            Button.LeftButton,
+            Modifier.NoModifier,
         )
 
-    def _draw(self, canvas: QWidget, seen: QRect) -> Doing:
+    def _draw(self, canvas: QWidget, visible_area: QRect) -> Doing:
         """Act on a widget that shows the lines, a plan or a diagram."""
         self._record("canvas", canvas)
-        spot, draw = self._within(seen), self.chance.random()
+        spot, draw = self._within(visible_area), self.chance.random()
         if draw < 0.35:
             self.click(canvas, spot, modifier=Modifier.ControlModifier)
         elif draw < 0.5:
             self.click(canvas, spot)
         elif draw < 0.6:
-            self._double(canvas, spot)
+            self._double_click(canvas, spot)
         elif draw < 0.75:
             self._wheel(canvas, spot)
         elif draw < 0.8:
@@ -325,7 +329,7 @@ class Hands:
             modifier = self.chance.choice(
                 (Modifier.NoModifier, Modifier.ShiftModifier, Modifier.ControlModifier)
             )
-            yield from self._drag(canvas, spot, self._within(seen), button, modifier)
+            yield from self._drag(canvas, spot, self._within(visible_area), button, modifier)
         yield
 
     # -- files -----------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ class Pulse(QObject):
         self._thread = threading.get_ident()
         self._clock = processor_clock()
         self._last = self._now()
-        self._looks: list[tuple[float, str]] = []
+        self._samples: list[tuple[float, str]] = []
         self._ended = threading.Event()
         self._watcher = threading.Thread(target=self._watch, name="pulse", daemon=True)
         self._timer = QTimer(self, interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
@@ -112,15 +112,15 @@ class Pulse(QObject):
         self.beats += 1
         self.longest = max(self.longest, took)
         if took > self.limit:
-            seen = Counter(place for at, place in self._looks if at > since)
-            self.pauses.append(Pause(took, drawing, waiting, computing, seen))
-        self._looks = []
+            samples = Counter(place for at, place in self._samples if at > since)
+            self.pauses.append(Pause(took, drawing, waiting, computing, samples))
+        self._samples = []
 
     def _watch(self) -> None:
         while not self._ended.wait(SAMPLE_S):
             at = time.perf_counter()
             if 1000 * (at - self._last[0]) > self.limit / 2:
-                self._looks.append((at, _place(sys._current_frames().get(self._thread))))
+                self._samples.append((at, _place(sys._current_frames().get(self._thread))))
 
 
 class Draws:
@@ -167,8 +167,8 @@ def _place(frame: object) -> str:
         k for k, each in enumerate(stack[:-STACK_DEPTH]) if "lispac" in Path(each.filename).parts
     ]
     shown = [*(stack[k] for k in ours[-1:]), *stack[-STACK_DEPTH:]]
-    told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
-    return " < ".join(reversed(told))
+    frames = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
+    return " < ".join(reversed(frames))
 
 
 def processor_clock() -> Callable[[], tuple[float, float]]:

@@ -36,7 +36,7 @@ from lispac.gui.window.main_window import MainWindow
 from tests.support.tutorial_steps import Step
 
 BEAT_MS = 30
-PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
+TIMEOUT_S, TASK_TIMEOUT_S = 20.0, 150.0
 """Time limits for a named widget to appear, and for a started task to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
 KEY_NAMES = {"Entrée": "Return", "Enter": "Return"}
@@ -54,14 +54,14 @@ class Reader(QObject):
 
     Parameters
     ----------
-    look : called with the window in front and the path of the picture where the page has one
+    take_picture : called with the window in front and the path of each picture of the page
     """
 
     def __init__(
-        self, window: MainWindow, steps: list[Step], look: Callable[[QWidget, str], None]
+        self, window: MainWindow, steps: list[Step], take_picture: Callable[[QWidget, str], None]
     ) -> None:
         super().__init__()
-        self._window, self._look = window, look
+        self._window, self._take_picture = window, take_picture
         self.at: Step | None = None
         self.error: BaseException | None = None
         self.done = False
@@ -131,11 +131,11 @@ class Reader(QObject):
             elif step.kind == "type":
                 yield from self._type(step.text)
             elif step.kind == "see":
-                yield from self._until(lambda text=step.text: self._is_seen(text), "is not seen")
+                yield from self._until(lambda text=step.text: self._is_visible(text), "is not seen")
             else:
                 for _ in range(12):
                     yield None
-                self._look(self.front, step.text)
+                self._take_picture(self.front, step.text)
         yield from self._rest()
 
     def _rest(self) -> Iterator[None]:
@@ -144,17 +144,17 @@ class Reader(QObject):
         yield from self._until(
             lambda: not (self._window.runner.active or self._window.document.awaits_result),
             "waits for work without end",
-            PATIENCE_WITH_WORK_S,
+            TASK_TIMEOUT_S,
         )
 
     def _until(
-        self, there: Callable[[], object], complaint: str, patience: float | None = None
+        self, there: Callable[[], object], problem: str, timeout_s: float | None = None
     ) -> Iterator[None]:
-        end = time.monotonic() + (patience or PATIENCE_S)
+        end = time.monotonic() + (timeout_s or TIMEOUT_S)
         while not there():
             if time.monotonic() > end:
                 assert self.at is not None
-                raise StepError(f"{self.at.text!r} {complaint}")
+                raise StepError(f"{self.at.text!r} {problem}")
             yield None
 
     # -- visible widgets -------------------------------------------------------------------------
@@ -168,7 +168,7 @@ class Reader(QObject):
         found = self.front.findChildren(kind)
         return [each for each in found if shiboken6.isValid(each) and each.isVisible()]
 
-    def _is_seen(self, text: str) -> bool:
+    def _is_visible(self, text: str) -> bool:
         if text in self.front.windowTitle():
             return True
         for widget in self._all(QWidget):
@@ -255,11 +255,11 @@ class Reader(QObject):
             yield from self._rest()
             return
         sequence = QKeySequence(KEY_NAMES.get(keys, keys))[0]
-        key, held = sequence.key(), sequence.keyboardModifiers()
+        key, modifiers = sequence.key(), sequence.keyboardModifiers()
         front = self.front
         # In a dialogue, keys go to its focused widget (in a file dialogue, the line for the name)
         target = front if front is self._window else (front.focusWidget() or front)
-        yield lambda: QTest.keyClick(target, key, held)
+        yield lambda: QTest.keyClick(target, key, modifiers)
 
     def _type(self, text: str) -> Iterator[Act | None]:
         front = self.front

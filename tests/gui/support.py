@@ -29,7 +29,7 @@ Control = Qt.KeyboardModifier.ControlModifier
 
 
 class ScriptedDialogs(Dialogs):
-    """Dialogues that return preset answers and record what they were asked."""
+    """Dialogues that return preset answers and record the requests."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -37,16 +37,16 @@ class ScriptedDialogs(Dialogs):
         self.request: ImportRequest | None = None
         self.export_request: ExportRequest | None = None
         self.dropped: list[Path] = []
-        self.answer: SaveChoice = "discard"
-        self.about_dropped: DropChoice = "cancel"
+        self.save_choice: SaveChoice = "discard"
+        self.drop_choice: DropChoice = "cancel"
         self.lines: tuple[LineSource, ...] | None = None
-        self.about_candidate: CandidateChoice = "cancel"
+        self.candidate_choice: CandidateChoice = "cancel"
         self.folders: list[Path] = []
-        """Where the files of a moved project are now, one answer after the other."""
+        """Where the files of a moved project are now, one folder for each request."""
         self.safety: list[str] = []
         """Asked about unsaved work and other windows; tests in other processes share the demo."""
         self.recovers, self.opens_twice, self.overwrites = False, True, True
-        self.asked: list[str] = []
+        self.requests: list[str] = []
         self.proposed = Path()
         self.errors: list[BaseException] = []
 
@@ -57,8 +57,8 @@ class ScriptedDialogs(Dialogs):
         return self.request
 
     def ask_to_add(self, name: str) -> DropChoice:
-        self.asked.append(name)
-        return self.about_dropped
+        self.requests.append(name)
+        return self.drop_choice
 
     def add_lines(
         self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
@@ -77,11 +77,11 @@ class ScriptedDialogs(Dialogs):
         return self.path
 
     def pdf_file(self, start: Path) -> Path | None:
-        self.asked.append(start.name)
+        self.requests.append(start.name)
         return self.path
 
     def script_file(self, start: Path) -> Path | None:
-        self.asked.append(start.name)
+        self.requests.append(start.name)
         return self.path
 
     def report_template(self, start: Path) -> Path | None:
@@ -97,7 +97,7 @@ class ScriptedDialogs(Dialogs):
         return self.path
 
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
-        self.asked.append(start.name)
+        self.requests.append(start.name)
         return self.path
 
     def export(
@@ -107,19 +107,19 @@ class ScriptedDialogs(Dialogs):
         project: Project,
         trajectory: LocalTrajectory,
     ) -> ExportRequest | None:
-        self.asked.append(what)
+        self.requests.append(what)
         return self.export_request
 
     def ask_to_save_changes(self, name: str) -> SaveChoice:
-        self.asked.append(name)
-        return self.answer
+        self.requests.append(name)
+        return self.save_choice
 
     def ask_to_recover(self, name: str, when: str) -> bool:
         self.safety.append(f"recover {name}")
         return self.recovers
 
     def ask_files_folder(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
-        self.asked.append(f"{name}: {len(missing)}")
+        self.requests.append(f"{name}: {len(missing)}")
         return self.folders.pop(0) if self.folders else None
 
     def ask_to_open_locked(self, name: str, where: str) -> bool:
@@ -131,8 +131,8 @@ class ScriptedDialogs(Dialogs):
         return self.overwrites
 
     def ask_about_candidate(self, name: str) -> CandidateChoice:
-        self.asked.append(name)
-        return self.about_candidate
+        self.requests.append(name)
+        return self.candidate_choice
 
     def show_error(self, error: BaseException) -> None:
         self.errors.append(error)
@@ -178,7 +178,7 @@ class Driver:
 
     def leave(self) -> None:
         """Close the window and check that nothing of it is left."""
-        self.dialogs.answer = "discard"
+        self.dialogs.save_choice = "discard"
         assert self.window.close()
         assert self.window.runner.current is None
         self.window.deleteLater()

@@ -50,11 +50,11 @@ MAX_POLLS = 600
 class RealDialogs(Dialogs):
     """The real dialogues, driven by a timer: the question first, then the import dialogue."""
 
-    def __init__(self, driver: Driver, answer: str, drive: Callable[[AddLinesDialog], None]):
+    def __init__(self, driver: Driver, button_text: str, drive: Callable[[AddLinesDialog], None]):
         super().__init__()
         self.parent = driver.window
-        self.answer, self.drive = answer, drive
-        self.seen: list[str] = []
+        self.button_text, self.drive = button_text, drive
+        self.questions: list[str] = []
         self.polls = 0
         self.timer = QTimer(driver.window)
         self.timer.timeout.connect(self._poll)
@@ -72,8 +72,10 @@ class RealDialogs(Dialogs):
         if self.polls > MAX_POLLS:  # an unexpected dialogue: do not wait for ever
             shown.reject()
         elif isinstance(shown, QMessageBox):
-            self.seen.append(shown.text())
-            button = next(b for b in shown.findChildren(QPushButton) if b.text() == self.answer)
+            self.questions.append(shown.text())
+            button = next(
+                b for b in shown.findChildren(QPushButton) if b.text() == self.button_text
+            )
             QTest.mouseClick(button, Left)
         elif isinstance(shown, AddLinesDialog) and not shown.work.busy:
             self.drive(shown)
@@ -83,11 +85,11 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     short: Driver, demo: Demo, shorter: Project
 ) -> None:
     new = [line.path for line in demo.project.lines[4:]]
-    told: list[object] = []
+    shown_values: list[object] = []
 
     def drive(dialog: AddLinesDialog) -> None:
         table = dialog.table
-        told[:] = [
+        shown_values[:] = [
             dialog.windowTitle(), dialog.ok.text(), dialog.place.isVisible(),
             [table.item(row, 0).text() for row in range(table.rowCount())],
             [table.cellWidget(0, column) for column in (ROLE, FORMAT)],
@@ -99,10 +101,10 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     drop(short.window, new)
     short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
     short.rest()
-    assert dialogs.seen == ["Add the files to harbour?"]
-    given = [shorter.trajectory.name, shorter.accuracy.name]
-    assert told == [
-        "Add lines to harbour", "Add to project", False, given + [p.name for p in new],
+    assert dialogs.questions == ["Add the files to harbour?"]
+    names = [shorter.trajectory.name, shorter.accuracy.name]
+    assert shown_values == [
+        "Add lines to harbour", "Add to project", False, names + [p.name for p in new],
         [None, None], "", False,
     ]  # fmt: skip
     assert short.dialogs.errors == []
@@ -128,38 +130,38 @@ def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
     short: Driver, shorter: Project, tmp_path: Path
 ) -> None:
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
-    told: list[str] = []
+    reasons: list[str] = []
 
     def drive(dialog: AddLinesDialog) -> None:
-        told.append(dialog.reason.text())
+        reasons.append(dialog.reason.text())
         assert not dialog.ok.isEnabled()
         short.bot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Cancel), Left)
 
     RealDialogs(short, "Add to harbour", drive)
     drop(short.window, [shorter.lines[0].path])
-    short.bot.waitUntil(lambda: len(told) == 1, timeout=WAIT_MS)
+    short.bot.waitUntil(lambda: len(reasons) == 1, timeout=WAIT_MS)
     drop(short.window, [late])
-    short.bot.waitUntil(lambda: len(told) == 2, timeout=WAIT_MS)
+    short.bot.waitUntil(lambda: len(reasons) == 2, timeout=WAIT_MS)
     short.window.actions_["add_lines"].trigger()
-    short.bot.waitUntil(lambda: len(told) == 3, timeout=WAIT_MS)
+    short.bot.waitUntil(lambda: len(reasons) == 3, timeout=WAIT_MS)
     name = shorter.lines[0].name
-    assert is_shown("project_line.known", told[0])
-    assert name in told[0]
-    assert "late.laz" in told[1]
-    assert "trajectory" in told[1]
-    assert told[2].startswith("No lines have been added yet.")
+    assert is_shown("project_line.known", reasons[0])
+    assert name in reasons[0]
+    assert "late.laz" in reasons[1]
+    assert "trajectory" in reasons[1]
+    assert reasons[2].startswith("No lines have been added yet.")
     assert short.project.lines == shorter.lines
     assert not short.window.isWindowModified()
 
 
-@pytest.mark.parametrize(("answer", "asked"), [("cancel", False), ("new", True)])
-def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, answer, asked) -> None:
-    short.dialogs.about_dropped = answer
+@pytest.mark.parametrize(("choice", "is_new"), [("cancel", False), ("new", True)])
+def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, choice, is_new) -> None:
+    short.dialogs.drop_choice = choice
     line = demo.project.lines[5].path
     drop(short.window, [line])
-    short.bot.waitUntil(lambda: bool(short.dialogs.asked), timeout=WAIT_MS)
-    assert short.dialogs.asked == ["harbour"]
-    assert short.dialogs.dropped == ([line] if asked else [])
+    short.bot.waitUntil(lambda: bool(short.dialogs.requests), timeout=WAIT_MS)
+    assert short.dialogs.requests == ["harbour"]
+    assert short.dialogs.dropped == ([line] if is_new else [])
     assert len(short.project.lines) == 4
 
 

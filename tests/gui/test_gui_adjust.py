@@ -208,10 +208,10 @@ def test_estimate_asks_about_a_pending_candidate(opened: Driver, demo: Demo):
     opened.window.document.edit("picks", demo.project.with_target(demo.picked.target("T1")))
     seed(opened, "T2")
     press(opened, Key.Key_F9)
-    assert opened.dialogs.asked == ["T2"]
+    assert opened.dialogs.requests == ["T2"]
     assert not opened.window.runner.busy
     assert opened.window.controller.candidate is not None
-    opened.dialogs.about_candidate = "accept"
+    opened.dialogs.candidate_choice = "accept"
     estimate(opened)
     assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
 
@@ -343,8 +343,8 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     )
     estimate(driver)
     assert driver.project.settings.accept_single_orientation
-    seen = driver.project.result.observability
-    assert "adjustment.one_target" in codes(seen.messages)
+    observability = driver.project.result.observability
+    assert "adjustment.one_target" in codes(observability.messages)
     assert not refusal.isVisible()
     press(driver, Key.Key_Z, Control)
     driver.rest()

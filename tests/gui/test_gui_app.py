@@ -79,8 +79,8 @@ def test_the_window_says_that_the_home_directory_cannot_be_written(tmp_path: Pat
         capture_output=True, text=True, check=False, timeout=60, env=variables,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    said, folder = done.stdout.strip().rsplit("\n", 1)
-    assert said.count(f"{home / '.cache' / 'lispac'} cannot be written") == 1
+    printed, folder = done.stdout.strip().rsplit("\n", 1)
+    assert printed.count(f"{home / '.cache' / 'lispac'} cannot be written") == 1
     assert Path(folder).parent == tmp_path
     assert (Path(folder) / "window.ini").is_file()
     assert "cannot be written" in (Path(folder) / "lispac.log").read_text()

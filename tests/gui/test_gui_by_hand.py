@@ -65,7 +65,7 @@ def names(folder: Path) -> list[str]:
 
 def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
     """The unexpected dialogue opens in the event loop of an expected one."""
-    answers, below, above = DialogAnswers(), QMessageBox(), QMessageBox()
+    actions, below, above = DialogAnswers(), QMessageBox(), QMessageBox()
     below.setText("What now?")
     above.setText("The disk is full.")
 
@@ -73,14 +73,14 @@ def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QAp
         above.exec()
         return True
 
-    answers.expect(QMessageBox, act)
+    actions.expect(QMessageBox, act)
     below.exec()
-    assert [text for text in answers.trouble if "The disk is full." in text] == answers.trouble
-    assert len(answers.trouble) == 1
-    answers.expect(QFileDialog, act)
-    answers.stop()
-    assert answers.trouble[1:] == ["no QFileDialog came"]
-    for each in (answers, below, above):
+    assert [text for text in actions.trouble if "The disk is full." in text] == actions.trouble
+    assert len(actions.trouble) == 1
+    actions.expect(QFileDialog, act)
+    actions.stop()
+    assert actions.trouble[1:] == ["no QFileDialog came"]
+    for each in (actions, below, above):
         each.deleteLater()
 
 
@@ -104,7 +104,7 @@ def test_files_dropped_on_the_start_page_become_a_project(
     drop(hands.window, raw(demo))
     hands.until(lambda: hands.window.document.project is not None)
     hands.rest()
-    hands.answered()
+    hands.until_dialogs_used()
     assert not hands.window.central_widget.start.isVisible()
     kept = open_project(made)
     assert [line.name for line in kept.lines] == [line.name for line in demo.project.lines]
@@ -162,7 +162,7 @@ def test_closing_with_unsaved_changes(
     shows_something(hands, tmp_path / "renamed.png")
     push(hands, button)
     press(hands, Key.Key_Q, Control)
-    hands.answered()
+    hands.until_dialogs_used()
     assert hands.window.isVisible() == (button == "Cancel")
     after = ["North wall", *before[1:]] if button == "Save" else before
     assert names(picked_folder) == after

@@ -18,7 +18,7 @@ from tests.gui.support import Control, Key, press
 
 MAX_STOPS = 60
 """More than the tab stops of the window."""
-Settled = Callable[[], bool]
+Condition = Callable[[], bool]
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
     made.leave()
 
 
-def strike(hands: Hands, *keys: Qt.Key) -> None:
+def press_keys(hands: Hands, *keys: Qt.Key) -> None:
     """Press keys in the widget that has the focus."""
     for key in keys:
         hands.bot.keyClick(QApplication.focusWidget(), key)
@@ -42,16 +42,16 @@ def tab_to(hands: Hands, name: str) -> QWidget:
         if focused.objectName() == name:
             assert not focused.visibleRegion().isEmpty()
             return focused
-        strike(hands, Key.Key_Tab)
+        press_keys(hands, Key.Key_Tab)
     raise AssertionError(f"Tab does not lead to {name}")
 
 
 def open_from_start_page(hands: Hands, folder: Path) -> None:
     name_project(hands, folder)
     tab_to(hands, "start_open")
-    strike(hands, Key.Key_Return)
+    press_keys(hands, Key.Key_Return)
     hands.until(lambda: hands.window.document.project is not None)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 
@@ -61,13 +61,13 @@ def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
     def act(dialog: SeedCoordinatesDialog) -> bool:
         for value in demo_seeds()[name][1]:
             hands.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
-            strike(hands, Key.Key_Tab)
+            press_keys(hands, Key.Key_Tab)
         end(dialog)
         return True
 
     hands.answers.expect(SeedCoordinatesDialog, act)
     press(hands, Key.Key_F3)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.rest()
 
 
@@ -80,10 +80,10 @@ def find(hands: Hands, name: str) -> None:
 def rename_last(hands: Hands, to: str) -> None:
     """Rename the target of the last row with F2; it stays selected under its new name."""
     tab_to(hands, "targets_table")
-    strike(hands, Key.Key_End, Key.Key_Home, *[Key.Key_Down] * (len(hands.project.targets) - 1))
-    strike(hands, Key.Key_F2)
+    press_keys(hands, Key.Key_End, Key.Key_Home, *[Key.Key_Down] * (len(hands.project.targets) - 1))
+    press_keys(hands, Key.Key_F2)
     hands.bot.keyClicks(QApplication.focusWidget(), to)
-    strike(hands, Key.Key_Return)
+    press_keys(hands, Key.Key_Return)
     hands.until(lambda: hands.window.targets.current == to)
     hands.rest()
     assert QApplication.focusWidget() is hands.window.targets.table
@@ -106,11 +106,11 @@ def test_from_the_start_page_to_the_saved_calibration(hands: Hands, demo_copy: P
     rename_last(hands, "Quay")
 
     tab_to(hands, "step_adjust")
-    strike(hands, Key.Key_Return)
+    press_keys(hands, Key.Key_Return)
     assert tab_to(hands, "cross_check").isChecked()
-    strike(hands, Key.Key_Space)
+    press_keys(hands, Key.Key_Space)
     tab_to(hands, "estimate")
-    strike(hands, Key.Key_Return)
+    press_keys(hands, Key.Key_Return)
     hands.until(lambda: hands.project.result is not None)
     hands.rest()
     press(hands, Key.Key_F10)
@@ -134,15 +134,15 @@ def test_enter_presses_the_focused_button(hands: Hands, demo_copy: Path) -> None
         for _ in range(4):
             if QApplication.focusWidget().objectName() == "seed_cancel":
                 break
-            strike(hands, Key.Key_Tab)
+            press_keys(hands, Key.Key_Tab)
         assert QApplication.focusWidget().objectName() == "seed_cancel"
-        strike(hands, Key.Key_Return)
+        press_keys(hands, Key.Key_Return)
 
     type_seed(hands, "T1", cancel)
     assert hands.window.controller.candidate is None
     find(hands, "T1")
     tab_to(hands, "reject_candidate")
-    strike(hands, Key.Key_Return)
+    press_keys(hands, Key.Key_Return)
     assert hands.window.controller.candidate is None
     assert hands.project.targets == ()
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:
@@ -53,17 +53,17 @@ def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
 
-    def answer(dialog) -> None:
+    def use_dialog(dialog) -> None:
         points = field(dialog, "again_min_points")
         assert points.isVisible()  # unfolded, because the choices are not the defaults
         assert field(dialog, "again_max_tilt").value() == 12.3
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    seen = answer_next_dialog(picked, answer)
+    dialogs = use_next_dialog(picked, use_dialog)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
-    assert seen
+    assert dialogs
     candidate = picked.window.controller.candidate
     assert candidate.choices == replace(before, min_points=40)
     click(picked, picked.window.targets.candidate.accept)
@@ -75,9 +75,9 @@ def test_the_candidate_buttons_are_visible_on_a_low_screen(opened: Driver, demo:
     window.resize(1366, 768 - MAX_TITLE_BAR_HEIGHT_PX)
     opened.rest()
     window.controller.set_candidate(demo.picked.target("T1"))
-    for answer in (window.targets.candidate.accept, window.targets.candidate.reject):
+    for button in (window.targets.candidate.accept, window.targets.candidate.reject):
         opened.bot.waitUntil(
-            lambda answer=answer: answer.visibleRegion().boundingRect() == answer.rect(),
+            lambda button=button: button.visibleRegion().boundingRect() == button.rect(),
             timeout=WAIT_MS,
         )
     click(opened, window.targets.candidate.reject)

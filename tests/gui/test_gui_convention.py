@@ -32,7 +32,7 @@ def panel(qtbot: QtBot, qapp: QApplication) -> ConventionPanel:
     return made
 
 
-def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
+def choose_entry(bot: QtBot, box: QComboBox, index: int) -> None:
     """Choose an entry of a list with the keys."""
     box.setFocus()
     bot.keyClick(box, Key.Key_Home)
@@ -42,7 +42,7 @@ def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
 
 
 def choose(bot: QtBot, panel: ConventionPanel, key: str) -> None:
-    go_to(bot, panel.system, [each.key for each in SYSTEMS].index(key))
+    choose_entry(bot, panel.system, [each.key for each in SYSTEMS].index(key))
     assert panel.convention.key == key
 
 
@@ -123,10 +123,10 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     assert convention.assumption in panel.assumption.text()
     assert panel.table.isVisible() == convention.has_angles
     if convention.has_angles:
-        stated = convert_to_system(panel.inputs.mounting, ConventionSetup(convention))
+        converted = convert_to_system(panel.inputs.mounting, ConventionSetup(convention))
         (label, shown), *_ = rows(panel).items()
         assert label == ("New angles" if convention.status == "verified" else "Assumed angles")
-        np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
+        np.testing.assert_allclose(shown, np.degrees(converted.angles), atol=5.1e-5)
         assert heads(panel) == [name.capitalize() for name in convention.names]
     assert panel.imu.isVisible() == convention.open_axes
 
@@ -185,15 +185,15 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
         qtbot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "1 0 0 0.12; 0 1 0 -0.34; 0 0 1 2.5; 0 0 0 1")
-    told = panel.lever.text().replace("\u00a0", " ")
-    assert told.count("X forward +0.1200 m, Y starboard −0.3400 m") == 2
-    assert message_text(note("convention.lever_arm_kept")) in told
+    text = panel.lever.text().replace("\u00a0", " ")
+    assert text.count("X forward +0.1200 m, Y starboard −0.3400 m") == 2
+    assert message_text(note("convention.lever_arm_kept")) in text
     assert "Correction of the 4x4 matrix" in panel.notes.text()
     # A lever arm typed here replaces that of the present matrix.
     type_in(qtbot, panel.inputs.lever_arm.fields[2], "-2.4")
-    told = panel.lever.text().replace("\u00a0", " ")
-    assert "Z down +2.4000 m" in told
-    assert message_text(note("convention.lever_arm_replaced")) in told
+    text = panel.lever.text().replace("\u00a0", " ")
+    assert "Z down +2.4000 m" in text
+    assert message_text(note("convention.lever_arm_replaced")) in text
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
     np.testing.assert_allclose(copied[:3, 3], [0.0, 0.0, 2.4], atol=1e-12)
@@ -205,8 +205,8 @@ def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPan
     choose(qtbot, panel, "pdal")
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
-    stated = convert_to_system(panel.inputs.mounting, ConventionSetup(convention_of_key("pdal")))
-    np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
+    converted = convert_to_system(panel.inputs.mounting, ConventionSetup(convention_of_key("pdal")))
+    np.testing.assert_allclose(copied, converted.transform, atol=1e-12)
 
 
 def test_the_axes_of_an_imu_are_chosen(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -215,7 +215,7 @@ def test_the_axes_of_an_imu_are_chosen(qtbot: QtBot, panel: ConventionPanel) -> 
     assert "Z up" in panel.rules.text()
 
     def pick(box: QComboBox, word: str) -> None:
-        go_to(qtbot, box, box.findText(word))
+        choose_entry(qtbot, box, box.findText(word))
 
     pick(panel.imu.y, "starboard")
     assert "X forward, Y starboard, Z down" in panel.rules.text()

@@ -49,8 +49,8 @@ def test_roll_improves_while_a_line_is_dragged_farther_away(
     view, before = design.plan_view, shown(design)
     start = middle_of(view, 0)
     stop = view.pixel(view.place(start) - np.array([10.0, 0.0]))
-    seen = drag(driver, view, start, stop)
-    assert len(set(seen)) == 3, "the sigma follows the mouse"
+    shown_sigmas = drag(driver, view, start, stop)
+    assert len(set(shown_sigmas)) == 3, "the sigma follows the mouse"
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
     assert shown(design) == predicted(design)
     assert shown(design)[0] < before[0]
@@ -217,15 +217,15 @@ def test_a_plan_is_saved_and_opened_and_unsaved_changes_are_asked_about(
     driver.bot.waitUntil(lambda: len(dialogs.errors) == 1, timeout=20_000)
     assert "page.pdf" in str(dialogs.errors.pop())
     sigma = shown(design)
-    dialogs.asked.clear()
+    dialogs.requests.clear()
     driver.bot.keyClick(design, Key.Key_N, Control)
     assert plan(design).lines[0].distance == 15.0
-    assert dialogs.asked == []
+    assert dialogs.requests == []
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
-    dialogs.path, dialogs.answer = tmp_path / "quay.toml", "cancel"
+    dialogs.path, dialogs.save_choice = tmp_path / "quay.toml", "cancel"
     driver.bot.keyClick(design, Key.Key_O, Control)
-    assert dialogs.asked == [work.titled.title], "what is not saved is asked about"
-    dialogs.answer = "discard"
+    assert dialogs.requests == [work.titled.title], "what is not saved is asked about"
+    dialogs.save_choice = "discard"
     driver.bot.keyClick(design, Key.Key_O, Control)
     assert plan(design).lines[0].distance == 16.0
     assert shown(design) == sigma
@@ -275,9 +275,9 @@ def test_closing_the_design_window_keeps_the_plan_and_quitting_asks(
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     driver.bot.keyClick(design, Key.Key_W, Control)
     assert not design.isVisible()
-    driver.dialogs.answer = "cancel"
+    driver.dialogs.save_choice = "cancel"
     assert not driver.window.close()
-    assert driver.dialogs.asked == [design.workspace.titled.title]
+    assert driver.dialogs.requests == [design.workspace.titled.title]
     driver.window.activateWindow()
     press(driver, Key.Key_D, Control | Shift)
     assert plan(design).lines[0].distance == 16.0

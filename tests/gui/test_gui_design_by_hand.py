@@ -23,7 +23,7 @@ def turn_to(hands: Hands, tabs, page: int) -> None:
     assert tabs.currentIndex() == page
 
 
-def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
+def change_by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
     """Change a setting in the main window's menu, and return the new design window.
 
     An unexpected question is a failure.
@@ -62,7 +62,7 @@ def test_a_plan_stays_open_in_another_language_and_theme(hands: Hands, tmp_path:
         hands.bot.keyClicks(lists[name], text)
     design.resize(1300, 800)
 
-    french = by_menu(hands, "View", "Langue", "ran")
+    french = change_by_menu(hands, "View", "Langue", "ran")
     assert french.windowTitle() == f"Site[*] – {gettext('Survey design')} – LISPAC"
     assert "levé" in french.windowTitle()
     assert french.isWindowModified()
@@ -73,7 +73,7 @@ def test_a_plan_stays_open_in_another_language_and_theme(hands: Hands, tmp_path:
     assert (lists["along"].text(), lists["heights"].text()) == ("-2,5; 4", "high")
     assert hands.settings.language == "fr"
 
-    dark = by_menu(hands, "Affichage", "hème", "Sombre")
+    dark = change_by_menu(hands, "Affichage", "hème", "Sombre")
     assert hands.settings.theme == "dark"
     assert dark.workspace.titled is edited
     hands.bot.keyClick(dark, Key.Key_Y, Control)
@@ -98,11 +98,11 @@ def test_results_of_a_plan_survive_a_change_of_theme(hands: Hands) -> None:
     design.search.show_found(SearchResult(0.0363, PlanObjective(), 250, all_evaluated=True))
     hands.bot.keyClick(design, Key.Key_L, Control)
 
-    dark = by_menu(hands, "View", "heme", "Dark")
-    answer = dark.surveys.result_table
-    assert answer.head.text() == str(head)
-    assert [row[0] for row in answer.cells[1:]] == [row.name for row in values.rows]
-    assert answer.outdated.isVisibleTo(dark.surveys)  # the result belongs to an earlier plan
+    dark = change_by_menu(hands, "View", "heme", "Dark")
+    result_table = dark.surveys.result_table
+    assert result_table.head.text() == str(head)
+    assert [row[0] for row in result_table.cells[1:]] == [row.name for row in values.rows]
+    assert result_table.outdated.isVisibleTo(dark.surveys)  # the result belongs to an earlier plan
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)
     figure = dark.pictures.pages.currentWidget().figure

@@ -22,7 +22,7 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.gui.test_gui_design_work import SITE
 
 
-def searching(driver: Driver, design: DesignWindow, folder: Path) -> None:
+def start_search(driver: Driver, design: DesignWindow, folder: Path) -> None:
     """Start a search that evaluates 250 plans."""
     driver.dialogs.path = folder / "pier.toml"
     driver.dialogs.path.write_text(SITE)
@@ -41,7 +41,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     else:
         spot = view._target_rect(edits.placed_targets(design.workspace.titled)[1]).center()
     before = design.workspace.titled
-    searching(driver, design, tmp_path)
+    start_search(driver, design, tmp_path)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(20, -30), NoModifier))
     assert design.workspace.is_dragging
@@ -90,7 +90,7 @@ def test_saving_during_a_drag_saves_the_plan_before_it(
     assert not design.isWindowModified()
 
 
-def in_3d(real: Driver) -> DesignWindow:
+def open_3d_view(real: Driver) -> DesignWindow:
     """The design window with its 3D view in front."""
     design = opened_by_keys(real)
     real.bot.keyClick(design, Key.Key_0, Control)
@@ -107,7 +107,7 @@ def pixel(design: DesignWindow, place) -> QPoint:
 
 
 def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
-    design = in_3d(real)
+    design = open_3d_view(real)
     viewport, wall = design.view3d.viewport, design.workspace.titled.wall
     for _ in range(2):
         design.workspace.remove_target()
@@ -124,7 +124,7 @@ def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
 
 
 def test_a_handle_is_dragged_until_the_plan_is_replaced(real: Driver, tmp_path: Path) -> None:
-    design = in_3d(real)
+    design = open_3d_view(real)
     work, viewport = design.workspace, design.view3d.viewport
     before = edits.placed_targets(work.titled)[0]
     start = pixel(design, viewport._sketch_layer._sketches["target 0"].handles[1].position)
@@ -145,7 +145,7 @@ def test_a_handle_is_dragged_until_the_plan_is_replaced(real: Driver, tmp_path: 
     assert str(work.history.undo_name) == "Move T1"
     real.bot.keyClick(design, Key.Key_Z, Control)
 
-    searching(real, design, tmp_path)
+    start_search(real, design, tmp_path)
     real.bot.mousePress(viewport.canvas, Left, pos=start)
     move(0.5)
     assert work.is_dragging

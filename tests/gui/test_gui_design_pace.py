@@ -85,8 +85,8 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
 
 
 def test_a_plan_that_cannot_be_surveyed_is_reported(driver: Driver, design: DesignWindow) -> None:
-    said = design.results.warnings
-    assert not said.isVisible()
+    label = design.results.warnings
+    assert not label.isVisible()
     view = design.plan_view
     view.setFocus()
     for _ in range(3):
@@ -98,14 +98,14 @@ def test_a_plan_that_cannot_be_surveyed_is_reported(driver: Driver, design: Desi
     # beyond its last target, which is 0.8 cos 45 m farther on: 5.57 cos 45 = 3.94 m nearer.
     (found,) = plan_warnings(design.workspace.titled)
     assert (found.code, found.params["line"]) == ("plan.line_through_wall", 4)
-    assert said.text() == message_text(found)
-    assert "0.4 m" in said.text()
+    assert label.text() == message_text(found)
+    assert "0.4 m" in label.text()
     driver.bot.keyClick(design, Key.Key_Z, Control)
-    assert not said.isVisible()
+    assert not label.isVisible()
     wall = design.wall_view
     wall.setFocus()
     for _ in range(10):
         driver.bot.keyClick(wall, Key.Key_Right)
     (found,) = plan_warnings(design.workspace.titled)
     assert found.code == "plan.targets_overlap"
-    assert said.text() == message_text(found)
+    assert label.text() == message_text(found)

@@ -56,7 +56,7 @@ def surveyed_once() -> MonteCarloResult:
     return MonteCarloResult(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
 
 
-def typed(driver: Driver, field, text: str) -> None:
+def type_into_field(driver: Driver, field, text: str) -> None:
     field.setFocus()
     field.selectAll()
     driver.bot.keyClicks(field, text)
@@ -68,7 +68,7 @@ def test_simulated_surveys_agree_with_the_command_line(
     surveys, before = coarse.surveys, coarse.workspace.titled
     assert (surveys.surveys.value(), surveys.surveys.minimum()) == (200, 20)
     driver.bot.keyClicks(surveys.surveys, "32")  # replaces the selected text
-    typed(driver, surveys.seed, "7")
+    type_into_field(driver, surveys.seed, "7")
     box = surveys.flatness
     driver.bot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
     assert box.isChecked()
@@ -168,7 +168,7 @@ def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWin
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
     runner = driver.window.site_design.runner
     driver.bot.waitUntil(lambda: runner.current.fraction > 0, timeout=WAIT_MS)
-    driver.dialogs.answer = "discard"
+    driver.dialogs.save_choice = "discard"
     driver.bot.keyClick(coarse, Key.Key_W, Control)
     assert runner.active, "the window of the site may close meanwhile"
     assert driver.window.close()

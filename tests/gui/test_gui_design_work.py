@@ -101,10 +101,10 @@ def test_scenarios_are_drawn_in_figures(driver: Driver, design: DesignWindow, mo
 def test_sigmas_come_from_the_sensor_library(
     driver: Driver, design: DesignWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[PlanSensorsDialog] = []
+    opened_dialogs: list[PlanSensorsDialog] = []
 
     def choose(dialog: PlanSensorsDialog) -> int:
-        asked.append(dialog)
+        opened_dialogs.append(dialog)
         dialog.choice.choose("zf-9012", "apogee:ppk")
         return QDialog.DialogCode.Accepted
 
@@ -128,4 +128,4 @@ def test_sigmas_come_from_the_sensor_library(
     monkeypatch.setattr(PlanSensorsDialog, "exec", lambda _dialog: QDialog.DialogCode.Accepted)
     driver.bot.mouseClick(design.system.library, Qt.MouseButton.LeftButton)
     assert design.workspace.titled.plan.system == before
-    assert len(asked) == 1
+    assert len(opened_dialogs) == 1

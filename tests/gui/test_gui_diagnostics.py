@@ -101,8 +101,8 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
     assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
     words = turn_to(shown, "Observability").text_label.text()
-    for remark in result.observability.messages:
-        assert message_text(remark) in words
+    for message in result.observability.messages:
+        assert message_text(message) in words
     assert f"Condition number {result.observability.condition:.1f}" in words
 
 
@@ -187,9 +187,9 @@ def test_findings_are_marked_with_text_and_colour(shown: Driver, estimated: Proj
     assert texts(table, "Finding") == ["disagrees", "no result"]
     assert texts(table, "Reason")[1] == message_text(note("cross_check.no_common_target"))
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
-    told = shown.window.results.warnings.text()
-    assert f"T1 on line {line} (displaced by " in told
-    assert f"without line {line}" in told
+    shown_text = shown.window.results.warnings.text()
+    assert f"T1 on line {line} (displaced by " in shown_text
+    assert f"without line {line}" in shown_text
 
 
 def test_the_result_of_a_check_box_is_shown_and_then_cross_checked(

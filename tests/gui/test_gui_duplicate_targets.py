@@ -6,11 +6,11 @@ from tests.gui.support import Driver, click, open_step, wait_until_idle
 from tests.support.message_codes import is_shown
 
 
-def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
-    """Seed a target of the demo, ``aside`` metres from its middle, as a Ctrl+click does."""
+def click_on(driver: Driver, name: str, offset_m: float = 0.0) -> None:
+    """Seed a target of the demo, ``offset_m`` metres from its middle, as a Ctrl+click does."""
     x, y, z = demo_seeds()[name][1]
     first = driver.window.document.survey.lines[0]
-    driver.viewport.signals.seed_clicked.emit(PickedPoint(first, (x + aside, y, z)))
+    driver.viewport.signals.seed_clicked.emit(PickedPoint(first, (x + offset_m, y, z)))
     driver.rest()
 
 
@@ -22,7 +22,7 @@ def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
         assert box.isVisible()
         assert not box.duplicate_warning.isVisible()
         click(opened, box.accept)
-    click_on(opened, "T2", aside=0.2)
+    click_on(opened, "T2", offset_m=0.2)
     assert window.controller.candidate.name == "T3"
     assert box.duplicate_warning.isVisible()
     assert box.duplicate_warning.text().startswith("T3 and T2 are the same surface: ")

@@ -43,12 +43,12 @@ def test_a_lasso_removes_points_from_a_sighting_and_restores_them(picked: Driver
     part = points[points[:, 0] > np.median(points[:, 0])]
     outline(picked, part)
     after = sizes(picked, "T1")
-    lost = before[line] - after[line]
-    assert lost >= len(part)
+    removed_count = before[line] - after[line]
+    assert removed_count >= len(part)
     assert {k: v for k, v in after.items() if k != line} == {
         k: v for k, v in before.items() if k != line
     }
-    assert undo_text(picked) == f"Undo removal of {lost:,} points from T1 · {line}"
+    assert undo_text(picked) == f"Undo removal of {removed_count:,} points from T1 · {line}"
     press(picked, Key.Key_L)
     assert "add them to T1" in view.hint
     outline(picked, points)
@@ -80,11 +80,11 @@ def test_the_lasso_keeps_points_of_hidden_lines_and_outside_the_clip_box(picked:
     after = sizes(picked, "T1")
     assert after[first] == before[first]
     assert after[second] < before[second]
-    gone = np.setdiff1d(
+    removed = np.setdiff1d(
         window.document.undo_stack.command(0)._before.project.target("T1").sighting(second).indices,
         picked.project.target("T1").sighting(second).indices,
     )
-    assert len(clipping.box.inside(window.scene.clouds[second][gone])) == len(gone)
+    assert len(clipping.box.inside(window.scene.clouds[second][removed])) == len(removed)
 
 
 def test_a_lasso_around_all_points_is_refused(picked: Driver) -> None:
@@ -170,8 +170,8 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     found = residuals(adjusted.project, window.document.survey)
     targets = {fit.target: fit for fit in adjusted.project.result.targets}
     for name, fit in targets.items():
-        mine = np.concatenate([found[key] for key in found if key[0] == name])
-        assert np.sqrt(np.mean(mine**2)) == pytest.approx(fit.rms_after, rel=0.25)
+        residuals_of_target = np.concatenate([found[key] for key in found if key[0] == name])
+        assert np.sqrt(np.mean(residuals_of_target**2)) == pytest.approx(fit.rms_after, rel=0.25)
     assert view.shading.title == "Distance from the surface (mm)"
     assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {
         OTHER_POINTS_COLOUR

@@ -5,20 +5,20 @@ from PySide6.QtWidgets import QDoubleSpinBox
 from tests.gui.support import Driver, click, open_step, seed, type_into
 
 
-def typed(driver: Driver, name: str, text: str) -> None:
+def type_expected(driver: Driver, name: str, text: str) -> None:
     type_into(driver, driver.window.targets.findChild(QDoubleSpinBox, name), text)
 
 
 def test_the_candidate_is_compared_with_the_expected_values(opened: Driver) -> None:
     open_step(opened, 1)
     assert opened.window.targets.expected is None
-    typed(opened, "expected_width", "1.23")
-    typed(opened, "expected_height", "1.22")
+    type_expected(opened, "expected_width", "1.23")
+    type_expected(opened, "expected_height", "1.22")
     seed(opened, "T1")
     detail = opened.window.targets.candidate.detail
     assert "Size and inclination agree with the expected values." in detail.text()
     click(opened, opened.window.targets.candidate.reject)
-    typed(opened, "expected_tilt", "45")
+    type_expected(opened, "expected_tilt", "45")
     seed(opened, "T1")
     assert "more than the expected 45.0 deg" in detail.text()
     click(opened, opened.window.targets.candidate.accept)

@@ -39,11 +39,11 @@ def ok(dialog: ExportDialog):
 
 
 def test_the_dialogue_proposes_the_zone_and_explains_it(dialog: ExportDialog, demo: Demo) -> None:
-    asked = dialog.request()
+    request = dialog.request()
     assert dialog.windowTitle() == dialog_title(ACTIONS["lines"])
-    assert asked.system == utm_zone(demo.survey.trajectory)
-    assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
-    assert asked.output == dialog._project.folder / "export"
+    assert request.system == utm_zone(demo.survey.trajectory)
+    assert (request.what, request.which, request.form) == ("lines", "estimated", "laz")
+    assert request.output == dialog._project.folder / "export"
     assert "UTM zone" in dialog.message_label.text()
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     assert dialog.request().system == "local"
@@ -122,15 +122,15 @@ def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> No
     cloud = laspy.read(tmp_path / "l" / names[0])
     assert cloud.header.parse_crs().to_epsg() == int(zone.split(":")[1])
     assert len(cloud) == len(picked.window.document.survey.scans[names[0][:-10]])
-    said = picked.window.log.text() if hasattr(picked.window.log, "text") else ""
+    log_text = picked.window.log.text() if hasattr(picked.window.log, "text") else ""
     for what, form in (("targets", "csv"), ("planes", "txt"), ("trajectory", "sbet")):
         output = tmp_path / what if what != "trajectory" else tmp_path / "t.out"
         picked.dialogs.export_request = ExportRequest(what, output, "prior", form)
         picked.window.actions_["trajectory" if what == "trajectory" else "targets"].trigger()
         picked.rest()
-        assert output.exists(), said
+        assert output.exists(), log_text
     assert np.loadtxt(next((tmp_path / "planes").iterdir())).shape[1] == 25
-    assert picked.dialogs.asked == ["lines", "targets", "targets", "trajectory"]
+    assert picked.dialogs.requests == ["lines", "targets", "targets", "trajectory"]
     assert not picked.dialogs.errors
 
 
@@ -141,16 +141,16 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     dialog = ExportDialog("targets", "prior", project, track())
     qtbot.addWidget(dialog)
     dialog.show()
-    asked = dialog.request()
-    assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
+    request = dialog.request()
+    assert (request.system, request.trajectory_datum, request.epoch) == ("", None, None)
     assert not dialog.datum.isEnabled()
     own = dialog.message_label.text()
     assert is_shown("assumed.datum_shift", own)
     assert "ITRF2014" in own
     dialog.system.lineEdit().setText(NAD83)
     dialog._check_input()
-    asked = dialog.request()
-    assert (asked.system, asked.trajectory_datum, asked.epoch) == (NAD83, ITRF, 2023.5)
+    request = dialog.request()
+    assert (request.system, request.trajectory_datum, request.epoch) == (NAD83, ITRF, 2023.5)
     assert dialog.message_label.text() == own
     for field, text, words in (
         (dialog.epoch, "soon", "decimal year"),

@@ -45,7 +45,7 @@ LOW_SCREEN = QSize(1326, 728)
 
 
 @pytest.fixture(params=LANGUAGES)
-def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
+def language(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
     """Code of each language, with the theme of the program applied."""
     theme.apply_theme(qapp)
     set_language(request.param)
@@ -75,8 +75,8 @@ def test_the_titles_of_panels_are_not_cut_off(driver: Driver, qapp: QApplication
         option = QStyleOptionDockWidget()
         dock.initStyleOption(option)
         part = QStyle.SubElement.SE_DockWidgetTitleBarText
-        room = dock.style().subElementRect(part, option, dock)
-        assert room.height() >= QFontMetricsF(dock.font()).height(), title
+        area = dock.style().subElementRect(part, option, dock)
+        assert area.height() >= QFontMetricsF(dock.font()).height(), title
 
 
 def test_letters_of_a_number_field_are_not_cut_off_below(qtbot: QtBot, qapp: QApplication) -> None:
@@ -116,7 +116,7 @@ class _LowScreenDialog(VisibilityDialog):
 
 
 def test_a_study_fits_a_low_screen(
-    qtbot: QtBot, spoken: str, errors: list[VisibilityStudy]
+    qtbot: QtBot, language: str, errors: list[VisibilityStudy]
 ) -> None:
     """The buttons used to be below the edge of the screen, and the last heading was cut off."""
     dialog = _LowScreenDialog(errors)
@@ -138,7 +138,7 @@ def test_a_study_fits_a_low_screen(
 
 
 def test_comparisons_are_read_without_scrolling_on_a_small_screen(
-    driver: Driver, demo: Demo, validated: Project, spoken: str
+    driver: Driver, demo: Demo, validated: Project, language: str
 ) -> None:
     window = driver.window
     window.resize(*SMALL_WINDOW)
@@ -201,13 +201,13 @@ def test_no_line_crosses_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApplicat
         (x, y)
         for x in range(round(tip.x()) - 6, round(tip.x()) + 7)
         for y in range(round(tip.y()) - 13, round(tip.y()) - 2)
-        if (seen := picture.pixelColor(x, y)).lightness() < hull.lightness() - 20
-        and max(seen.red(), seen.green(), seen.blue()) - min(seen.red(), seen.green()) < 30
+        if (pixel := picture.pixelColor(x, y)).lightness() < hull.lightness() - 20
+        and max(pixel.red(), pixel.green(), pixel.blue()) - min(pixel.red(), pixel.green()) < 30
     ]
     assert not grey
 
 
-def test_side_labels_of_the_sketch_do_not_overlap_the_hull(spoken: str) -> None:
+def test_side_labels_of_the_sketch_do_not_overlap_the_hull(language: str) -> None:
     sketch = MountingSketch()
     sketch.resize(sketch.minimumSizeHint())
     for place, words in sketch.side_labels("above").items():
@@ -227,13 +227,13 @@ def test_no_lengths_are_shown_without_a_clip_box(qtbot: QtBot) -> None:
 
 
 def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:
-    metrics, taken, boxes = QFontMetricsF(qapp.font()), [], []
+    metrics, occupied, boxes = QFontMetricsF(qapp.font()), [], []
     spots = np.array([[300.0, 200.0], [318.0, 202.0], [600.0, 200.0]])
     for k, spot in enumerate(spots):
         leftwards = has_right_neighbour(spots, k)
         place = QPoint(round(spot[0]), round(spot[1])).toPointF()
-        boxes.append(free_label_place(place, metrics, f"T{k}", taken, leftwards=leftwards))
-        taken.append(boxes[-1])
+        boxes.append(free_label_place(place, metrics, f"T{k}", occupied, leftwards=leftwards))
+        occupied.append(boxes[-1])
     assert boxes[0].right() < spots[0, 0]
     assert boxes[1].left() > spots[1, 0]
     assert boxes[2].left() > spots[2, 0]

@@ -128,15 +128,15 @@ def test_a_window_frozen_with_new_modules_is_still_collected(
         ("frozen_modules", len(sys.modules)), ("may_have_frozen_window", True),
     ):  # fmt: skip
         monkeypatch.setattr(GuiThreadGarbageCollector, name, now)
-    gone: list[str] = []
+    collected: list[str] = []
     window = Cycle()
-    weakref.finalize(window, gone.append, "window")
+    weakref.finalize(window, collected.append, "window")
     gc.freeze()
     del window
     gc.collect()
-    assert gone == []
+    assert collected == []
     collect_all()
-    assert gone == ["window"]
+    assert collected == ["window"]
     assert gc.get_freeze_count() > 0
     gc.unfreeze()
 
@@ -155,33 +155,33 @@ def test_memory_of_freed_arrays_is_returned_to_the_system() -> None:
     its own process, because existing holes would be filled first.
     """
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as alone:
-        held, left = alone.submit(with_half_of_the_arrays_gone).result(timeout=60)
-    assert left < held - 140e6
+        before, after = alone.submit(memory_around_freeing).result(timeout=60)
+    assert after < before - 140e6
 
 
-def with_half_of_the_arrays_gone() -> tuple[int, int]:
+def memory_around_freeing() -> tuple[int, int]:
     """Resident bytes before and after half of the arrays are freed."""
     large = np.ones(3_900_000)
     del large
     MemoryTrimming()
     arrays = [np.ones(400_000) for _ in range(100)]
-    held = resident()
+    before = resident()
     del arrays[::2]
-    return held, resident()
+    return before, resident()
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
 def test_freed_memory_is_trimmed_after_work(monkeypatch: pytest.MonkeyPatch) -> None:
     blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB of blocks too small for a mapping each
-    held = resident()
+    before = resident()
     del blocks[::2]
     memory = MemoryTrimming()
     memory.trim_if_due()  # not due yet
-    assert resident() > held - 20e6
+    assert resident() > before - 20e6
     later = time.monotonic() + TRIM_INTERVAL_S + 1
     monkeypatch.setattr(time, "monotonic", lambda: later)
     memory.trim_if_due()
-    assert resident() < held - 150e6
+    assert resident() < before - 150e6
     assert len(blocks) == 2000
 
 

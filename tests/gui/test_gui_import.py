@@ -55,10 +55,10 @@ def test_dropped_files_become_a_project(
     assert filled.reason.text() == ""
     qtbot.mouseClick(filled.ok, Left)
     assert filled.result() == ImportDialog.DialogCode.Accepted
-    asked = filled.request()
+    request = filled.request()
     made = create_project(
-        asked.folder, trajectory=asked.trajectory, lines=asked.lines,
-        settings=asked.settings, accuracy=asked.accuracy,
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings, accuracy=request.accuracy,
     )  # fmt: skip
     assert [line.name for line in made.lines] == [line.name for line in demo.project.lines]
     assert made.settings.lever_arm == (0.0, 0.0, 2.173)
@@ -156,12 +156,12 @@ def test_a_line_is_excluded_by_its_button_and_the_timeline_obeys_keys(
         qtbot.keyClick(view, Key.Key_Down)
     assert dialog.table.current == other
     assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
-    for left_out in (other, far):  # the last button belongs to the last line
+    for excluded in (other, far):  # the last button belongs to the last line
         button = dialog.timeline.messages.buttons[-1]
         assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
-        assert dialog.input_files.file(left_out).role is None
+        assert dialog.input_files.file(excluded).role is None
     assert dialog.ok.isEnabled(), dialog.reason.text()
 
 

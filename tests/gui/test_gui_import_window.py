@@ -27,20 +27,20 @@ def test_escape_asks_before_it_discards_files(filled: ImportDialog, qtbot: QtBot
     rows = filled.table.rowCount()
     assert rows > 1
     for name in (None, "Continue importing", "Close without importing"):
-        asked: list[str] = []
+        questions: list[str] = []
 
-        def answer(name: str | None = name, asked: list[str] = asked) -> None:
+        def read_question(name: str | None = name, questions: list[str] = questions) -> None:
             box = QApplication.activeModalWidget()
             assert isinstance(box, QMessageBox)
-            asked.append(box.text())
+            questions.append(box.text())
             if name is None:
                 QTest.keyClick(box, Qt.Key.Key_Escape)
             else:
                 qtbot.mouseClick(next(b for b in box.buttons() if b.text() == name), Left)
 
-        QTimer.singleShot(100, answer)
+        QTimer.singleShot(100, read_question)
         QTest.keyClick(filled, Qt.Key.Key_Escape)
-        assert asked == ["Close without importing the files?"]
+        assert questions == ["Close without importing the files?"]
         assert filled.isVisible() == (name != "Close without importing")
         assert filled.table.rowCount() == rows
     assert filled.result() == QDialog.DialogCode.Rejected
@@ -97,20 +97,20 @@ def test_ticks_are_round_and_few() -> None:
 
 
 def test_all_widgets_are_reached_with_the_tab_key(filled: ImportDialog, qtbot: QtBot) -> None:
-    wanted = {
+    expected = {
         "import_add_files", "import_add_folder", "import_remove", "import_files",
         "new_folder", "new_folder_browse", "new_ok", "option_pitch", "import_preview",
     }  # fmt: skip
     filled.table.selectRow(0)
     filled.add_files.setFocus()
-    met = set()
+    reached = set()
     for _ in range(80):
         focused = QApplication.focusWidget()
-        met.add(focused.objectName())
+        reached.add(focused.objectName())
         assert focused.accessibleName() or hasattr(focused, "text") or focused.objectName()
         qtbot.keyClick(focused, Tab)
-    assert wanted <= met, wanted - met
-    assert any(name.startswith("role_") for name in met)
+    assert expected <= reached, expected - reached
+    assert any(name.startswith("role_") for name in reached)
 
 
 # -- from the window -------------------------------------------------------------------------------

@@ -122,7 +122,7 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
     assert document.is_modified
 
 
-def renewed(session: Session, qtbot: QtBot, code: str) -> MainWindow:
+def rebuild_window(session: Session, qtbot: QtBot, code: str) -> MainWindow:
     """Rebuild the window in another language and return it."""
     former = session.window
     former.settings.language = code
@@ -135,7 +135,7 @@ def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) ->
     session.window.document.open(demo.picked, demo.survey)
     assert session.window.workflow.opened == 2
     session.window.workflow.headers[1].click()
-    assert renewed(session, qtbot, "fr").workflow.opened == 1
+    assert rebuild_window(session, qtbot, "fr").workflow.opened == 1
 
 
 def test_typed_values_that_are_not_applied_are_kept(
@@ -155,7 +155,7 @@ def test_typed_values_that_are_not_applied_are_kept(
     number, wrong = "surface", "sigma_latency"
     optional[number].setText("0.125")
     optional[wrong].setText("0,1 2")
-    french = renewed(session, qtbot, "fr")
+    french = rebuild_window(session, qtbot, "fr")
     assert french.document.project.settings == used
     assert french.data.lever_arm.value() == (*used.lever_arm[:2], -2.5)
     assert french.data.apply.isEnabled()
@@ -175,7 +175,7 @@ def test_a_pending_candidate_is_kept(session: Session, qtbot: QtBot, demo: Demo)
     session.window.document.open(demo.project, demo.survey)
     found = demo.picked.target("T1")
     session.window.controller.set_candidate(found)
-    french = renewed(session, qtbot, "fr")
+    french = rebuild_window(session, qtbot, "fr")
     assert french.controller.candidate is found
     assert french.targets.candidate.isVisible()
     QTest.mouseClick(french.targets.candidate.accept, Qt.MouseButton.LeftButton)
@@ -203,7 +203,7 @@ def test_floating_panels_are_shown_after_the_window(
     shown = ShowRecorder()
     qapp.installEventFilter(shown)
     try:
-        french = renewed(session, qtbot, "fr")
+        french = rebuild_window(session, qtbot, "fr")
     finally:
         qapp.removeEventFilter(shown)
     assert french.docks["Log"].isFloating()
@@ -216,27 +216,27 @@ def test_floating_panels_are_shown_after_the_window(
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     session: Session, qtbot: QtBot
 ) -> None:
-    def spoken() -> str:
+    def chosen_text() -> str:
         return session.window.report.language.currentText()
 
     def written() -> str:
         return session.window.report.options().language
 
-    assert (spoken(), written()) == ("Same as window", "en")
-    renewed(session, qtbot, "fr")
-    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
+    assert (chosen_text(), written()) == ("Same as window", "en")
+    rebuild_window(session, qtbot, "fr")
+    assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
     QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)
     assert session.window.settings.report_choice()[1] == "letter"
     assert written() == "fr"
     for _ in "window", "English":
         QTest.keyClick(session.window.report.language, Qt.Key.Key_Down)
     assert written() == "fr"  # chosen explicitly, though it is the language of the window
-    renewed(session, qtbot, "en")
-    assert (spoken(), written()) == ("Français", "fr")
+    rebuild_window(session, qtbot, "en")
+    assert (chosen_text(), written()) == ("Français", "fr")
     QTest.keyClick(session.window.report.language, Qt.Key.Key_Home)
     assert written() == "en"
-    renewed(session, qtbot, "fr")
-    assert (spoken(), written()) == ("Comme la fenêtre", "fr")
+    rebuild_window(session, qtbot, "fr")
+    assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
 
 
 def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: QtBot) -> None:
@@ -262,10 +262,10 @@ def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: Q
 def test_the_log_is_kept(session: Session, qtbot: QtBot) -> None:
     former = session.window
     former.log.note("Something happened")
-    said = former.log.toPlainText()
+    log_text = former.log.toPlainText()
     former.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
-    assert session.window.log.toPlainText().startswith(said)
+    assert session.window.log.toPlainText().startswith(log_text)
 
 
 def test_no_text_is_cut_off_in_a_small_french_window(

@@ -23,7 +23,7 @@ MAX_TABS = 40
 """More than the fields of the page."""
 
 
-def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
+def choose_language_by_keys(hands: Hands, menu: str, entry: str, language: str) -> None:
     """Choose a language in the settings: menu by mouse, choice and Keep by keys."""
 
     def act(dialog: SettingsDialog) -> bool:
@@ -35,15 +35,15 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
         assert box.hasFocus()
         hands.bot.keyClick(box, Key.Key_Home)
         for _ in range(box.count()):
-            if box.currentText() != wanted:
+            if box.currentText() != language:
                 hands.bot.keyClick(box, Key.Key_Down)
-        assert box.currentText() == wanted
+        assert box.currentText() == language
         hands.bot.mouseClick(dialog.keep, Left)
         return True
 
     hands.answers.expect(SettingsDialog, act)
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), entry)
-    hands.answered()
+    hands.until_dialogs_used()
     hands.to_next_window()
 
 
@@ -78,7 +78,7 @@ def test_the_language_is_changed_and_changed_back(
     english = words(hands.window.menuBar())
     assert {"File", "Settings…", "Undo"} <= {word.split(" ")[0] for word in english}
 
-    speak_by_keys(hands, "File", "Settings", "Français")
+    choose_language_by_keys(hands, "File", "Settings", "Français")
     assert AppSettings(kept).chosen_language == "fr"
     french = words(hands.window.menuBar())
     assert len(french) == len(english)
@@ -90,7 +90,7 @@ def test_the_language_is_changed_and_changed_back(
     assert not hands.window.isWindowModified()
     press(hands, Key.Key_Y, Control)
 
-    speak_by_keys(hands, "Fichier", "Préférences", "English")
+    choose_language_by_keys(hands, "Fichier", "Préférences", "English")
     assert AppSettings(kept).chosen_language == "en"
     assert words(hands.window.menuBar()) == english
     assert hands.window.isWindowModified()
@@ -101,30 +101,30 @@ def test_file_dialogues_are_in_the_language_of_the_window(
     hands: Hands, picked_folder: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "here").mkdir()
-    seen: list[set[str]] = []
+    texts: list[set[str]] = []
 
     def inspect_dialog(dialog: QFileDialog) -> bool:
         dialog.setDirectory(str(tmp_path))
         if not {"Folder", "Dossier"} & dialog_texts(dialog):
             return False  # Qt reads the folder in its own thread
-        seen.append(dialog_texts(dialog))
-        dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
+        texts.append(dialog_texts(dialog))
+        dialog.grab().save(str(tmp_path / f"files-{len(texts)}.png"))
         hands.bot.keyClick(dialog, Key.Key_Escape)
         return True
 
-    def ask() -> None:
+    def open_dialog() -> None:
         hands.answers.expect(QFileDialog, inspect_dialog)
         press(hands, Key.Key_O, Control)
-        hands.answered()
+        hands.until_dialogs_used()
 
     english = {"&Look in:", "Files of &type:", "File &name:", "Folder", "Name", "&Open", "Cancel"}
-    ask()
-    assert english <= seen[0]
-    speak_by_keys(hands, "File", "Settings", "Français")
-    ask()
-    assert not english & seen[1]
+    open_dialog()
+    assert english <= texts[0]
+    choose_language_by_keys(hands, "File", "Settings", "Français")
+    open_dialog()
+    assert not english & texts[1]
     french = {"&Regarder dans\u00a0:", "Fichiers de &type\u00a0:", "Dossier", "Nom", "Annuler"}
-    assert french <= seen[1]
-    speak_by_keys(hands, "Fichier", "Préférences", "English")
-    ask()
-    assert english <= seen[2]
+    assert french <= texts[1]
+    choose_language_by_keys(hands, "Fichier", "Préférences", "English")
+    open_dialog()
+    assert english <= texts[2]

@@ -20,9 +20,9 @@ from tests.gui.support import WAIT_MS, Driver
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
 def test_hidden_errors_and_warnings_are_in_the_log_file(tmp_path: Path) -> None:
-    told: list[BaseException] = []
+    errors: list[BaseException] = []
     before = (threading.excepthook, logging.getLogger("lispac").handlers[:])
-    book = LogFile(tmp_path / "made", told.append)
+    book = LogFile(tmp_path / "made", errors.append)
     book.begin()
     try:
         thread = threading.Thread(target=lambda: 1 / 0)
@@ -37,7 +37,7 @@ def test_hidden_errors_and_warnings_are_in_the_log_file(tmp_path: Path) -> None:
         logging.getLogger("lispac").info("Opened harbour")
     finally:
         book.end()
-    assert [type(error) for error in told] == [ZeroDivisionError]
+    assert [type(error) for error in errors] == [ZeroDivisionError]
     written = book.file.read_text(encoding="utf-8")
     for words in ("WARNING Qt: a widget", "a library is not happy", "INFO Opened harbour"):
         assert words in written
@@ -80,8 +80,8 @@ def test_a_notification_reports_the_end_of_a_long_task(
     driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
 ) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 30.0 if ending == "short" else 0.05)
-    told: list[str] = []
-    DesktopNotifications(driver.window, driver.window.runner, told.append)
+    notifications: list[str] = []
+    DesktopNotifications(driver.window, driver.window.runner, notifications.append)
     other = QWidget()
     qtbot.addWidget(other)
     other.show()
@@ -99,15 +99,17 @@ def test_a_notification_reports_the_end_of_a_long_task(
         task.cancel.set()
     driver.rest()
     expected = {"done": ["Working: completed after"], "failed": ["Working: failed after"]}
-    assert [words.rpartition(" after")[0] + " after" for words in told] == expected.get(ending, [])
+    assert [words.rpartition(" after")[0] + " after" for words in notifications] == expected.get(
+        ending, []
+    )
 
 
 def test_no_notification_is_sent_while_the_window_is_active(
     driver: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 0.0)
-    told: list[str] = []
-    DesktopNotifications(driver.window, driver.window.runner, told.append)
+    notifications: list[str] = []
+    DesktopNotifications(driver.window, driver.window.runner, notifications.append)
     driver.window.runner.run("Working", lambda _progress: None, lambda _value: None)
     driver.rest()
-    assert told == []
+    assert notifications == []

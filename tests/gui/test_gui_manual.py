@@ -18,14 +18,14 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("cache")
 
 
-@pytest.mark.parametrize("spoken", ["en", "fr"])
+@pytest.mark.parametrize("language", ["en", "fr"])
 def test_the_manual_is_opened_in_the_language_of_the_window(
-    driver: Driver, spoken: str, cache: Path, monkeypatch: pytest.MonkeyPatch
+    driver: Driver, language: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[QUrl] = []
     monkeypatch.setattr(caches, "default_folder", lambda: cache)
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
-    monkeypatch.setattr("lispac.gui.features.help.manual.current_language", lambda: spoken)
+    monkeypatch.setattr("lispac.gui.features.help.manual.current_language", lambda: language)
     press(driver, Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
     driver.rest()
     for step in range(5):
@@ -35,7 +35,7 @@ def test_the_manual_is_opened_in_the_language_of_the_window(
     assert driver.dialogs.errors == []
     first, *parts = opened
     page = Path(first.toLocalFile())
-    assert page.parts[-2:] == (spoken, "index.html")
+    assert page.parts[-2:] == (language, "index.html")
     assert "LISPAC" in page.read_text(encoding="utf-8")
     panels = page.with_name("panels.html")
     text = panels.read_text(encoding="utf-8")
@@ -44,13 +44,13 @@ def test_the_manual_is_opened_in_the_language_of_the_window(
         assert f'id="step-{step}"' in text
 
 
-@pytest.mark.parametrize("spoken", ["en", "fr"])
+@pytest.mark.parametrize("language", ["en", "fr"])
 def test_the_tables_of_the_manual_agree_with_window_and_readers(
-    qapp: QApplication, spoken: str
+    qapp: QApplication, language: str
 ) -> None:
     """The tables are up to date; `python -m tests.documents` writes them."""
-    kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
-    made = tables(spoken)
+    kept = {file.name: file.read_text(encoding="utf-8") for file in folder(language).iterdir()}
+    made = tables(language)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert kept == made
 

@@ -13,7 +13,7 @@ from lispac.messages import note
 from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from tests.gui.support import Driver, Left, wait_until_idle
-from tests.gui.test_gui_studies import answer_next_dialog
+from tests.gui.test_gui_studies import use_next_dialog
 from tests.gui.test_gui_warnings import listed
 
 
@@ -36,15 +36,15 @@ def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
 def test_missing_methods_are_run_and_stored_as_one_undo_step(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[str] = []
+    methods: list[str] = []
 
-    def ask(project, survey, method, *, progress):
-        asked.append(method)
+    def record_method(project, survey, method, *, progress):
+        methods.append(method)
         if method == "natural planes":
             return adjust_natural_planes(project, survey, progress=progress)
         return replace(result_of_the_scene(project, survey, progress=progress), method=method)
 
-    monkeypatch.setattr(method_runs, "run_method", ask)
+    monkeypatch.setattr(method_runs, "run_method", record_method)
     action, before = adjusted.window.actions_["methods"], adjusted.project
     assert action.isEnabled()
     assert before.alternative_results == ()
@@ -59,7 +59,7 @@ def test_missing_methods_are_run_and_stored_as_one_undo_step(
         adjusted.bot.mouseClick(dialog.run_missing, Left)
 
     compare(adjusted)
-    answer_next_dialog(adjusted, first)
+    use_next_dialog(adjusted, first)
 
     def second(dialog: MethodsDialog) -> None:
         assert isinstance(dialog, MethodsDialog)
@@ -73,9 +73,9 @@ def test_missing_methods_are_run_and_stored_as_one_undo_step(
         assert "natural surfaces: 30." in words
         assert not dialog.run_missing.isEnabled()
 
-    answer_next_dialog(adjusted, second)
+    use_next_dialog(adjusted, second)
     wait_until_idle(adjusted)
-    assert asked == ["natural planes", "targetless", "patch test"]
+    assert methods == ["natural planes", "targetless", "patch test"]
     assert [each.method for each in adjusted.project.alternative_results] == [
         "targetless",
         "patch test",
@@ -102,7 +102,7 @@ def test_a_method_without_a_result_is_reported(
     monkeypatch.setattr(method_runs, "run_method", refuse)
     before = adjusted.project
     compare(adjusted)
-    answer_next_dialog(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
+    use_next_dialog(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
 
     def inspect_dialog(dialog: MethodsDialog) -> None:
         assert (
@@ -111,7 +111,7 @@ def test_a_method_without_a_result_is_reported(
         )
         assert not dialog.run_missing.isEnabled()
 
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is before
 
 

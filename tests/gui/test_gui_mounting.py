@@ -25,7 +25,7 @@ RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
 """Right and up of each view from north, west, up, for a level vessel heading north."""
 
 
-def placed(lever_arm, boresight_deg) -> np.ndarray:
+def scanner_axes_placed(lever_arm, boresight_deg) -> np.ndarray:
     """Scanner centre and tips of its axes by the georeferencing, shape (4, 3).
 
     Offsets north, west and up from the POS centre, for a level vessel heading north.
@@ -44,7 +44,7 @@ def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
 def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray:
     """Drawn centre of the scanner's dot, pixels to the right and up of the POS centre."""
     picture = sketch.grab().toImage()
-    wanted = QColor(colour)
+    dot_colour = QColor(colour)
     half = picture.width() // 2
     columns = range(half) if view == "above" else range(half, picture.width())
     scale = picture.devicePixelRatio()
@@ -52,8 +52,10 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
         (x, y)
         for x in columns
         for y in range(picture.height())
-        if picture.pixelColor(x, y) == wanted
-        and all(picture.pixelColor(x + d, y + e) == wanted for d, e in ((2, 0), (0, 2), (-2, 0)))
+        if picture.pixelColor(x, y) == dot_colour
+        and all(
+            picture.pixelColor(x + d, y + e) == dot_colour for d, e in ((2, 0), (0, 2), (-2, 0))
+        )
     ]
     assert found, f"no dot from {view}"
     origin = sketch.pixel_of(view, (0.0, 0.0, 0.0))
@@ -61,7 +63,7 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
     return np.array([middle[0] + 0.5 - origin.x(), origin.y() - middle[1] - 0.5])
 
 
-def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketch:
+def type_mounting(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketch:
     """Type lever arm and boresight without Enter, and return the sketch."""
     open_step(driver, 0)
     data = driver.window.data
@@ -83,8 +85,8 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
 def test_a_typed_lever_arm_is_drawn_where_georeferencing_places_it(
     opened: Driver, lever_arm
 ) -> None:
-    sketch = typed(opened, lever_arm)
-    north, west, up = placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
+    sketch = type_mounting(opened, lever_arm)
+    north, west, up = scanner_axes_placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
     for view in VIEWS:
         right, above = (axis(north, west, up) for axis in RIGHT_UP[view])
         assert offsets(sketch, view) == pytest.approx([right, above], abs=1e-9)
@@ -95,7 +97,7 @@ def test_a_typed_lever_arm_is_drawn_where_georeferencing_places_it(
 
 
 def test_a_changed_sign_moves_the_scanner_to_the_other_side_while_typing(opened: Driver) -> None:
-    sketch = typed(opened, ("0.5", "1.2", "2"))
+    sketch = type_mounting(opened, ("0.5", "1.2", "2"))
     port = dot_in_picture(sketch, "above", theme.ACCENT)
     field = opened.window.data.lever_arm.fields[1]
     field.setFocus()
@@ -115,27 +117,29 @@ def test_a_changed_sign_moves_the_scanner_to_the_other_side_while_typing(opened:
                   (35.0, -60.0, 120.0)]
 )  # fmt: skip
 def test_the_drawn_scanner_axes_agree_with_the_georeferencing(opened: Driver, boresight) -> None:
-    sketch = typed(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
+    sketch = type_mounting(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
     assert sketch.factor == 1
-    local = placed((1.0, 0.4, 2.0), boresight)
-    drawn, wanted = [], []
+    local = scanner_axes_placed((1.0, 0.4, 2.0), boresight)
+    drawn, expected = [], []
     for axis in range(3):
         north, west, up = local[1 + axis] - local[0]
         for view in VIEWS:
             start, tip = sketch.axis_ends(view, axis)
             drawn.append((tip.x() - start.x(), start.y() - tip.y()))
-            wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
-    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis in the picture plane
+            expected.append([way(north, west, up) for way in RIGHT_UP[view]])
+    pixels = np.vdot(drawn, expected) / np.vdot(
+        expected, expected
+    )  # of an axis in the picture plane
     assert pixels > 15
-    assert np.array(drawn) == pytest.approx(pixels * np.array(wanted), abs=1e-9)
+    assert np.array(drawn) == pytest.approx(pixels * np.array(expected), abs=1e-9)
 
 
 def test_a_small_rotation_is_drawn_in_its_direction(opened: Driver) -> None:
     """The rotation is exaggerated, but a turn to starboard is still drawn to starboard."""
     for yaw in ("0.4", "-0.4"):
-        sketch = typed(opened, ("1", "0", "2"), ("0", "0", yaw))
+        sketch = type_mounting(opened, ("1", "0", "2"), ("0", "0", yaw))
         assert sketch.factor > 1
-        local = placed((1.0, 0.0, 2.0), (0.0, 0.0, float(yaw)))
+        local = scanner_axes_placed((1.0, 0.0, 2.0), (0.0, 0.0, float(yaw)))
         start, tip = sketch.axis_ends("above", 0)
         assert np.sign(tip.x() - start.x()) == np.sign(-(local[1] - local[0])[1])
         assert abs(tip.x() - start.x()) > 2
@@ -143,7 +147,7 @@ def test_a_small_rotation_is_drawn_in_its_direction(opened: Driver) -> None:
 
 def test_the_sketch_is_visible_beside_the_field_on_a_low_screen(opened: Driver) -> None:
     opened.window.resize(1366, 768)
-    sketch = typed(opened, ("1", "0.4", "2"))
+    sketch = type_mounting(opened, ("1", "0.4", "2"))
     area = opened.window.workflow.findChild(QScrollArea)
     field = opened.window.data.lever_arm.fields[0]
     area.verticalScrollBar().setValue(0)
@@ -157,11 +161,11 @@ def test_the_sketch_is_visible_beside_the_field_on_a_low_screen(opened: Driver) 
 
 def test_a_scanner_far_below_gives_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
-    typed(opened, ("1.2", "0.35", "-2.1"))
+    type_mounting(opened, ("1.2", "0.35", "-2.1"))
     assert view.warnings_label.isVisible()
     below = warning("mounting.lever_arm_below", below=2.10)
     assert message_text(below) in view.warnings_label.text()
-    typed(opened, ("1.2", "0.35", "2.1"))
+    type_mounting(opened, ("1.2", "0.35", "2.1"))
     assert not view.warnings_label.isVisible()
 
 
@@ -169,7 +173,7 @@ def test_a_scanner_far_below_gives_a_warning(opened: Driver) -> None:
 def test_a_warning_is_fully_visible_while_typing(opened: Driver, height, lever_arm) -> None:
     opened.window.resize(1366, height)
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
-    typed(opened, ("1.2", "0.35", "2.1"))
+    type_mounting(opened, ("1.2", "0.35", "2.1"))
     type_into(opened, field, lever_arm)
     opened.bot.waitUntil(lambda: is_whole(view.warnings_label))
     assert is_whole(field)
@@ -186,7 +190,7 @@ def is_whole(widget: QWidget) -> bool:
 
 def test_reverting_draws_the_applied_lever_arm(opened: Driver) -> None:
     in_use = opened.project.settings.lever_arm
-    sketch = typed(opened, ("1.2", "0.35", "2.1"))
+    sketch = type_mounting(opened, ("1.2", "0.35", "2.1"))
     opened.bot.mouseClick(opened.window.data.revert, Qt.MouseButton.LeftButton)
     assert tuple(sketch.lever_arm) == pytest.approx(in_use)
 
@@ -230,16 +234,16 @@ def test_the_import_dialogue_shows_warnings_on_every_page(
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)
-    for typed_in, file_warnings, said in (
+    for typed_in, file_warnings, suffix in (
         ("-2.419", 1, ""),
         ("-42.419", 2, " for this and 1 more warning"),
     ):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
-        told = page.view.warnings_label.text().splitlines()
-        assert len(told) == file_warnings
-        assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
+        warnings = page.view.warnings_label.text().splitlines()
+        assert len(warnings) == file_warnings
+        assert filled.reason.text() == f"{warnings[0]} See the tab Mounting and accuracies{suffix}."
         qtbot.waitUntil(lambda: is_whole(page.view.warnings_label) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")

@@ -26,14 +26,14 @@ class Form(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.told: list[float] = []
+        self.emitted: list[float] = []
         self.up = widgets.number("up", suffix=" m", decimals=4, low=-100, high=100, step=0.01)
         self.up.setValue(2.0)
         self.sigma = widgets.number("sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5)
         layout = QVBoxLayout(self)
         layout.addWidget(self.up)
         layout.addWidget(self.sigma)
-        self.up.valueChanged.connect(self.told.append)
+        self.up.valueChanged.connect(self.emitted.append)
 
 
 @pytest.fixture
@@ -46,14 +46,14 @@ def form(qtbot: QtBot) -> Iterator[Form]:
     QToolTip.hideText()
 
 
-def typed(qtbot: QtBot, field: NumberField, text: str) -> None:
+def type_into_field(qtbot: QtBot, field: NumberField, text: str) -> None:
     field.setFocus()
     field.selectAll()
     qtbot.keyClicks(field, text)
 
 
 def test_a_value_outside_the_range_is_marked_and_the_range_is_shown(form, qtbot) -> None:
-    typed(qtbot, form.up, "2173")
+    type_into_field(qtbot, form.up, "2173")
     assert form.up.cleanText() == "2173"
     assert form.up.property("wrong") is True
     assert QToolTip.text() == "Range: -100.0000 to 100.0000 m"
@@ -67,21 +67,21 @@ def test_a_value_outside_the_range_is_marked_and_the_range_is_shown(form, qtbot)
 
 
 def test_a_field_left_with_an_invalid_value_restores_the_former_one(form, qtbot) -> None:
-    typed(qtbot, form.up, "2173")
+    type_into_field(qtbot, form.up, "2173")
     qtbot.keyClick(form.up, Key.Key_Tab)
     assert form.sigma.hasFocus()
     assert form.up.value() == 2.0
     assert form.up.text() == "2.0000 m"
     assert form.up.property("wrong") is False
-    assert form.told[-1] == 2.0  # the intermediate values 2 and 21 are reverted
-    said = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
-    qtbot.waitUntil(lambda: QToolTip.text() == said, timeout=SOON_MS)
+    assert form.emitted[-1] == 2.0  # the intermediate values 2 and 21 are reverted
+    tip = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
+    qtbot.waitUntil(lambda: QToolTip.text() == tip, timeout=SOON_MS)
     assert QToolTip.isVisible()
 
 
 def test_the_kept_value_is_shown_after_a_click_elsewhere(form, qtbot) -> None:
     """The tip appears after the release of the mouse, which would close it."""
-    typed(qtbot, form.up, "2173")
+    type_into_field(qtbot, form.up, "2173")
     qtbot.mousePress(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)
     form.sigma.setFocus()  # as the window system does at a click
     qtbot.wait(80)
@@ -93,26 +93,26 @@ def test_the_kept_value_is_shown_after_a_click_elsewhere(form, qtbot) -> None:
 @pytest.mark.parametrize("text", ["-", "-3", "0", "20000"])
 def test_typed_signs_and_digits_are_kept(form, qtbot, text: str) -> None:
     form.sigma.setValue(5.0)
-    typed(qtbot, form.sigma, text)
+    type_into_field(qtbot, form.sigma, text)
     assert form.sigma.cleanText() == text
     form.up.setFocus()
     assert form.sigma.value() == 5.0
 
 
 def test_a_step_starts_from_the_last_valid_value(form, qtbot) -> None:
-    typed(qtbot, form.up, "500")
+    type_into_field(qtbot, form.up, "500")
     qtbot.keyClick(form.up, Key.Key_Up)
     assert form.up.value() == pytest.approx(2.01)
 
 
 def test_escape_restores_the_last_valid_value(form, qtbot) -> None:
-    typed(qtbot, form.up, "-500")
+    type_into_field(qtbot, form.up, "-500")
     qtbot.keyClick(form.up, Key.Key_Escape)
     assert form.up.text() == "2.0000 m"
 
 
 def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
-    typed(qtbot, form.up, "1x.23456")
+    type_into_field(qtbot, form.up, "1x.23456")
     assert form.up.cleanText() == "1.2345"
 
 
@@ -124,12 +124,12 @@ def test_the_range_is_shown_in_feet_and_in_french(form, qtbot) -> None:
         qtbot.addWidget(own)
         own.show()
         qtbot.waitUntil(lambda: in_front(own), timeout=SOON_MS)
-        typed(qtbot, own.up, "329,5")
+        type_into_field(qtbot, own.up, "329,5")
         shown = QToolTip.text().replace("\N{NO-BREAK SPACE}", " ")
         assert shown == "Plage : -328,0840 à 328,0840 ft"
         own.sigma.setFocus()
         assert own.up.value() == 2.0
-        typed(qtbot, own.up, "320,5")
+        type_into_field(qtbot, own.up, "320,5")
         own.sigma.setFocus()
         assert own.up.value() == pytest.approx(320.5 * 0.3048)
     finally:

@@ -14,8 +14,8 @@ from tests.gui.support import Driver
 
 def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_path: Path) -> None:
     before = adjusted.project.result
-    asked = replace(adjusted.project.settings, surface=-1.0)
-    adjusted.window.estimation.estimate(asked, False)
+    settings = replace(adjusted.project.settings, surface=-1.0)
+    adjusted.window.estimation.estimate(settings, False)
     adjusted.rest()
     assert adjusted.project.result is before
     [refusal] = map(str, adjusted.dialogs.errors)
@@ -26,8 +26,10 @@ def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_
     adjusted.dialogs.path = report
     reporting.export()
     adjusted.rest()
-    told = [each for each in json.loads(report.read_text())["warnings"] if words in each["text"]]
-    assert [(each["level"], each["code"]) for each in told] == [
+    warnings = [
+        each for each in json.loads(report.read_text())["warnings"] if words in each["text"]
+    ]
+    assert [(each["level"], each["code"]) for each in warnings] == [
         ("warning", "adjustment.refused_since")
     ]
     set_language("fr")

@@ -36,7 +36,7 @@ def runner(qtbot: QtBot):
     made.close()
 
 
-def endless(progress: Progress) -> None:
+def run_without_end(progress: Progress) -> None:
     while True:
         progress(0.5, "going on")
         time.sleep(0.005)
@@ -61,7 +61,7 @@ def test_work_runs_in_a_worker_and_its_value_arrives_in_the_main_thread(qtbot, r
 
 def test_a_cancelled_task_delivers_no_value(qtbot, runner):
     got = []
-    runner.run("Endless", endless, got.append)
+    runner.run("Endless", run_without_end, got.append)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped) as stopped:
         runner.cancel()
@@ -70,31 +70,31 @@ def test_a_cancelled_task_delivers_no_value(qtbot, runner):
 
 
 def test_no_task_is_running_while_a_dialogue_shows_its_result(qtbot, runner):
-    seen = []
+    was_busy = []
 
     def show(_value: int) -> None:
-        told.append(runner.current)
+        tasks.append(runner.current)
         dialog = QDialog()
-        QTimer.singleShot(50, lambda: (seen.append(runner.busy), dialog.accept()))
+        QTimer.singleShot(50, lambda: (was_busy.append(runner.busy), dialog.accept()))
         dialog.exec()
 
-    told: list[Task | None] = []
-    runner.changed.connect(lambda: told.append(runner.current))
+    tasks: list[Task | None] = []
+    runner.changed.connect(lambda: tasks.append(runner.current))
     runner.run("Setting the pages", lambda progress: 1, show, modal=True)
-    qtbot.waitUntil(lambda: bool(seen))
-    assert seen == [False]
-    first = next(k for k, task in enumerate(told) if task is None)
-    assert told[first:] == [None] * len(told[first:])  # reported before the dialogue is shown
+    qtbot.waitUntil(lambda: bool(was_busy))
+    assert was_busy == [False]
+    first = next(k for k, task in enumerate(tasks) if task is None)
+    assert tasks[first:] == [None] * len(tasks[first:])  # reported before the dialogue is shown
 
 
 def test_a_task_that_ends_behind_a_dialogue_waits_for_it(qtbot, runner):
     got: list[int] = []
     dialog = QDialog()
-    seen = []
+    results_then = []
     runner.run("Work", lambda progress: 1, got.append, modal=True)
-    QTimer.singleShot(400, lambda: (seen.append(list(got)), dialog.accept()))
+    QTimer.singleShot(400, lambda: (results_then.append(list(got)), dialog.accept()))
     dialog.exec()
-    assert seen == [[]]
+    assert results_then == [[]]
     qtbot.waitUntil(lambda: got == [1])
 
 
@@ -126,9 +126,9 @@ def test_an_ended_task_keeps_no_data_alive(qtbot, runner, fails):
 @pytest.mark.parametrize("persistent", [False, True])
 def test_a_written_file_counts_as_done_when_cancelled_too_late(qtbot, runner, tmp_path, persistent):
     """Cancel is pressed after the work has ended but before the window is notified."""
-    written, ended, got, told = tmp_path / "line.laz", threading.Event(), [], []
-    runner.stopped.connect(lambda title: told.append(f"{title}: cancelled"))
-    runner.cancelled_too_late.connect(told.append)
+    written, ended, got, notices = tmp_path / "line.laz", threading.Event(), [], []
+    runner.stopped.connect(lambda title: notices.append(f"{title}: cancelled"))
+    runner.cancelled_too_late.connect(notices.append)
 
     def work(_progress):
         written.write_text("points")
@@ -138,16 +138,16 @@ def test_a_written_file_counts_as_done_when_cancelled_too_late(qtbot, runner, tm
     runner.run("Export", work, got.append, persistent=persistent)
     assert ended.wait(10)
     runner.cancel()
-    qtbot.waitUntil(lambda: bool(told))
+    qtbot.waitUntil(lambda: bool(notices))
     late = "Export: completed before it could be cancelled"
-    assert told == [late if persistent else "Export: cancelled"]
+    assert notices == [late if persistent else "Export: cancelled"]
     assert got == ([written] if persistent else [])
     assert written.exists()
 
 
 def test_persistent_work_that_stops_in_time_is_cancelled(qtbot, runner):
     got = []
-    runner.run("Export", endless, got.append, persistent=True)
+    runner.run("Export", run_without_end, got.append, persistent=True)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped):
         runner.cancel()
@@ -168,12 +168,12 @@ def test_a_failed_task_reports_why_and_the_next_one_runs(qtbot, runner):
 
 def test_quiet_work_gives_way_and_is_replaced_by_later_work(qtbot, runner):
     got = []
-    runner.run("First", endless, got.append, quiet=True, key="count")
+    runner.run("First", run_without_end, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     assert not runner.busy
     runner.run("Second", lambda _progress: 2, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: got == [2])
-    runner.run("Third", endless, got.append, quiet=True)
+    runner.run("Third", run_without_end, got.append, quiet=True)
     runner.run("Loud", lambda _progress: 3, got.append)
     qtbot.waitUntil(lambda: got == [2, 3])
 
@@ -199,7 +199,7 @@ def test_closing_waits_for_the_worker(qtbot):
 
     def work(progress):
         try:
-            endless(progress)
+            run_without_end(progress)
         except Cancelled:
             ended.append(True)
             raise
@@ -220,8 +220,8 @@ def test_errors_of_libraries_are_in_the_details(qapp):
             json.loads("{")
         except ValueError as error:
             raise InputError("a.json: it cannot be read; restore it.") from error
-    except InputError as told:
-        box = error_box(None, told)
+    except InputError as caught:
+        box = error_box(None, caught)
     assert box.text() == "a.json: it cannot be read; restore it."
     box.findChild(QPushButton, "copy_details").click()
     assert "JSONDecodeError" in QApplication.clipboard().text()
@@ -255,8 +255,8 @@ def test_steps_show_their_status_and_advice(demo: Demo):
     assert ready[1].sentence == "2 targets in 6 lines, 1 validation plane"
     assert ready[2].ready
     first = demo.picked.target("T1")
-    lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
-    assert "fewer than two lines" in status.step_statuses(lonely, demo.survey)[1].advice
+    on_one_line = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
+    assert "fewer than two lines" in status.step_statuses(on_one_line, demo.survey)[1].advice
 
 
 def test_many_points_are_counted_in_millions():

@@ -24,7 +24,7 @@ def opened_panel(driver: Driver) -> PatchTestPanel:
     return panel(driver)
 
 
-def follow(driver: Driver) -> None:
+def wait_for_curve(driver: Driver) -> None:
     """Wait until the curve belongs to the current angles."""
     patch_test_controller = driver.window.tools.patch_test_controller
     driver.bot.waitUntil(lambda: not patch_test_controller.is_curve_pending, timeout=60_000)
@@ -38,9 +38,9 @@ def drag(driver: Driver, slider: QSlider, value: int) -> None:
     handle = slider.style().subControlRect(
         QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
     )
-    room = slider.width() - handle.width()
+    travel = slider.width() - handle.width()
     share = (value - slider.minimum()) / (slider.maximum() - slider.minimum())
-    end = QPoint(round(share * room + 0.5 * handle.width()), handle.center().y())
+    end = QPoint(round(share * travel + 0.5 * handle.width()), handle.center().y())
     driver.bot.mousePress(slider, Left, pos=handle.center())
     driver.bot.mouseMove(slider, end)
     driver.bot.mouseRelease(slider, Left, pos=end)
@@ -73,42 +73,42 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     assert shown.objects.count() > 10
     click(opened, shown.all)
     opened.rest()
-    answer = window.tools.patch_test_controller.last_result
-    assert answer is not None
-    assert answer.sigma is not None
+    result = window.tools.patch_test_controller.last_result
+    assert result is not None
+    assert result.sigma is not None
     assert "result" in shown.angles.result_labels[PITCH].text()
     assert is_shown("patch_test.basis", shown.message_label.text())
     truth = np.radians(opened.project.truth_deg)
-    assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
+    assert (np.abs(result.boresight - truth) < 3 * result.sigma).all()
 
     assert opened.project.alternative_result("patch test") is None
     click(opened, shown.save_button)
     kept = opened.project.alternative_result("patch test")
     assert kept is not None
-    np.testing.assert_array_equal(kept.boresight, answer.boresight)
+    np.testing.assert_array_equal(kept.boresight, result.boresight)
     press(opened, Key.Key_Z, Control)
     assert opened.project.alternative_result("patch test") is None
 
     # Plot the curve of all ticked objects: the minimum of a single object differs.
     shown.of.setCurrentIndex(1)
-    start = answer.boresight + [0.0, np.radians(0.15), 0.0]
+    start = result.boresight + [0.0, np.radians(0.15), 0.0]
     shown.angles.set_angles(start)
     slider = shown.angles.sliders[PITCH]  # its middle is the found angle
     drag(opened, slider, 80)
-    follow(opened)
+    wait_for_curve(opened)
     lowest = shown.curve.minimum
     assert lowest is not None
     assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
-    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / SLIDER_STEP_DEG))
-    follow(opened)
+    drag(opened, slider, round(np.degrees(lowest - result.boresight[PITCH]) / SLIDER_STEP_DEG))
+    wait_for_curve(opened)
     assert shown.angles.boresight[PITCH] != start[PITCH]
-    assert abs(shown.angles.boresight[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
+    assert abs(shown.angles.boresight[PITCH] - result.boresight[PITCH]) < result.sigma[PITCH]
     # A click into the curve also sets the angle
     place = shown.curve.place(lowest, 0.001).toPoint()
     opened.bot.mouseClick(shown.curve, Left, pos=place)
-    follow(opened)
+    wait_for_curve(opened)
     turned = shown.angles.boresight
-    assert abs(turned[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
+    assert abs(turned[PITCH] - result.boresight[PITCH]) < result.sigma[PITCH]
     assert (turned[[ROLL, YAW]] == start[[ROLL, YAW]]).all()
     assert shown.angles.fields[PITCH].value() == pytest.approx(np.degrees(turned[PITCH]))
 
@@ -116,7 +116,7 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     click(opened, shown.angles.find_buttons[PITCH])
     opened.rest()
     alone = shown.angles.boresight
-    assert abs(alone[PITCH] - answer.boresight[PITCH]) < 0.2 * answer.sigma[PITCH]
+    assert abs(alone[PITCH] - result.boresight[PITCH]) < 0.2 * result.sigma[PITCH]
     assert "mismatch is smallest" in shown.message_label.text()
 
 

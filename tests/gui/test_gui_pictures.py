@@ -34,7 +34,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     picked.dialogs.path = tmp_path / "view.png"
     press(picked, Key.Key_P)
     wait_until_idle(picked)
-    assert picked.dialogs.asked[-1] == f"{picked.project.name}-view.png"
+    assert picked.dialogs.requests[-1] == f"{picked.project.name}-view.png"
     assert not QImage(str(tmp_path / "view.png")).isNull()
     assert f"Wrote {tmp_path / 'view.png'}" in window.log.toPlainText()
     QGuiApplication.clipboard().clear()
@@ -61,7 +61,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     shown = panel.canvas.figure.axes[0].get_xlim()
     click(picked, panel.save_picture)
     wait_until_idle(picked)
-    assert picked.dialogs.asked[-1] == f"{picked.project.name}-section-across-t1.png"
+    assert picked.dialogs.requests[-1] == f"{picked.project.name}-section-across-t1.png"
     saved = QImage(str(tmp_path / "section.png"))
     inches = panel.canvas.figure.get_size_inches()
     assert saved.width() == pytest.approx(200 * inches[0], abs=2)
@@ -167,16 +167,18 @@ def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> 
 
 def test_labels_of_adjacent_targets_do_not_overlap(qapp) -> None:
     metrics = QFontMetricsF(qapp.font())
-    taken: list[QRectF] = []
+    occupied: list[QRectF] = []
     for step in range(4):
-        taken.append(free_label_place(QPointF(300.0 + step, 200.0), metrics, f"T{step}", taken))
-    assert taken[0].left() > 300.0
-    assert taken[0].bottom() < 200.0
-    for k, box in enumerate(taken):
-        assert not any(box.intersects(other) for other in taken[:k])
+        occupied.append(
+            free_label_place(QPointF(300.0 + step, 200.0), metrics, f"T{step}", occupied)
+        )
+    assert occupied[0].left() > 300.0
+    assert occupied[0].bottom() < 200.0
+    for k, box in enumerate(occupied):
+        assert not any(box.intersects(other) for other in occupied[:k])
     # If all places are taken, the default place is used.
-    fifth = free_label_place(QPointF(300.0, 200.0), metrics, "T0", taken)
-    assert fifth == taken[0]
+    fifth = free_label_place(QPointF(300.0, 200.0), metrics, "T0", occupied)
+    assert fifth == occupied[0]
 
 
 def test_labels_of_targets_do_not_overlap_the_colour_scale(qapp) -> None:

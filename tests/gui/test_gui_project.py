@@ -52,7 +52,7 @@ def test_the_folders_of_moved_files_are_asked_for(driver: Driver, demo_copy: Pat
     driver.dialogs.folders = list(folders)
     driver.window.open_project(demo_copy)
     driver.rest()
-    assert driver.dialogs.asked == ["harbour: 7", "harbour: 7", "harbour: 1"]
+    assert driver.dialogs.requests == ["harbour: 7", "harbour: 7", "harbour: 1"]
     (error,) = driver.dialogs.errors
     assert error.code == "project_files.none_of_many_found"
     assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
@@ -69,7 +69,7 @@ def test_a_project_with_missing_files_is_not_opened(driver: Driver, demo_copy: P
     known.trajectory.unlink()
     driver.window.open_project(demo_copy)
     driver.rest()
-    assert driver.dialogs.asked == ["harbour: 1"]
+    assert driver.dialogs.requests == ["harbour: 1"]
     assert driver.window.document.project is None
     assert driver.window.task_bar.currentMessage() == ("harbour was not opened: files are missing")
 
@@ -81,20 +81,20 @@ def test_a_folder_without_a_project_is_refused_with_a_message(driver: Driver, tm
     assert driver.window.document.project is None
 
 
-@pytest.mark.parametrize(("answer", "closes", "saved"), [
+@pytest.mark.parametrize(("choice", "closes", "saved"), [
     ("cancel", False, 0), ("discard", True, 0), ("save", True, 1),
 ])  # fmt: skip
 def test_closing_with_changes_asks(
-    driver: Driver, demo: Demo, demo_copy: Path, answer, closes, saved
+    driver: Driver, demo: Demo, demo_copy: Path, choice, closes, saved
 ):
     before = replace(demo.project, folder=demo_copy)
     driver.window.document.open(before, demo.survey)
     target = demo.picked.target("T1")
     driver.window.document.edit("detection of T1", before.with_target(target))
     assert driver.window.isWindowModified()
-    driver.dialogs.answer = answer
+    driver.dialogs.save_choice = choice
     assert driver.window.close() is closes
-    assert driver.dialogs.asked == ["harbour"]
+    assert driver.dialogs.requests == ["harbour"]
     assert len(open_project(demo_copy).targets) == saved
 
 
@@ -176,13 +176,13 @@ def test_a_closed_window_is_hidden_before_its_tasks_have_ended(
     driver.rest()
     press(driver, Key.Key_F9)
     assert window.runner.busy
-    seen, ended = [], window.runner.close
+    states, ended = [], window.runner.close
 
     def close() -> None:
-        seen.append((window.isVisible(), window.runner.busy))
+        states.append((window.isVisible(), window.runner.busy))
         ended()
 
     monkeypatch.setattr(window.runner, "close", close)
     window.close()
-    assert seen[0] == (False, True)
+    assert states[0] == (False, True)
     assert not window.runner.active

@@ -34,15 +34,15 @@ def proposal(demo: Demo) -> Proposal:
     return propose_targets(demo.project, demo.survey)
 
 
-def answer_next_dialog(driver: Driver, answer: Callable[[QDialog], None]) -> None:
-    """Call ``answer`` with the next modal dialogue."""
+def use_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
+    """Call ``use_dialog`` with the next modal dialogue."""
 
     def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
         if dialog is None:
             QTimer.singleShot(50, inspect_window)
         else:
-            answer(dialog)
+            use_dialog(dialog)
 
     QTimer.singleShot(50, inspect_window)
 
@@ -54,22 +54,22 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
 def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     before = opened.project
-    seen = []
+    shown_content = []
 
-    def answer(dialog: QDialog) -> None:
+    def use_dialog(dialog: QDialog) -> None:
         table = dialog.findChild(QTableWidget, "proposal_table")
         rows = range(table.rowCount())
-        seen.append([[table.item(row, k).text() for k in range(4)] for row in rows])
-        seen.append(dialog.findChild(object, "proposal_sigmas").text())
+        shown_content.append([[table.item(row, k).text() for k in range(4)] for row in rows])
+        shown_content.append(dialog.findChild(object, "proposal_sigmas").text())
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
-    answer_next_dialog(opened, answer)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.targets.propose)
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
     opened.rest()
-    rows, sigmas = seen
+    rows, sigmas = shown_content
     assert [row[1] for row in rows].count("Validation plane") >= 4
     assert all(row[3] for row in rows)
     assert "roll 0." in sigmas
@@ -103,7 +103,7 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     before = opened.project
-    answer_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
+    use_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
     click(opened, opened.window.targets.propose)
     opened.rest()
     assert opened.project is before
@@ -119,18 +119,18 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
 def test_existing_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
-    left = remove_picked_surfaces(demo.picked, proposal)
-    assert len(left.targets) < len(proposal.targets)
-    assert set(left.picked) <= {"T1", "T2"}
-    taken = {target.name for target in demo.picked.targets}
-    assert taken.isdisjoint(target.name for target in left.targets)
-    assert set(left.reasons) == {target.name for target in left.targets}
-    project, given = with_accepted_targets(
-        demo.picked, left, {target.name for target in left.targets}
+    remaining = remove_picked_surfaces(demo.picked, proposal)
+    assert len(remaining.targets) < len(proposal.targets)
+    assert set(remaining.picked) <= {"T1", "T2"}
+    existing_names = {target.name for target in demo.picked.targets}
+    assert existing_names.isdisjoint(target.name for target in remaining.targets)
+    assert set(remaining.reasons) == {target.name for target in remaining.targets}
+    project, new_names = with_accepted_targets(
+        demo.picked, remaining, {target.name for target in remaining.targets}
     )
-    assert given == tuple(target.name for target in left.targets), "as the list shows them"
+    assert new_names == tuple(target.name for target in remaining.targets), "as the list shows them"
     names = [target.name for target in project.targets]
-    assert len(set(names)) == len(names) == len(demo.picked.targets) + len(given)
+    assert len(set(names)) == len(names) == len(demo.picked.targets) + len(new_names)
     for target in demo.picked.targets:
         assert project.target(target.name) is target
 
@@ -166,15 +166,15 @@ def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Prop
     assert not dialog.accept_button.isEnabled()
 
 
-def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
+def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:
     """Find the selected target again with the menu, and return the project."""
 
-    def answer(dialog: QDialog) -> None:
+    def use_dialog(dialog: QDialog) -> None:
         dialog.findChild(QDoubleSpinBox, "again_threshold").setValue(threshold_mm)
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    answer_next_dialog(driver, answer)
+    use_next_dialog(driver, use_dialog)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project
@@ -190,7 +190,7 @@ def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
     before = picked.project
-    assert again(picked, 15, 1.5) is before  # a candidate, not accepted yet
+    assert find_again(picked, 15, 1.5) is before  # a candidate, not accepted yet
     candidate = picked.window.controller.candidate
     assert (candidate.threshold, candidate.radius) == (0.015, 1.5)
     click(picked, picked.window.targets.candidate.accept)

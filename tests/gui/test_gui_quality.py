@@ -14,7 +14,7 @@ from tests.support.message_codes import is_shown
 Role = Qt.ItemDataRole
 
 
-def shown(driver: Driver, name: str, line: str, role: Role = Role.DisplayRole):
+def shown_value(driver: Driver, name: str, line: str, role: Role = Role.DisplayRole):
     model = driver.window.table.sightings
     lines = [each.name for each in driver.project.lines]
     return model.data(model.index(model.row_of(name), 1 + lines.index(line)), role)
@@ -29,32 +29,34 @@ def with_few_points(project: Project) -> Project:
 
 def test_every_sighting_has_a_quality_light_with_its_reason(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
-    picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
-    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert "m²" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert " % of the extent in the other lines" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert "Before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert shown(picked, "T1", line).endswith("mm")
+    picked.bot.waitUntil(lambda: shown_value(picked, "T1", line, Role.DecorationRole) is not None)
+    assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)
+    assert "m²" in shown_value(picked, "T1", line, Role.ToolTipRole)
+    assert " % of the extent in the other lines" in shown_value(
+        picked, "T1", line, Role.ToolTipRole
+    )
+    assert "Before the calibration" in shown_value(picked, "T1", line, Role.ToolTipRole)
+    assert shown_value(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
-    assert "Quality: doubtful" in shown(picked, "T2", steep, Role.ToolTipRole)
-    assert "surface normal is" in shown(picked, "T2", steep, Role.ToolTipRole)
+    assert "Quality: doubtful" in shown_value(picked, "T2", steep, Role.ToolTipRole)
+    assert "surface normal is" in shown_value(picked, "T2", steep, Role.ToolTipRole)
 
 
 def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
-    assert shown(picked, "T1", line).endswith("poor")
-    tip = shown(picked, "T1", line, Role.ToolTipRole)
+    assert shown_value(picked, "T1", line).endswith("poor")
+    tip = shown_value(picked, "T1", line, Role.ToolTipRole)
     assert message_text(note("quality.few_points", count=40)) in tip
     assert is_shown("quality.shows_less", tip)
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
-    assert shown(picked, "T1", line).endswith("poor")
+    assert shown_value(picked, "T1", line).endswith("poor")
     picked.window.document.undo_stack.undo()
     picked.window.document.undo_stack.undo()
     picked.rest()
-    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)
 
 
 def test_quality_is_computed_with_the_estimated_boresight(
@@ -63,15 +65,15 @@ def test_quality_is_computed_with_the_estimated_boresight(
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("estimate", estimated)
     picked.rest()
-    tip = shown(picked, "T1", line, Role.ToolTipRole)
+    tip = shown_value(picked, "T1", line, Role.ToolTipRole)
     assert "Quality: good" in tip
     assert "prior boresight" not in tip
     assert "Quality computed with the estimated boresight from " in tip
     # Excluding one sighting keeps the lights of the others until the new result is there.
     picked.window.controller.use_sighting("T1", line, False)
-    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)
     wait_until_idle(picked)
-    assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)
 
 
 def test_other_tasks_take_precedence_over_quality(picked: Driver) -> None:
@@ -84,7 +86,7 @@ def test_other_tasks_take_precedence_over_quality(picked: Driver) -> None:
     picked.window.runner.run("Something else", lambda progress: 1, done.append)
     picked.rest()
     assert done == [1]
-    assert shown(picked, "T1", line).endswith("poor")
+    assert shown_value(picked, "T1", line).endswith("poor")
 
 
 def lights(driver: Driver) -> dict[str, str]:
@@ -104,17 +106,17 @@ def test_a_candidate_has_quality_lights_before_it_is_accepted(opened: Driver) ->
         lambda: not any("The quality is being computed" in tip for tip in lights(opened).values())
     )
     opened.rest()
-    told = lights(opened)
-    assert list(told) == [line.name for line in opened.project.lines]
-    assert "Quality: good" in told["L1_000"]
-    assert " points, " in told["L1_000"]
-    assert "Quality: doubtful\n" in told["L3_045"]
-    assert "surface normal is 73 deg" in told["L3_045"]
+    tips = lights(opened)
+    assert list(tips) == [line.name for line in opened.project.lines]
+    assert "Quality: good" in tips["L1_000"]
+    assert " points, " in tips["L1_000"]
+    assert "Quality: doubtful\n" in tips["L3_045"]
+    assert "surface normal is 73 deg" in tips["L3_045"]
     box = opened.window.targets.candidate
     assert box.lights.height() < 60, "six lines are two or three rows"
     press(opened, Key.Key_Return)
     opened.rest()
-    assert told["L3_045"].split("\n")[2] in shown(opened, "T1", "L3_045", Role.ToolTipRole)
+    assert tips["L3_045"].split("\n")[2] in shown_value(opened, "T1", "L3_045", Role.ToolTipRole)
     seed(opened, "V1")
     opened.rest()
     assert set(lights(opened)) == {s.line for s in opened.window.controller.candidate.sightings}
@@ -129,7 +131,7 @@ def test_quality_lights_belong_to_the_current_candidate(opened: Driver) -> None:
     seed(opened, "T2")
     opened.rest()
     points = [len(s.indices) for s in opened.window.controller.candidate.sightings]
-    told = lights(opened)
-    for tip, count in zip(told.values(), points, strict=True):
+    tips = lights(opened)
+    for tip, count in zip(tips.values(), points, strict=True):
         assert f": {count:,} points, " in tip
-    assert all("Quality: " in tip for tip in told.values())
+    assert all("Quality: " in tip for tip in tips.values())

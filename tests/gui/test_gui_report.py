@@ -22,7 +22,7 @@ from lispac.gui.widgets import ChoiceBox
 from lispac.identity import FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
 
 REPORT_STEP = 4
@@ -39,12 +39,12 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     before = adjusted.project
     open_step(adjusted, REPORT_STEP)
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         for name in FIELD_NAMES:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    answer_next_dialog(adjusted, answer)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
         f"the {name}" for name in FIELD_NAMES
@@ -60,23 +60,23 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
     open_step(opened, 0)
     before = opened.project
 
-    def answer(dialog: QWidget) -> None:
-        said, keep = (
+    def use_dialog(dialog: QWidget) -> None:
+        label, keep = (
             dialog.findChild(QLabel, "identity_message"),
             dialog.findChild(QPushButton, "identity_keep"),
         )
         type_into(opened, field(dialog, "vessel"), "V" * 201)
-        assert said.text().startswith("Vessel: the text has 201 characters")
+        assert label.text().startswith("Vessel: the text has 201 characters")
         assert not keep.isEnabled()
         type_into(opened, field(dialog, "vessel"), "V")
-        assert said.text() == ""
+        assert label.text() == ""
         assert keep.isEnabled()
         opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
-        assert "do not contain a date" in said.text()
+        assert "do not contain a date" in label.text()
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(opened, answer)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
@@ -145,9 +145,9 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     choose(adjusted, panel.page, 1)
-    seen: list[QPixmap] = []
+    pictures: list[QPixmap] = []
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         pages = [
             label for label in dialog.findChildren(QLabel)
             if label.objectName().startswith("preview_page_")
@@ -155,7 +155,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         assert pages[-1].pixmap().isNull()  # a page is decoded when it becomes visible
         for label in pages:
             label.grab()
-        seen.extend(label.pixmap() for label in pages)
+        pictures.extend(label.pixmap() for label in pages)
         place = dialog.findChild(QLabel, "preview_place")
         adjusted.bot.waitUntil(lambda: place.text() == f"Page 1 of {len(pages)}")
         area = dialog.findChild(QScrollArea, "preview_pages")
@@ -170,30 +170,30 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
-    answer_next_dialog(adjusted, answer)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, panel.preview)
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
-    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(seen) > 5
+    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 5
     # Letter at 96 pixels an inch
-    assert {(page.width(), page.height()) for page in seen} == {(816, 1056)}
+    assert {(page.width(), page.height()) for page in pictures} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
-    assert adjusted.dialogs.asked == [f"{adjusted.project.name}.pdf"] * 2
+    assert adjusted.dialogs.requests == [f"{adjusted.project.name}.pdf"] * 2
 
 
 def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: Path) -> None:
     open_step(adjusted, REPORT_STEP)
     (tmp_path / "file").write_text("")
 
-    def answer(dialog: QWidget) -> None:
+    def use_dialog(dialog: QWidget) -> None:
         adjusted.dialogs.path = tmp_path / "file" / "r.pdf"
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    answer_next_dialog(adjusted, answer)
+    use_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
@@ -246,12 +246,12 @@ def test_an_edit_while_pictures_are_taken_cancels_the_report(
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
-    taken = adjusted.viewport.picture
+    take_picture = adjusted.viewport.picture
 
     def edited_meanwhile() -> QImage:
         edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
         adjusted.window.document.edit("change of report details", edited)
-        return taken()
+        return take_picture()
 
     adjusted.viewport.picture = edited_meanwhile
     click(adjusted, adjusted.window.report.report)
@@ -266,7 +266,7 @@ def test_cancelling_the_pictures_restores_the_view(
     adjusted: Driver, tmp_path: Path, shown: str
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
     adjusted.window.computations.show(shown)
     adjusted.rest()
     adjusted.window.actions_["colour_residual"].trigger()
@@ -274,7 +274,7 @@ def test_cancelling_the_pictures_restores_the_view(
     adjusted.dialogs.path = tmp_path / "r.html"
 
     def cancelled_meanwhile() -> QImage:
-        image = taken()
+        image = take_picture()
         QTimer.singleShot(0, adjusted.window.runner.cancel)
         return image
 
@@ -299,19 +299,19 @@ def test_a_change_of_view_between_the_pictures_does_not_affect_them(
     adjusted: Driver, tmp_path: Path
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    scene, taken = adjusted.window.scene, adjusted.viewport.picture
+    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
     adjusted.dialogs.path = tmp_path / "r.html"
-    seen: list[str] = []
+    shown_clouds: list[str] = []
 
     def switched_afterwards() -> QImage:
-        seen.append(scene.which)
+        shown_clouds.append(scene.which)
         QTimer.singleShot(0, lambda: scene.show("prior"))
-        return taken()
+        return take_picture()
 
     adjusted.viewport.picture = switched_afterwards
     click(adjusted, adjusted.window.report.report)
     adjusted.rest()
-    assert seen == ["prior", "estimated"]
+    assert shown_clouds == ["prior", "estimated"]
     assert (tmp_path / "r.html").exists()
 
 
@@ -345,7 +345,7 @@ def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
     real.rest()
     overlay = real.viewport.widget.overlay
 
-    def seen() -> bytes:
+    def picture_bytes() -> bytes:
         image = real.viewport.picture()
         return bytes(image.constBits())
 
@@ -353,9 +353,9 @@ def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
         image = overlay.grab().toImage()
         return bytes(image.constBits())
 
-    plain, screen = seen(), on_screen()
+    plain, screen = picture_bytes(), on_screen()
     overlay.hint = "Click the first point"
-    assert seen() == plain
+    assert picture_bytes() == plain
     assert on_screen() != screen
     overlay.hint = ""
     assert on_screen() == screen

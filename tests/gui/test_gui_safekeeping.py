@@ -32,14 +32,14 @@ def names(project) -> set[str]:
     return {target.name for target in project.targets}
 
 
-def opened(driver: Driver, folder: Path) -> None:
+def open_project_window(driver: Driver, folder: Path) -> None:
     driver.window.open_project(folder)
     driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
     driver.rest()
 
 
-def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
-    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == wanted, timeout=WAIT_MS)
+def wait_for_unsaved(driver: Driver, folder: Path, exists: bool) -> None:
+    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).exists() == exists, timeout=WAIT_MS)
 
 
 @pytest.mark.long
@@ -48,7 +48,7 @@ def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -
     assert "North wall" not in names(read_project(folder))
     assert (folder / LOCK_FILE_NAME).exists(), "left by the killed program, and stale"
     driver.dialogs.recovers = True
-    opened(driver, folder)
+    open_project_window(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
     assert {"North wall", "South wall"} <= names(driver.project)
     assert driver.window.isWindowModified()
@@ -57,12 +57,12 @@ def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -
     driver.window.document.undo_stack.redo()
     driver.window.actions_["save"].trigger()
     assert {"North wall", "South wall"} <= names(read_project(folder))
-    unsaved(driver, folder, wanted=False)
+    wait_for_unsaved(driver, folder, exists=False)
 
 
 def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None:
     write_unsaved(read_project(folder).without_target("T1"))
-    opened(driver, folder)
+    open_project_window(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
     assert {"T1", "T2"} <= names(driver.project)
     assert not driver.window.isWindowModified()
@@ -70,13 +70,13 @@ def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None
 
 
 def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Path) -> None:
-    opened(driver, folder)
+    open_project_window(driver, folder)
     driver.window.controller.rename("T1", "North wall")
-    unsaved(driver, folder, wanted=True)
+    wait_for_unsaved(driver, folder, exists=True)
     driver.window.document.undo_stack.undo()
-    unsaved(driver, folder, wanted=False)
+    wait_for_unsaved(driver, folder, exists=False)
     driver.window.document.undo_stack.redo()
-    unsaved(driver, folder, wanted=True)
+    wait_for_unsaved(driver, folder, exists=True)
     driver.window.close()  # discards the changes
     assert not (folder / UNSAVED_NAME).exists()
     assert not (folder / LOCK_FILE_NAME).exists()
@@ -86,9 +86,9 @@ def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Pa
 def test_a_project_opened_twice_is_detected(
     driver: Driver, folder: Path, qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:
-    opened(driver, folder)
+    open_project_window(driver, folder)
     driver.window.controller.rename("T1", "North wall")
-    unsaved(driver, folder, wanted=True)
+    wait_for_unsaved(driver, folder, exists=True)
     other = Driver(qtbot, RecordingViewport(), tmp_path / "other")
     other.dialogs.opens_twice = False
     other.window.open_project(folder)
@@ -99,7 +99,7 @@ def test_a_project_opened_twice_is_detected(
     assert other.window.task_bar.currentMessage() == "", "nothing says that it was opened"
 
     other.dialogs.opens_twice = True
-    opened(other, folder)
+    open_project_window(other, folder)
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
@@ -130,7 +130,7 @@ def test_a_project_opened_twice_is_detected(
 def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None:
     """Check that each change is saved, or that the window reports that it is not."""
     chance = np.random.default_rng(35)
-    opened(driver, folder)
+    open_project_window(driver, folder)
     driver.dialogs.overwrites = False
     with pool() as processes:
         processes.submit(run, ("identity",), folder).result()  # loads the modules
@@ -139,16 +139,18 @@ def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None
             command = processes.submit(run, ("identity", "--vessel", vessel), folder)
             driver.bot.wait(int(chance.integers(0, 40)))
             driver.window.controller.rename(driver.project.targets[0].name, name)
-            asked, errors = len(driver.dialogs.safety), len(driver.dialogs.errors)
+            notice_count, errors = len(driver.dialogs.safety), len(driver.dialogs.errors)
             saved = driver.window.controller.save()
             assert command.result()[0] == 0
             found = read_project(folder)
             assert found.identity.vessel == vessel
-            told = len(driver.dialogs.safety) > asked or len(driver.dialogs.errors) > errors
-            assert saved != told
+            reported = (
+                len(driver.dialogs.safety) > notice_count or len(driver.dialogs.errors) > errors
+            )
+            assert saved != reported
             assert (name in names(found)) == saved
             driver.window.document.open(None, None)
-            opened(driver, folder)
+            open_project_window(driver, folder)
 
 
 def test_concurrent_edits_of_window_and_command(driver: Driver, folder: Path) -> None:
@@ -161,7 +163,7 @@ def test_concurrent_edits_of_window_and_many_commands(driver: Driver, folder: Pa
 
 
 def test_a_failed_recovery_copy_is_reported(driver: Driver, folder: Path) -> None:
-    opened(driver, folder)
+    open_project_window(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
     driver.window.controller.rename("T1", "North wall")
@@ -175,7 +177,7 @@ def test_a_failed_recovery_copy_is_reported(driver: Driver, folder: Path) -> Non
 
 
 def test_a_failed_recovery_copy_is_repeated(driver: Driver, folder: Path) -> None:
-    opened(driver, folder)
+    open_project_window(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
     driver.window.controller.rename("T1", "North wall")
@@ -188,7 +190,7 @@ def test_a_failed_recovery_copy_is_repeated(driver: Driver, folder: Path) -> Non
 
 
 def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, folder: Path) -> None:
-    opened(driver, folder)
+    open_project_window(driver, folder)
     away = folder.with_name("renamed")
     folder.rename(away)
     driver.window.controller.rename("T1", "North wall")
@@ -210,7 +212,7 @@ def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, fol
 
 def test_a_project_with_a_damaged_recovery_copy_is_opened(driver: Driver, folder: Path) -> None:
     (folder / UNSAVED_NAME).write_text((folder / PROJECT_FILE_NAME).read_text()[:1000])
-    opened(driver, folder)
+    open_project_window(driver, folder)
     assert driver.dialogs.safety == []
     assert UNSAVED_NAME in driver.window.log.toPlainText()
     assert {"T1", "T2"} <= names(driver.project)

@@ -42,7 +42,7 @@ def harbour(driver: Driver, demo: Demo, demo_copy: Path) -> Driver:
 @pytest.fixture
 def typed(harbour: Driver) -> Iterator[list[str]]:
     """Text to type into the file dialogue; the proposed names are appended."""
-    asked: list[str] = []
+    texts: list[str] = []
     harbour.dialogs.folder_to_save_in = lambda start: Dialogs.folder_to_save_in(
         harbour.dialogs, start
     )
@@ -52,17 +52,17 @@ def typed(harbour: Driver) -> Iterator[list[str]]:
         shown = QApplication.activeModalWidget()
         if isinstance(shown, QFileDialog) and shown.isVisible():
             field = shown.findChild(QLineEdit, "fileNameEdit")
-            if len(asked) > 1:  # the dialogue did not accept the text
+            if len(texts) > 1:  # the dialogue did not accept the text
                 shown.reject()
                 return
-            asked.append(field.text())
-            field.setText(asked[0])
+            texts.append(field.text())
+            field.setText(texts[0])
             save = shown.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
             QTest.mouseClick(save, Left)
 
     timer.timeout.connect(drive)
     timer.start(50)
-    yield asked
+    yield texts
     timer.stop()
 
 
@@ -177,10 +177,10 @@ def test_no_project_is_proposed_in_the_cache(
     folder = harbour.project.folder
     place = folder.parent if cached else folder / "cache"
     monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
-    asked: list[Path] = []
-    harbour.dialogs.folder_to_save_in = asked.append
+    folders: list[Path] = []
+    harbour.dialogs.folder_to_save_in = folders.append
     press(harbour, Key.Key_S, Control | Shift)
-    (proposed,) = asked
+    (proposed,) = folders
     assert proposed.name == f"{folder.name}-2"
     assert (proposed.parent == folder.parent) is not cached
     assert harbour.project.folder == folder

@@ -10,22 +10,22 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.script_runs import run, same_part
 
-Answer = Callable[[QWidget], None]
+DialogAction = Callable[[QWidget], None]
 
 
-def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
+def shown_script(driver: Driver, use_dialog: DialogAction = lambda dialog: None) -> str:
     """The script that the window shows."""
     found: list[str] = []
 
     def inspect_dialog(dialog: QWidget) -> None:
         assert isinstance(dialog, ScriptDialog)
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
-        answer(dialog)
+        use_dialog(dialog)
 
-    answer_next_dialog(driver, inspect_dialog)
+    use_next_dialog(driver, inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()
@@ -58,10 +58,10 @@ def test_window_and_script_give_the_same_report(opened: Driver, tmp_path: Path) 
     opened.rest()
     press(opened, Key.Key_F10)
     opened.rest()
-    wanted = values_in_window(opened, tmp_path / "window.json")
-    assert wanted["calibrated"]
-    assert [plane["name"] for plane in wanted["validation"]] == ["V1", "Tower"]
-    assert wanted["cross_checks"] is not None
+    expected = values_in_window(opened, tmp_path / "window.json")
+    assert expected["calibrated"]
+    assert [plane["name"] for plane in expected["validation"]] == ["V1", "Tower"]
+    assert expected["cross_checks"] is not None
 
     def save(dialog: QWidget) -> None:
         opened.dialogs.path = tmp_path / "steps.py"
@@ -70,12 +70,12 @@ def test_window_and_script_give_the_same_report(opened: Driver, tmp_path: Path) 
         assert "steps.py" in dialog.findChild(QLabel, "script_message").text()
         assert dialog.findChild(QLabel, "script_messages") is None
 
-    script = shown(opened, save)
+    script = shown_script(opened, save)
     assert QGuiApplication.clipboard().text() == script
     assert (tmp_path / "steps.py").read_text(encoding="utf-8") == script
     assert "'V3'" not in script
     assert "project.put(" not in script
-    assert run(script, tmp_path / "again") == wanted
+    assert run(script, tmp_path / "again") == expected
 
 
 @pytest.mark.long
@@ -92,20 +92,20 @@ def test_a_difference_between_window_and_script_is_reported(
     opened.bot.waitUntil(lambda: not opened.window.document.awaits_result, timeout=60_000)
     opened.rest()
     followed = opened.project.result
-    remarks: list[str] = []
+    texts: list[str] = []
 
     def read(dialog: QWidget) -> None:
         label = dialog.findChild(QLabel, "script_messages")
-        remarks.append("" if label is None else label.text())
+        texts.append("" if label is None else label.text())
 
-    shown(opened, read)
+    shown_script(opened, read)
     opened.window.actions_["estimate"].trigger()
     opened.rest()
-    shown(opened, read)
+    shown_script(opened, read)
     moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
     assert moved > 0
-    assert f"by up to {moved:.4f} deg" in remarks[0]
-    assert remarks[1] == ""
+    assert f"by up to {moved:.4f} deg" in texts[0]
+    assert texts[1] == ""
 
 
 def test_there_is_no_script_without_a_project(driver: Driver) -> None:
@@ -121,6 +121,6 @@ def test_a_script_that_cannot_be_saved_is_reported(opened: Driver, tmp_path: Pat
         assert dialog.findChild(QLabel, "script_message").text() == ""
 
     with pytest.raises(AssertionError):
-        shown(opened, save)
+        shown_script(opened, save)
     (error,) = opened.dialogs.errors
     assert "cannot be written" in str(error)

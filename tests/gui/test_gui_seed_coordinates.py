@@ -19,11 +19,11 @@ TARGETS_STEP = 1
 T1 = demo_seeds()["T1"][1]
 
 
-def answer_next_dialog(
-    driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
+def use_next_dialog(
+    driver: Driver, use_dialog: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
-    """Call ``answer`` with the next modal dialogue; its errors fail the test."""
-    seen: list[SeedCoordinatesDialog] = []
+    """Call ``use_dialog`` with the next modal dialogue; its errors fail the test."""
+    dialogs: list[SeedCoordinatesDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
     def inspect_window() -> None:
@@ -32,15 +32,15 @@ def answer_next_dialog(
             if time.monotonic() < until:
                 QTimer.singleShot(20, inspect_window)
             return
-        seen.append(dialog)
+        dialogs.append(dialog)
         try:
-            answer(dialog)
+            use_dialog(dialog)
         finally:
             if dialog.isVisible():
                 driver.bot.keyClick(dialog, Key.Key_Escape)
 
     QTimer.singleShot(20, inspect_window)
-    return seen
+    return dialogs
 
 
 def fill(driver: Driver, dialog: SeedCoordinatesDialog, name: str, text: str) -> None:
@@ -62,7 +62,7 @@ def find(dialog: SeedCoordinatesDialog) -> QPushButton:
 def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     before = opened.project
 
-    def answer(dialog: SeedCoordinatesDialog) -> None:
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         assert not find(dialog).isEnabled()
         assert shown_result(dialog) == "Enter North, West and Up."
         assert dialog.focusWidget() is dialog.fields[0]
@@ -73,10 +73,10 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    seen = answer_next_dialog(opened, answer)
+    dialogs = use_next_dialog(opened, use_dialog)
     press(opened, Key.Key_F3)
     opened.rest()
-    assert len(seen) == 1
+    assert len(dialogs) == 1
     candidate = opened.window.controller.candidate
     assert candidate.name == "T1"
     assert candidate.seed == pytest.approx(T1, abs=1e-3)
@@ -92,13 +92,13 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
 
 def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
     open_step(picked, TARGETS_STEP)
-    told: list[str] = []
+    results: list[str] = []
 
-    def answer(dialog: SeedCoordinatesDialog) -> None:
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         def typed(name: str, text: str) -> str:
             fill(picked, dialog, name, text)
-            told.append(shown_result(dialog))
-            return told[-1]
+            results.append(shown_result(dialog))
+            return results[-1]
 
         assert dialog.name.text() == "T3"
         assert is_shown("window.not_a_number", typed("seed_coordinate_0", "abc"))
@@ -116,12 +116,12 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    seen = answer_next_dialog(picked, answer)
+    dialogs = use_next_dialog(picked, use_dialog)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
-    assert len(told) == 9
-    assert seen
+    assert len(results) == 9
+    assert dialogs
     assert picked.project is before
     assert picked.window.controller.candidate is None
 
@@ -132,7 +132,7 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
     zone = coordinate_system("EPSG:32619")
     east, north, height = zone.from_local(np.array([T1]), trajectory.frame)[0]
 
-    def answer(dialog: SeedCoordinatesDialog) -> None:
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         box = dialog.findChild(QComboBox, "seed_system")
         box.setFocus()
         opened.bot.keyClick(box, Key.Key_Down)
@@ -156,7 +156,7 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
         assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    answer_next_dialog(opened, answer)
+    use_next_dialog(opened, use_dialog)
     click(opened, opened.window.targets.type_seed)
     opened.rest()
     candidate = opened.window.controller.candidate
@@ -171,14 +171,14 @@ def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> N
     picked.window.targets.select("T1")
     picked.window.targets.line_choice.setCurrentText(line)
 
-    def answer(dialog: SeedCoordinatesDialog) -> None:
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         assert dialog.name.text() == "T1"
         assert not dialog.name.isEnabled()
         for k, value in enumerate(T1):
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    answer_next_dialog(picked, answer)
+    use_next_dialog(picked, use_dialog)
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     candidate = picked.window.controller.candidate

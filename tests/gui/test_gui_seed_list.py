@@ -22,7 +22,7 @@ from lispac.workflow.calibration.seed_lists import pick_seeds
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
-from tests.gui.test_gui_seed_coordinates import answer_next_dialog
+from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
@@ -46,45 +46,45 @@ def cells(dialog: QDialog, name: str) -> list[list[str]]:
     ]
 
 
-def both(driver: Driver, before, after) -> None:
+def use_both_dialogs(driver: Driver, before, after) -> None:
     """Answer the preview, then the table of results."""
 
     def first(dialog: QDialog) -> None:
-        answer_next_dialog(driver, after)
+        use_next_dialog(driver, after)
         before(dialog)
 
-    answer_next_dialog(driver, first)
+    use_next_dialog(driver, first)
 
 
 def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
     open_step(opened, 1)
     before = opened.project
     opened.dialogs.path = listed
-    seen = []
+    shown_content = []
 
     def preview(dialog: QDialog) -> None:
-        seen.append(cells(dialog, "seed_list_table"))
-        seen.append(dialog.findChild(QLabel, "list_message").text())
+        shown_content.append(cells(dialog, "seed_list_table"))
+        shown_content.append(dialog.findChild(QLabel, "list_message").text())
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
     def table(dialog: QDialog) -> None:
-        seen.append(cells(dialog, "seeds_found_table"))
-        seen.append(dialog.findChild(QLabel, "seeds_found").text())
+        shown_content.append(cells(dialog, "seeds_found_table"))
+        shown_content.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
-    both(opened, preview, table)
+    use_both_dialogs(opened, preview, table)
     click(opened, opened.window.targets.list_seeds)
     opened.rest()
-    read, said, found, told = seen
+    read, list_text, found, summary = shown_content
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
     assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
     ordered = note("assumed.columns_by_order", columns=("name", "north", "west", "up"))
-    assert message_text(ordered) in said
+    assert message_text(ordered) in list_text
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
-    assert told == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
+    assert summary == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
     assert [target.name for target in opened.project.targets] == names[:3]
     assert opened.window.document.undo_stack.undoText() == "addition of targets from quay.csv"
     opened.window.document.undo_stack.undo()
@@ -120,13 +120,13 @@ def test_existing_names_are_not_ticked_and_columns_can_be_chosen(
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)
 
-    seen = answer_next_dialog(picked, preview)
+    dialogs = use_next_dialog(picked, preview)
     before = picked.project
     press(picked, Key.Key_F3, SHIFT)
     picked.rest()
-    assert seen
-    taken = {target.name for target in before.targets}
-    assert ticked == [[name for name in [*list(SEEDS)[:3], "Lost"] if name not in taken]]
+    assert dialogs
+    existing_names = {target.name for target in before.targets}
+    assert ticked == [[name for name in [*list(SEEDS)[:3], "Lost"] if name not in existing_names]]
     assert picked.project is before
     assert not picked.window.document.undo_stack.canUndo()
 
@@ -165,14 +165,14 @@ def test_a_dropped_list_can_be_cancelled_during_detection(
         QTimer.singleShot(10, stop)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
-    seen = answer_next_dialog(opened, preview)
+    dialogs = use_next_dialog(opened, preview)
     drop(opened.window, [listed])
     opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
     opened.rest()
-    assert len(seen) == 1
+    assert len(dialogs) == 1
     assert titles == ["Searching for the targets of 4 seeds of quay.csv"]
     assert opened.project is before
-    assert not opened.dialogs.asked
+    assert not opened.dialogs.requests
     assert (
         "Searching for the targets of 4 seeds of quay.csv: cancelled"
         in opened.window.log.toPlainText()
@@ -184,14 +184,14 @@ def test_a_list_without_any_found_target_changes_nothing(opened: Driver, tmp_pat
     path = tmp_path / "far.txt"
     path.write_text("A 300 300 300\n")
     before = opened.project
-    told = []
+    texts = []
 
     def table(dialog: QDialog) -> None:
-        told.append(dialog.findChild(QLabel, "seeds_found").text())
+        texts.append(dialog.findChild(QLabel, "seeds_found").text())
         opened.bot.keyClick(dialog, Key.Key_Return)
 
-    both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
+    use_both_dialogs(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
     opened.window.lifecycle.list_dropped.emit(path)
     opened.rest()
-    assert told == ["No target was found at the seed. Check its coordinates and their system."]
+    assert texts == ["No target was found at the seed. Check its coordinates and their system."]
     assert opened.project is before

@@ -40,16 +40,18 @@ def page(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[SettingsD
     made.deleteLater()
 
 
-def answers(driver: Driver, monkeypatch: pytest.MonkeyPatch, wanted: Preferences) -> list:
-    """Answer the settings dialogue with ``wanted``; return the list of values it is opened with."""
-    asked: list[Preferences] = []
+def choose_preferences(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch, chosen: Preferences
+) -> list:
+    """Answer the settings dialogue with ``chosen``; return the list of values it is opened with."""
+    opened_with: list[Preferences] = []
 
-    def answer(present: Preferences, _settings: AppSettings) -> Preferences:
-        asked.append(present)
-        return wanted
+    def preferences(present: Preferences, _settings: AppSettings) -> Preferences:
+        opened_with.append(present)
+        return chosen
 
-    monkeypatch.setattr(driver.dialogs, "preferences", answer)
-    return asked
+    monkeypatch.setattr(driver.dialogs, "preferences", preferences)
+    return opened_with
 
 
 def test_settings_are_applied_at_once_and_stored(
@@ -57,10 +59,10 @@ def test_settings_are_applied_at_once_and_stored(
 ) -> None:
     driver.window.settings.language = "en"
     assert isinstance(driver.viewport, RecordingViewport)
-    asked = answers(driver, monkeypatch, OTHER_PREFERENCES)
+    opened_with = choose_preferences(driver, monkeypatch, OTHER_PREFERENCES)
     with qtbot.waitSignal(driver.window.renewal_requested):
         press(driver, Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
-    assert asked == [Preferences(language="en")]
+    assert opened_with == [Preferences(language="en")]
     assert driver.viewport.point_size == 5
     assert driver.viewport.point_budget == 3_500_000
     assert driver.window.report.options().convention == "applanix"
@@ -68,7 +70,7 @@ def test_settings_are_applied_at_once_and_stored(
     assert Preferences.of(again) == OTHER_PREFERENCES
     assert again.language == "fr"
 
-    answers(driver, monkeypatch, Preferences(language="fr"))
+    choose_preferences(driver, monkeypatch, Preferences(language="fr"))
     driver.window.actions_["settings"].trigger()
     assert driver.viewport.point_size == Preferences().point_size
     assert driver.viewport.point_budget == Budget().resting
@@ -128,7 +130,7 @@ def test_a_broken_settings_file_gives_the_defaults(tmp_path: Path) -> None:
 # -- sensors -----------------------------------------------------------------------------------
 
 
-def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> list[SensorEditor]:
+def use_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> list[SensorEditor]:
     """Type into the editor that opens, and press Keep."""
     opened: list[SensorEditor] = []
 
@@ -147,7 +149,7 @@ def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> 
     return opened
 
 
-def answer_box(bot: QtBot, button: str) -> None:
+def click_in_box(bot: QtBot, button: str) -> None:
     """Press a button of the next message box."""
     box = QApplication.activeModalWidget()
     found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
@@ -160,7 +162,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     folder, sensors = tmp_path / "sensors", page.library
     page.tabs.setCurrentIndex(1)
     count = sensors.table.rowCount()
-    answer_editor(
+    use_editor(
         monkeypatch, qtbot, sensor_title="Profiler 16", sensor_range="4", sensor_angle="0.0125",
         sensor_beam="0.3", sensor_source=OWN_SCANNER.source,
     )  # fmt: skip
@@ -170,14 +172,14 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.current.figures == OWN_SCANNER
     assert "Profiler 16" in [page.choice.scanner.itemText(k) for k in range(count)]
 
-    answer_editor(monkeypatch, qtbot, sensor_range="6")
+    use_editor(monkeypatch, qtbot, sensor_range="6")
     qtbot.mouseClick(sensors.edit, Left)
     assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
 
     sensors.select("apogee")
     assert not sensors.edit.isEnabled()
     assert not sensors.remove.isEnabled()
-    answer_editor(monkeypatch, qtbot)
+    use_editor(monkeypatch, qtbot)
     qtbot.mouseClick(sensors.copy, Left)
     theirs, ours = (
         next(s.figures for s in read_library(folder).pos if s.name == name)
@@ -188,10 +190,10 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.table.rowCount() == count + 2
 
     sensors.select("profiler-16")
-    QTimer.singleShot(200, lambda: answer_box(qtbot, "Cancel"))
+    QTimer.singleShot(200, lambda: click_in_box(qtbot, "Cancel"))
     qtbot.mouseClick(sensors.remove, Left)
     assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
-    QTimer.singleShot(200, lambda: answer_box(qtbot, "Remove"))
+    QTimer.singleShot(200, lambda: click_in_box(qtbot, "Remove"))
     qtbot.mouseClick(sensors.remove, Left)
     assert [s.name for s in read_library(folder).scanners if s.is_user_defined] == []
     assert sensors.table.rowCount() == count + 1
@@ -255,9 +257,9 @@ def test_a_new_project_starts_with_the_default_sensors_and_names_them(
     settings.default_sensors = ("zf-9012", "apogee:ppk")
     other = ImportDialog(settings)
     qtbot.addWidget(other)
-    stated = other.mounting.settings()
-    assert stated.lidar_beam_sigma == (0.0087, 0.02)
-    assert stated.attitude_sigma_deg == (0.005, 0.005, 0.01)
+    sensor_settings = other.mounting.settings()
+    assert sensor_settings.lidar_beam_sigma == (0.0087, 0.02)
+    assert sensor_settings.attitude_sigma_deg == (0.005, 0.005, 0.01)
     assert dialog.mounting.settings() == Settings((0.0, 0.0, 0.0))  # no mounting was typed
     other.work.close()
 
@@ -272,13 +274,14 @@ def test_chosen_sensors_fill_editable_fields(
     assert page.sensors.pos_origin.text().startswith("Shahraji")
     page.angle_sigma.setValue(0.004)
     filled.folder.setText(str(tmp_path / "made"))
-    asked = filled.request()
-    assert asked.settings.lidar_sigma == 0.005
-    assert asked.settings.lidar_beam_sigma == (0.005, 0.004)
+    request = filled.request()
+    assert request.settings.lidar_sigma == 0.005
+    assert request.settings.lidar_beam_sigma == (0.005, 0.004)
     project, _survey = new_project(
-        asked.folder, trajectory=asked.trajectory, lines=asked.lines, settings=asked.settings,
-        accuracy=asked.accuracy, trajectory_reading=asked.trajectory_reading,
-        accuracy_reading=asked.accuracy_reading, identity=asked.identity,
+        request.folder, trajectory=request.trajectory, lines=request.lines,
+        settings=request.settings,
+        accuracy=request.accuracy, trajectory_reading=request.trajectory_reading,
+        accuracy_reading=request.accuracy_reading, identity=request.identity,
     )  # fmt: skip
     assert project.identity.scanner == "RIEGL VUX-1UAV"
     assert project.identity.pos == "Exail (iXblue) Hydrins"
@@ -287,14 +290,14 @@ def test_chosen_sensors_fill_editable_fields(
 def test_the_cache_is_in_the_chosen_folder(
     driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    wanted = Preferences(language=driver.window.settings.chosen_language, cache=tmp_path / "fast")
-    answers(driver, monkeypatch, wanted)
+    chosen = Preferences(language=driver.window.settings.chosen_language, cache=tmp_path / "fast")
+    choose_preferences(driver, monkeypatch, chosen)
     driver.window.actions_["settings"].trigger()
     assert driver.window.settings.cache_folder == tmp_path / "fast"
-    assert Preferences.of(driver.window.settings) == wanted
+    assert Preferences.of(driver.window.settings) == chosen
 
     (tmp_path / "file").write_text("")
-    answers(driver, monkeypatch, Preferences(point_size=7, cache=tmp_path / "file"))
+    choose_preferences(driver, monkeypatch, Preferences(point_size=7, cache=tmp_path / "file"))
     driver.window.actions_["settings"].trigger()
     assert driver.dialogs.errors[-1].code == "cache.folder_not_writable"
     assert driver.window.settings.cache_folder == tmp_path / "fast"
@@ -316,10 +319,10 @@ def test_the_cache_is_shown_and_emptied_after_confirmation(
     assert page.cache.size.text() == "2.5 MB"
     assert page.cache.message_label.text() == ""
 
-    for button, left in (("Cancel", True), ("Clear cache", False)):
-        QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
+    for button, is_kept in (("Cancel", True), ("Clear cache", False)):
+        QTimer.singleShot(200, lambda button=button: click_in_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
-        assert (place / "numba").exists() is left
+        assert (place / "numba").exists() is is_kept
     assert page.cache.size.text() == "The cache is empty"
     assert not page.cache.empty.isEnabled()
     qtbot.mouseClick(page.cache.usual, Left)

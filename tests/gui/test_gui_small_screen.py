@@ -61,10 +61,10 @@ def test_the_axis_choices_of_the_convention_are_not_cut_off(small: Driver) -> No
     small.rest()
     combo = window.convention.scanner
     for index in range(combo.count()):
-        assert combo.fontMetrics().horizontalAdvance(combo.itemText(index)) <= room(combo)
+        assert combo.fontMetrics().horizontalAdvance(combo.itemText(index)) <= text_width(combo)
 
 
-def room(combo: QComboBox) -> int:
+def text_width(combo: QComboBox) -> int:
     """Width available for the text of a choice, pixels."""
     option = ComboOption()
     combo.initStyleOption(option)

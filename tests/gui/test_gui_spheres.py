@@ -33,23 +33,23 @@ def detail(driver: Driver) -> str:
     return label.text().replace("\u00a0", " ")
 
 
-def accepted(driver: Driver) -> Project:
+def accept_candidate(driver: Driver) -> Project:
     click(driver, driver.window.targets.candidate.accept)
     driver.rest()
     return driver.project
 
 
-@pytest.mark.parametrize(("radius", "said"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
-def test_a_sphere_is_seeded_with_and_without_its_radius(opened, balls, radius, said):
+@pytest.mark.parametrize(("radius", "text"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
+def test_a_sphere_is_seeded_with_and_without_its_radius(opened, balls, radius, text):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(radius)
     assert panel._threshold.specialValueText() == "default (30\u00a0mm)"
     seed(opened, balls, "S1")
     assert "RMS distance to the sphere" in detail(opened)
-    assert said in detail(opened)
+    assert text in detail(opened)
     assert "% of the surface is observed" in detail(opened)
-    target = accepted(opened).target("T1")
+    target = accept_candidate(opened).target("T1")
     assert (target.shape, target.sphere_radius) == ("sphere", radius or None)
     assert panel.table.item(0, 2).text() == "sphere"
     assert panel.table.item(0, 3).text() == "6 of 6"
@@ -73,12 +73,12 @@ def test_a_seed_on_a_single_line_keeps_the_shape_of_the_target(opened, balls):
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(0.15)
     seed(opened, balls, "S1")
-    accepted(opened)
+    accept_candidate(opened)
     panel.shape_choice.setCurrentIndex(0)
     panel.select("T1")
     panel.line_choice.setCurrentText("L3")
     seed(opened, balls, "S1", "L3")
-    target = accepted(opened).target("T1")
+    target = accept_candidate(opened).target("T1")
     assert (target.shape, target.sphere_radius) == ("sphere", 0.15)
     assert len(target.sightings) == 6
 

@@ -31,10 +31,10 @@ def test_recent_projects_are_opened_with_a_click(
     window.settings.add_recent(demo_copy)
     window.panel_refresh.refresh()
     driver.bot.waitUntil(lambda: len(links(window, "start_recent")) == 2, timeout=WAIT_MS)
-    known, gone = links(window, "start_recent")
+    known, missing = links(window, "start_recent")
     assert (known.text(), known.isEnabled()) == (demo_copy.name, True)
-    assert (gone.text(), gone.isEnabled()) == ("gone", False)
-    assert "Not found" in gone.description()
+    assert (missing.text(), missing.isEnabled()) == ("gone", False)
+    assert "Not found" in missing.description()
     driver.bot.mouseClick(known, Qt.MouseButton.LeftButton)
     driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)
     driver.rest()
@@ -49,7 +49,7 @@ def test_the_date_of_a_recent_project_is_in_the_language_of_the_window(
     window = driver.window
     window.settings.add_recent(demo_copy)
     os.utime(demo_copy / PROJECT_FILE_NAME, (SAVED_AT, SAVED_AT))
-    for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
+    for code, text in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:
             window.central_widget.start.show_recent(window.settings.recent())
@@ -58,7 +58,7 @@ def test_the_date_of_a_recent_project_is_in_the_language_of_the_window(
         (known, *_) = [
             link for link in links(window, "start_recent") if link.toolTip() == str(demo_copy)
         ][-1:]
-        assert said in known.description()
+        assert text in known.description()
 
 
 def test_every_link_of_the_start_page_is_an_action(driver: Driver) -> None:

@@ -28,12 +28,12 @@ Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
-def answer_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
+def use_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
     """Call ``inspect_dialog`` with the next dialogue and close it with a key; errors fail the test.
 
     Enter presses the button that was clicked last, if any.
     """
-    looked: list[BaseException | None] = []
+    errors: list[BaseException | None] = []
 
     def wait(tries: int) -> None:
         dialog = QApplication.activeModalWidget()
@@ -43,16 +43,16 @@ def answer_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Ret
             return
         try:
             inspect_dialog(dialog)
-            looked.append(None)
+            errors.append(None)
         except BaseException as error:
-            looked.append(error)
+            errors.append(error)
         finally:
             driver.bot.keyClick(dialog, key)
 
     QTimer.singleShot(50, lambda: wait(1200))
-    driver.bot.waitUntil(lambda: bool(looked), timeout=WAIT_MS)
-    if looked[0] is not None:
-        raise looked[0]
+    driver.bot.waitUntil(lambda: bool(errors), timeout=WAIT_MS)
+    if errors[0] is not None:
+        raise errors[0]
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_the_open_result_is_compared_with_earlier_calibrations(
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
     adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
-    answer_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
+    use_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
 
 
 def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
@@ -121,18 +121,18 @@ def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
     action = adjusted.window.actions_["subsampling"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project
 
 
 def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_path: Path) -> None:
     scan = tmp_path / "tripod.txt"
     np.savetxt(scan, tripod_scan(("V1",), shift=(0.02, 0.0, 0.0)), fmt="%.4f", header="x y z")
-    seen: list[QDialog] = []
+    dialogs: list[QDialog] = []
 
-    def ask(dialog: CheckDialog) -> None:
+    def use_dialog(dialog: CheckDialog) -> None:
         assert isinstance(dialog, CheckDialog)
-        seen.append(dialog)
+        dialogs.append(dialog)
         assert not dialog.check.isEnabled()
         dialog.file.setFocus()
         adjusted.bot.keyClicks(dialog.file, str(scan))
@@ -144,7 +144,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
 
     def inspect_dialog(dialog: CheckResultDialog) -> None:
         assert isinstance(dialog, CheckResultDialog)
-        seen.append(dialog)
+        dialogs.append(dialog)
         found = adjusted.project.absolute
         assert found is not None
         assert found.sigma == pytest.approx(0.002)
@@ -156,9 +156,9 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         assert len(dialog.canvas.figure.axes) == 1
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answer_next_dialog(adjusted, ask)
-    answer_next_dialog(adjusted, inspect_dialog)
-    assert len(seen) == 2
+    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
+    assert len(dialogs) == 2
     stack = adjusted.window.document.undo_stack
     assert stack.undoText() == "check against tripod.txt"
     stack.undo()
@@ -167,11 +167,11 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
 
 
 def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Path) -> None:
-    def ask(dialog: CheckDialog) -> None:
+    def use_dialog(dialog: CheckDialog) -> None:
         dialog.file.setText(str(tmp_path / "gone.laz"))
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answer_next_dialog(adjusted, ask)
+    use_next_dialog(adjusted, use_dialog)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
     assert "gone.laz" in str(error)
@@ -193,7 +193,7 @@ def test_the_error_budget_is_shown(adjusted: Driver) -> None:
         assert dialog.table.item(rows["Lever arm"], 1).text() == "not given"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
 
 
 def test_the_visibility_study_is_shown_and_copied(
@@ -222,13 +222,13 @@ def test_the_visibility_study_is_shown_and_copied(
         dialog.canvas.draw()
         x, y = axes.transData.transform((-38.0, 0.0))
         MouseEvent("motion_notify_event", dialog.canvas, x, y)._process()
-        said = dialog.reading.text()
-        assert "inclination of -40 deg" in said
+        text = dialog.reading.text()
+        assert "inclination of -40 deg" in text
         driver.bot.mouseClick(dialog.copy_numbers, Left)
         heads, *rows = QGuiApplication.clipboard().text().splitlines()
         assert heads.split("\t")[3] == "45 deg"
         (row,) = (row.split("\t") for row in rows if row.startswith("-40\t"))
-        assert f"45 deg: {float(row[3]):.4f}".replace("-", "\u2212") in said
+        assert f"45 deg: {float(row[3]):.4f}".replace("-", "\u2212") in text
         driver.bot.mouseClick(dialog.copy_picture, Left)
         assert QGuiApplication.clipboard().pixmap().width() >= 560
         dialog.site.setCurrentText("Marine site")
@@ -244,7 +244,7 @@ def test_the_visibility_study_is_shown_and_copied(
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(driver, inspect_dialog, Key.Key_Escape)
+    use_next_dialog(driver, inspect_dialog, Key.Key_Escape)
 
 
 def test_studies_of_a_result_are_disabled_without_targets(opened: Driver) -> None:
@@ -276,5 +276,5 @@ def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
     action = adjusted.window.actions_["line_quality"]
     assert action.isEnabled()
     action.trigger()
-    answer_next_dialog(adjusted, inspect_dialog)
+    use_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project

@@ -24,12 +24,12 @@ def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
         if focused in stops:
             assert focused is stops[0]
             return stops
-        assert is_seen(focused), focused
+        assert is_visible(focused), focused
         stops.append(focused)
     raise AssertionError(names(stops))
 
 
-def is_seen(widget: QWidget) -> bool:
+def is_visible(widget: QWidget) -> bool:
     """Whether a part of a widget is visible; the content of a scroll area covers the area."""
     inner = widget.viewport() if hasattr(widget, "viewport") else widget
     return not inner.visibleRegion().isEmpty()
@@ -39,7 +39,7 @@ def names(stops: list[QWidget]) -> list[str]:
     return [each.objectName() for each in stops]
 
 
-def bring(driver: Driver, title: str) -> None:
+def raise_dock(driver: Driver, title: str) -> None:
     """Raise a dock above those it is tabbed with."""
     dock = driver.window.docks[title]
     dock.show()
@@ -92,7 +92,7 @@ def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
 
 def test_tab_visits_a_dock_only_in_front(driver: Driver) -> None:
     for front in ("Results", CONVENTION, "Results"):
-        bring(driver, front)
+        raise_dock(driver, front)
         found = "convention_system" in names(round_trip(driver, Key.Key_Tab))
         assert found == (front == CONVENTION)
 
@@ -107,7 +107,7 @@ def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> 
         assert set(names(window.workflow.headers)) <= set(names(stops))
         round_trip(adjusted, Key.Key_Backtab)
     for title in window.docks:
-        bring(adjusted, title)
+        raise_dock(adjusted, title)
         window.workflow.headers[0].setFocus()
         round_trip(adjusted, Key.Key_Tab)
         round_trip(adjusted, Key.Key_Backtab)

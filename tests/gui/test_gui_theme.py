@@ -74,9 +74,11 @@ def test_focus_frames_and_marks_have_enough_contrast(scheme: ColourScheme) -> No
 
 
 @BOTH_SCHEMES
-@pytest.mark.parametrize("blind", ["protan", "deutan"])
-def test_neighbouring_lines_differ_for_the_colour_blind(scheme: ColourScheme, blind: str) -> None:
-    colours = [seen(colour, blind) for colour in scheme.lines]
+@pytest.mark.parametrize("blindness", ["protan", "deutan"])
+def test_neighbouring_lines_differ_for_the_colour_blind(
+    scheme: ColourScheme, blindness: str
+) -> None:
+    colours = [perceived_lab(colour, blindness) for colour in scheme.lines]
     apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
     assert min(apart) > CLEAR_DIFFERENCE
 
@@ -100,10 +102,10 @@ XYZ = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.95
 WHITE = [0.9505, 1.0, 1.089]
 
 
-def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
+def perceived_lab(colour: tuple[int, int, int], blindness: str) -> np.ndarray:
     """L*, a*, b* of a colour as seen with a type of colour blindness."""
     linear = [luminance(f"#{value:02x}{value:02x}{value:02x}") for value in colour]
-    mixed = np.clip(np.array(COLOUR_BLINDNESS[blind]) @ linear, 0.0, 1.0)
+    mixed = np.clip(np.array(COLOUR_BLINDNESS[blindness]) @ linear, 0.0, 1.0)
     share = np.array(XYZ) @ mixed / WHITE
     x, y, z = np.where(share > 0.008856, np.cbrt(share), 7.787 * share + 16 / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
@@ -129,7 +131,7 @@ def test_colour_names_refer_to_the_current_scheme() -> None:
 # -- the window --------------------------------------------------------------------------------
 
 
-def change(session: Session, bot: QtBot, *names: str) -> None:
+def choose_theme(session: Session, bot: QtBot, *names: str) -> None:
     """Choose a theme in the menu, and wait for the new window."""
     former = session.window
     choose(bot, open_menu(bot, former, "View"), "heme", *names)
@@ -143,21 +145,21 @@ def test_dark_and_light_are_chosen_and_nothing_is_lost(
     session.window.document.open(demo.picked, demo.survey)
     session.window.controller.rename("T1", "North wall")
     edited = session.window.document.project
-    change(session, qtbot, "Dark")
+    choose_theme(session, qtbot, "Dark")
     dark = session.window
     assert theme.current_scheme() is DARK_SCHEME
     assert dark.settings.theme == "dark"
     assert dark.actions_["theme_dark"].isChecked()
     assert dark.document.project is edited
     assert dark.document.undo_stack.canUndo()
-    assert ground(dark).lightnessF() < 0.2
-    change(session, qtbot, "Light")
+    assert background_colour(dark).lightnessF() < 0.2
+    choose_theme(session, qtbot, "Light")
     assert theme.current_scheme() is LIGHT_SCHEME
-    assert ground(session.window).lightnessF() > 0.9
+    assert background_colour(session.window).lightnessF() > 0.9
     assert AppSettings(Path(session.window.settings._store.fileName())).theme == "light"
 
 
-def ground(widget: QWidget) -> QColor:
+def background_colour(widget: QWidget) -> QColor:
     """Background colour of a window, taken from its status bar at the lower edge."""
     picture = widget.grab().toImage()
     return picture.pixelColor(picture.width() // 2, picture.height() - 6)
@@ -166,13 +168,13 @@ def ground(widget: QWidget) -> QColor:
 def test_the_window_follows_the_system(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    change(session, qtbot, "System default")
+    choose_theme(session, qtbot, "System default")
     window, other = session.window, not theme.current_scheme().is_dark
     # Simulates a change of the system's theme, which a virtual screen does not have.
     monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
-    told = qapp.styleHints().colorSchemeChanged
+    scheme_changed = qapp.styleHints().colorSchemeChanged
     menu = open_menu(qtbot, window, "File")
-    told.emit(Scheming.Dark if other else Scheming.Light)
+    scheme_changed.emit(Scheming.Dark if other else Scheming.Light)
     qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window  # not replaced while a menu is open
     menu.close()
@@ -183,7 +185,7 @@ def test_the_window_follows_the_system(
 def test_the_design_window_follows_the_system_and_stays_in_front(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    change(session, qtbot, "System default")
+    choose_theme(session, qtbot, "System default")
     window, other = session.window, not theme.current_scheme().is_dark
     window.site_design.open()
     design = window.site_design.window
@@ -217,7 +219,7 @@ def test_texts_of_windows_have_enough_contrast(
 ) -> None:
     session.window.document.open(estimated, demo.survey)
     if choice == "dark":
-        change(session, qtbot, "Dark")
+        choose_theme(session, qtbot, "Dark")
     window = session.window
     window.settings.theme = choice
     box, dialog = about_box(window), ImportDialog(window.settings, window)
@@ -253,25 +255,25 @@ def low_contrast_widgets(window: QWidget) -> list[str]:
 # -- charts ------------------------------------------------------------------------------------
 
 
-def corner(picture: QImage | QPixmap) -> str:
+def corner_colour(picture: QImage | QPixmap) -> str:
     """Background colour of a picture of a chart."""
     image = picture if isinstance(picture, QImage) else picture.toImage()
     assert image.width() > 100
     return image.pixelColor(2, 2).name()
 
 
-def seen_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPixmap:
+def picture_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPixmap:
     """Raise the dock of a chart, wait until it is drawn, and return its picture."""
     drawn: list[object] = []
-    heard = chart.mpl_connect("draw_event", drawn.append)
+    connection = chart.mpl_connect("draw_event", drawn.append)
     session.window.docks[dock].raise_()
     chart.draw_idle()
     bot.waitUntil(lambda: bool(drawn) and not chart.is_drawing, timeout=SOON_MS)
-    chart.mpl_disconnect(heard)
+    chart.mpl_disconnect(connection)
     return chart.grab()
 
 
-def copied(bot: QtBot) -> QImage:
+def clipboard_image(bot: QtBot) -> QImage:
     """Wait for an image in the clipboard and return it."""
     clipboard = QGuiApplication.clipboard()
     bot.waitUntil(lambda: not clipboard.image().isNull(), timeout=SOON_MS)
@@ -283,7 +285,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     session: Session, qtbot: QtBot, demo: Demo, validated: Project, tmp_path: Path, choice: str
 ) -> None:
     if choice == "Dark":
-        change(session, qtbot, "Dark")
+        choose_theme(session, qtbot, "Dark")
     window, ground = session.window, theme.PAPER
     assert ground == (DARK_SCHEME if choice == "Dark" else LIGHT_SCHEME).paper
     window.document.open(validated, demo.survey)
@@ -292,30 +294,30 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     qtbot.waitUntil(lambda: window.histograms.canvas is not None, timeout=SOON_MS)
     pictures = {}
     histograms = window.histograms
-    pictures["histogram"] = seen_in_front(session, qtbot, "Histograms", histograms.canvas)
+    pictures["histogram"] = picture_in_front(session, qtbot, "Histograms", histograms.canvas)
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(histograms.copy_picture, Qt.MouseButton.LeftButton)
-    assert corner(copied(qtbot)) == "#ffffff"
-    assert corner(histograms.canvas.grab()) == ground
+    assert corner_colour(clipboard_image(qtbot)) == "#ffffff"
+    assert corner_colour(histograms.canvas.grab()) == ground
 
     window._select("T1", "")
     qtbot.keyClick(window, Qt.Key.Key_S)
     section = window.tools.sections.panel
     qtbot.waitUntil(lambda: section.has_section and not window.runner.active, timeout=SOON_MS)
-    pictures["section"] = seen_in_front(session, qtbot, "Section", section.canvas)
+    pictures["section"] = picture_in_front(session, qtbot, "Section", section.canvas)
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(section.copy_picture, Qt.MouseButton.LeftButton)
-    assert corner(copied(qtbot)) == "#ffffff"
+    assert corner_colour(clipboard_image(qtbot)) == "#ffffff"
 
     pages = window.diagnostics
     window.docks["Diagnostics"].raise_()
     row = pages.list.visualItemRect(pages.list.item(list(pages.pages).index("Convergence")))
     qtbot.mouseClick(pages.list.viewport(), Qt.MouseButton.LeftButton, pos=row.center())
     chart = pages.current.canvas
-    pictures["diagnostics"] = seen_in_front(session, qtbot, "Diagnostics", chart)
+    pictures["diagnostics"] = picture_in_front(session, qtbot, "Diagnostics", chart)
     for name, picture in pictures.items():
         assert picture.save(str(tmp_path / f"{name}.png"))
-        assert corner(picture) == ground, name
+        assert corner_colour(picture) == ground, name
     if choice == "Dark":
         assert window.grab().save(str(tmp_path / "window.png"))
 

@@ -209,8 +209,8 @@ def test_the_clip_box_encloses_the_target_and_is_changed_by_fields_and_handles(
     assert window.actions_["clip"].isChecked()
     box = view.box
     points = np.concatenate(list(window.scene.selected_points.values()))
-    seen = np.abs((points - box.centre) @ box.axes.T)
-    np.testing.assert_allclose(box.half - seen.max(axis=0), 0.5, atol=1e-9)
+    along_axes = np.abs((points - box.centre) @ box.axes.T)
+    np.testing.assert_allclose(box.half - along_axes.max(axis=0), 0.5, atol=1e-9)
     depth = clipping.panel.fields[0]
     assert depth.value() == pytest.approx(2 * box.half[0], abs=0.006)
     type_into(picked, depth, "3.00")

@@ -61,14 +61,14 @@ def test_the_tutorial_leads_to_a_report(
     monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     language = program.settings.language
     source = page(language, "tutorial")
-    looked: list[str] = []
+    pictures: list[str] = []
 
     def check_picture(_front: QWidget, picture: str) -> None:
         assert (source.parent / picture).is_file()
-        looked.append(picture)
+        pictures.append(picture)
 
     Reader(program, steps_of(source.read_text(encoding="utf-8")), check_picture).follow()
-    assert len(looked) == 7
+    assert len(pictures) == 7
     assert (demo_copy / REPORTS[language]).read_bytes().startswith(b"%PDF")
     kept = open_project(demo_copy)
     assert [target.name for target in kept.targets] == ["T1", "T2", "V1"]
@@ -94,15 +94,15 @@ def test_the_french_page_has_the_same_steps_with_french_names() -> None:
         names |= {each: f"{each[:2]}{gettext(each[2:])}" for each in numbered}
         for one, other in zip(english, french, strict=True):
             if one.kind == "menu":
-                said = " > ".join(names[part] for part in one.text.split(" > "))
+                translated = " > ".join(names[part] for part in one.text.split(" > "))
             elif one.kind in ("click", "see"):
-                said = names.get(one.text) or _bare(gettext(one.text))
-                if said == one.text != other.text:  # a text that contains names or numbers
+                translated = names.get(one.text) or _bare(gettext(one.text))
+                if translated == one.text != other.text:  # a text that contains names or numbers
                     assert other.text in _translations(one.text)
                     continue
             else:
                 continue
-            assert other.text == said, f"line {other.line} of the French page"
+            assert other.text == translated, f"line {other.line} of the French page"
     finally:
         set_language("en")
 
@@ -125,7 +125,7 @@ def _bare(text: str) -> str:
 
 @pytest.mark.parametrize("program", ["en"], indirect=True)
 @pytest.mark.parametrize(
-    ("step", "complaint"),
+    ("step", "problem"),
     [
         (Step("click", "Four-minute tour", 3), "is not there to be clicked"),
         (Step("click", "Undo", 3), "is greyed"),
@@ -135,10 +135,10 @@ def _bare(text: str) -> str:
     ],
 )
 def test_a_page_that_names_missing_widgets_fails(
-    program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
+    program: MainWindow, step: Step, problem: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
-    with pytest.raises(StepError, match=complaint) as refused:
+    monkeypatch.setattr("tests.gui.reader.TIMEOUT_S", 0.5)
+    with pytest.raises(StepError, match=problem) as refused:
         Reader(program, [step], lambda _front, _picture: None).follow()
     assert "at line 3 of the page" in refused.value.__notes__[0]
 

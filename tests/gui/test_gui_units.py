@@ -179,11 +179,11 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
 ) -> None:
     window = program.window
     lever_arm = (-0.185596123, 0.037658456, 2.419063789)
-    given = estimated.with_settings(
+    project = estimated.with_settings(
         replace(estimated.settings, lever_arm=lever_arm, range_offset=0.001234567)
     )
-    given = replace(given, result=estimated.result)
-    window.document.open(given, demo.survey)
+    project = replace(project, result=estimated.result)
+    window.document.open(project, demo.survey)
     qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
     assert window.document.project is not None
 
@@ -192,7 +192,7 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
     for each in window.findChildren(NumberField):
         each.interpretText()
     assert not window.data.apply.isEnabled()
-    assert window.adjust.settings() == given.settings
+    assert window.adjust.settings() == project.settings
     assert not window.document.is_modified
 
     angles = window.results.angles
@@ -212,8 +212,8 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
     arm[0].lineEdit().setText("1.0000")
     arm[0].interpretText()
     qtbot.mouseClick(window.data.apply, Qt.MouseButton.LeftButton)
-    settled = window.document.project.settings.lever_arm
-    assert settled == (pytest.approx(FOOT, abs=1e-12), *lever_arm[1:])
+    lever_arm_shown = window.document.project.settings.lever_arm
+    assert lever_arm_shown == (pytest.approx(FOOT, abs=1e-12), *lever_arm[1:])
 
 
 def test_no_placeholder_of_the_adjustment_is_in_metric_units(program: Session) -> None:
@@ -286,9 +286,9 @@ def test_the_colour_scale_is_in_feet_and_metric_in_files(
 ) -> None:
     clouds = demo.survey.placed(estimated, "estimated")
     reach = 0.0256
-    left, _ = residual_shading(estimated, demo.survey, clouds, colour_limit=reach)
+    in_feet, _ = residual_shading(estimated, demo.survey, clouds, colour_limit=reach)
     end = f"{reach / FOOT:.3f}"
-    assert legend_texts(left) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
+    assert legend_texts(in_feet) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
     heights, seconds = point_shading("height", clouds), point_shading("time", clouds)
     assert heights is not None
     assert seconds is not None
@@ -297,7 +297,7 @@ def test_the_colour_scale_is_in_feet_and_metric_in_files(
     assert title == "Height (ft)"
     assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]) / FOOT, abs=0.5)
     with units.standard_units():
-        assert legend_texts(left)[1:] == ("−26", "+26")
+        assert legend_texts(in_feet)[1:] == ("−26", "+26")
         low, high = legend_texts(heights)[1:]
         assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]), abs=0.5)
     assert legend_texts(seconds) == (seconds.title, seconds.low, seconds.high)
@@ -329,11 +329,11 @@ def test_a_window_in_feet_has_no_metric_texts(
     wait_for_plan(design)
     assert window.isAncestorOf(design) or design.parent() is window
     known = re.compile("|".join(ALWAYS_METRIC))
-    left = {
-        name: {t for t in said if not known.search(t)}
-        for name, said in metric_words(window).items()
+    metric_by_name = {
+        name: {t for t in texts if not known.search(t)}
+        for name, texts in metric_words(window).items()
     }
-    assert {name: said for name, said in left.items() if said} == {}
+    assert {name: texts for name, texts in metric_by_name.items() if texts} == {}
     assert design.close()
     assert window.site_design.leave()
 

@@ -14,10 +14,10 @@ from tests.gui.support import Demo, Key
 SOON_MS = 20_000
 
 
-def change(session: Session, bot: QtBot, looks: str) -> None:
+def choose_theme(session: Session, bot: QtBot, theme: str) -> None:
     """Choose a theme in the menu, and wait for the new window."""
     former = session.window
-    choose(bot, open_menu(bot, former, "View"), "heme", looks)
+    choose(bot, open_menu(bot, former, "View"), "heme", theme)
     bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
 
@@ -40,8 +40,8 @@ def test_the_same_lines_are_shown_in_another_theme(
     assert not same(after, before)
     assert shading is not None
     monkeypatch.setattr(type(demo.survey), "displayed_clouds", None)
-    for looks in ("Dark", "Light"):
-        change(session, qtbot, looks)
+    for theme in ("Dark", "Light"):
+        choose_theme(session, qtbot, theme)
         window = session.window
         wait_until_idle(session, qtbot)
         assert same(window.viewport.clouds, after)
@@ -49,7 +49,7 @@ def test_the_same_lines_are_shown_in_another_theme(
         for name in ("after", "colour_height"):
             assert window.actions_[name].isChecked()
         assert window.validate.after.isChecked()
-        wiped = looks == "Light"
+        wiped = theme == "Light"
         assert (
             (window.viewport.wipe_clouds is not None)
             == window.actions_["wipe"].isChecked()
@@ -62,7 +62,7 @@ def test_the_same_lines_are_shown_in_another_theme(
     wait_until_idle(session, qtbot)
     assert same(window.viewport.clouds, before)
     assert not window.actions_["wipe"].isChecked()
-    change(session, qtbot, "Dark")
+    choose_theme(session, qtbot, "Dark")
     wait_until_idle(session, qtbot)
     assert same(session.window.viewport.clouds, before)
     assert session.window.actions_["before"].isChecked()

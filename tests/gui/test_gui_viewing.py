@@ -11,7 +11,7 @@ from tests.gui.support import Driver, Key, press
 SHIFT = Key.Key_Shift
 
 
-def asked(driver: Driver, name: str) -> list[tuple[object, ...]]:
+def calls_of(driver: Driver, name: str) -> list[tuple[object, ...]]:
     return [arguments for called, arguments in driver.viewport.calls if called == name]
 
 
@@ -19,10 +19,10 @@ def test_keys_choose_the_standard_views(opened: Driver) -> None:
     opened.viewport.calls.clear()
     for key in (Key.Key_1, Key.Key_2, Key.Key_3, Key.Key_4, Key.Key_5, Key.Key_6):
         press(opened, key)
-    assert [name for (name,) in asked(opened, "view")] == [
+    assert [name for (name,) in calls_of(opened, "view")] == [
         "isometric", "top", "front", "left", "back", "right",
     ]  # fmt: skip
-    assert set(VIEWS) == {name for (name,) in asked(opened, "view")}
+    assert set(VIEWS) == {name for (name,) in calls_of(opened, "view")}
 
 
 def test_o_switches_between_orthographic_and_perspective(opened: Driver) -> None:
@@ -43,7 +43,7 @@ def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Drive
     window._select("T1", "")
     picked.viewport.calls.clear()
     press(picked, Key.Key_7)
-    ((direction, points),) = asked(picked, "view_along")
+    ((direction, points),) = calls_of(picked, "view_along")
     target = picked.project.target("T1")
     groups = [window.scene.clouds[s.line][s.indices] for s in target.sightings]
     for group in groups:
@@ -54,7 +54,7 @@ def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Drive
     window._select("T1", line)
     picked.viewport.calls.clear()
     window.actions_["fit_selection"].trigger()
-    np.testing.assert_array_equal(asked(picked, "fit")[0][0], groups[1])
+    np.testing.assert_array_equal(calls_of(picked, "fit")[0][0], groups[1])
     window.controller.remove("T1")
     window.actions_["fit_selection"].trigger()
     assert notes[-1] == NOTHING_SELECTED_TEXT

@@ -39,9 +39,9 @@ def listed(driver: Driver) -> tuple[Message, ...]:
     return panel.messages
 
 
-def row_of(driver: Driver, wanted: str) -> int:
-    rows = [k for k, each in enumerate(listed(driver)) if wanted in message_text(each)]
-    assert len(rows) == 1, (wanted, [each.code for each in listed(driver)])
+def row_of(driver: Driver, text: str) -> int:
+    rows = [k for k, each in enumerate(listed(driver)) if text in message_text(each)]
+    assert len(rows) == 1, (text, [each.code for each in listed(driver)])
     return rows[0]
 
 
@@ -163,11 +163,11 @@ def test_the_note_of_a_line_selects_and_shows_it(picked: Driver, demo: Demo) -> 
     """A note of the reader refers to the file of a line."""
     line = picked.project.lines[2]
     outside = note("import.excluded_outside", file=line.path.name, count=12, total=100)
-    survey, said = replace(demo.survey, notes=(*demo.survey.notes, outside)), message_text(outside)
+    survey, text = replace(demo.survey, notes=(*demo.survey.notes, outside)), message_text(outside)
     picked.window.document.set_survey(picked.project, survey)
-    found = listed(picked)[row_of(picked, said)]
+    found = listed(picked)[row_of(picked, text)]
     assert (found.level, found.subject) == (Level.NOTE, Cause.of_line(line.name))
-    click_row(picked, row_of(picked, said))
+    click_row(picked, row_of(picked, text))
     assert picked.window.workflow.opened == DATA
     assert has_focus(picked.window.data.lines)
     assert picked.window.data.lines.currentItem().text() == line.name
@@ -209,17 +209,17 @@ def test_a_cause_that_no_longer_exists_is_ignored(adjusted: Driver) -> None:
 
 def test_the_list_is_updated_by_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     line = adjusted.project.target("T1").sightings[0].line
-    said = note(
+    expected = note(
         "report.left_out_target_on_lines",
         target="T1", lines=(line,), subject=Cause.of_target("T1"),
     )  # fmt: skip
-    assert said not in listed(adjusted)
+    assert expected not in listed(adjusted)
     adjusted.window.controller.use_sighting("T1", line, False)
     assert adjusted.window.warnings.head.text() == WAITING_TEXT
     wait_until_idle(adjusted)
-    assert said in listed(adjusted)
+    assert expected in listed(adjusted)
     adjusted.window.document.undo_stack.undo()
-    assert said not in listed(adjusted)
+    assert expected not in listed(adjusted)
 
 
 def test_a_refused_estimate_is_reported(adjusted: Driver) -> None:

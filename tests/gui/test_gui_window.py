@@ -344,8 +344,8 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     assert "boresight" in json.dumps(content)
     page = (tmp_path / "calibration.html").read_text()
     assert "prior boresight" in page
-    taken = [name for name, _ in picked.viewport.calls if name == "picture"]
-    assert len(taken) == 2 * 2, "before and after, in two reports"
+    pictures = [name for name, _ in picked.viewport.calls if name == "picture"]
+    assert len(pictures) == 2 * 2, "before and after, in two reports"
     assert picked.window.scene.which == "estimated"
 
 

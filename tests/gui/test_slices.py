@@ -15,7 +15,7 @@ from lispac.gui.widgets.chart import Chart, SlicedCalculation
 
 
 @pytest.fixture(autouse=True)
-def _none_is_left() -> Iterator[None]:
+def _no_thread_remains() -> Iterator[None]:
     yield
     assert not [each for each in threading.enumerate() if each.name == "slices"]
 
@@ -33,11 +33,11 @@ def test_a_calculation_pauses_and_resumes(monkeypatch: pytest.MonkeyPatch) -> No
     assert steps.resume()
     steps.begin(work)
     assert did == []
-    seen = []
+    done_at_pauses = []
     while not steps.resume():
         assert steps.is_running
-        seen.append(list(did))
-    assert seen == [[0], [0, 1], [0, 1, 2]]
+        done_at_pauses.append(list(did))
+    assert done_at_pauses == [[0], [0, 1], [0, 1, 2]]
     assert not steps.is_running
 
 
@@ -82,13 +82,13 @@ def test_errors_are_raised_in_the_caller() -> None:
 @pytest.fixture
 def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
-    made = filled(3)
+    made = chart_with_plots(3)
     yield made
     if isValid(made):
         remove(made)
 
 
-def filled(count: int) -> Chart:
+def chart_with_plots(count: int) -> Chart:
     chart = Chart(400, 300)
     chart.resize(400, 300)
     for k, axes in enumerate(np.atleast_1d(chart.figure.subplots(1, count))):
@@ -111,7 +111,7 @@ def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtB
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
     qtbot.waitUntil(lambda: bool(drawn))
-    other = filled(3)
+    other = chart_with_plots(3)
     other.show()
     other.draw()
     assert (pixels(chart) == pixels(other)).all()

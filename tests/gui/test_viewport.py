@@ -76,19 +76,19 @@ def test_picture_agrees_with_the_projection(viewport):
 
 def test_ctrl_click_in_empty_space_is_a_miss_and_ctrl_drag_is_ignored(viewport, qtbot):
     viewport.show_clouds(*scene())
-    told = []
-    viewport.signals.seed_clicked.connect(told.append)
-    viewport.signals.missed.connect(lambda: told.append("missed"))
+    emitted = []
+    viewport.signals.seed_clicked.connect(emitted.append)
+    viewport.signals.missed.connect(lambda: emitted.append("missed"))
     QTest.mouseClick(viewport.canvas, LEFT, CTRL, QPoint(3, 3))
-    assert told == ["missed"]
-    told.clear()
+    assert emitted == ["missed"]
+    emitted.clear()
     start = pixel(viewport, (0.0, 15.0, 1.5))
     before = viewport.camera
     QTest.mousePress(viewport.canvas, LEFT, CTRL, start)
     QTest.mouseMove(viewport.canvas, start + QPoint(40, 10))
     QTest.mouseRelease(viewport.canvas, LEFT, CTRL, start + QPoint(40, 10))
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, start)
-    assert told == []
+    assert emitted == []
     np.testing.assert_array_equal(viewport.camera.position, before.position)
 
 
@@ -128,8 +128,8 @@ def test_unchanged_scene_is_not_rendered_again(viewport, qtbot):
     viewport.canvas.repaint()
     shown = viewport.canvas.grabFramebuffer()
     assert viewport.canvas.frames == rendered
-    hidden, seen = (count(each, RED) for each in (array_of(before), array_of(shown)))
-    assert hidden == seen > 500
+    hidden, visible = (count(each, RED) for each in (array_of(before), array_of(shown)))
+    assert hidden == visible > 500
     viewport.set_line_visible("red", False)
     shown = viewport.canvas.grabFramebuffer()
     assert count(array_of(shown), RED) == 0
@@ -389,6 +389,6 @@ def test_both_viewports_implement_the_protocol():
     from lispac.gui.viewport.base import Viewport
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
-    asked = {name for name in vars(Viewport) if not name.startswith("_")}
+    required = {name for name in vars(Viewport) if not name.startswith("_")}
     for kind in (VtkViewport, RecordingViewport):
-        assert asked <= set(dir(kind))
+        assert required <= set(dir(kind))

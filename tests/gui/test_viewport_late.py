@@ -114,25 +114,25 @@ def test_the_window_is_not_recreated_and_stays_in_front(qtbot: QtBot, shown: obj
 
 
 def test_every_signal_is_forwarded(late: LazyViewport, made: ViewportFactory) -> None:
-    heard = []
+    emitted = []
     names = [name for name, each in vars(ViewportSignals).items() if isinstance(each, Signal)]
     assert len(names) == 7
     for name in names:
-        getattr(late.signals, name).connect(lambda *_values, name=name: heard.append(name))
+        getattr(late.signals, name).connect(lambda *_values, name=name: emitted.append(name))
     late.show_clouds(CLOUDS, COLOURS)
     signals: QObject = made.all[0].signals
     for name in names:
         values = {"missed": (), "handle_moved": ("box", 1, 0.5), "handle_released": ("box",)}
         getattr(signals, name).emit(*values.get(name, (None,)))
-    assert heard == names
+    assert emitted == names
 
 
 def test_every_query_returns_a_value() -> None:
-    asked = {
+    queries = {
         name
         for name, each in vars(Viewport).items()
         if inspect.isfunction(each) and inspect.signature(each).return_annotation is not None
     }
-    theirs = asked - set(vars(LazyViewport))
+    theirs = queries - set(vars(LazyViewport))
     assert {name for name in theirs if not name.startswith("_")} <= CALLS_WITH_VALUE
     assert set(vars(Viewport)) > CALLS_BY_NAME

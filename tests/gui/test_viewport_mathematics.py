@@ -96,8 +96,8 @@ def test_parallel_projection_keeps_lengths_and_the_picked_point(seed):
 def test_a_camera_looks_along_any_direction():
     camera = random_camera(1)
     for direction in np.random.default_rng(2).normal(size=(20, 3)):
-        wanted = direction / np.linalg.norm(direction)
-        np.testing.assert_allclose(camera.along(direction).axes[2], wanted, atol=1e-12)
+        expected = direction / np.linalg.norm(direction)
+        np.testing.assert_allclose(camera.along(direction).axes[2], expected, atol=1e-12)
     down = camera.along(np.array([0.0, 0.0, -2.0]))
     np.testing.assert_allclose(down.axes[2], [0.0, 0.0, -1.0], atol=1e-12)
     assert down.azimuth == camera.azimuth
@@ -140,8 +140,8 @@ def test_sample_is_reproducible_and_even():
     assert set(lowest_ranked(places, 100)) <= set(chosen)
     counts = np.histogram(chosen, bins=10, range=(0, 100_000))[0]
     assert counts.min() > 850
-    for wanted in (1, 99_999, 100_000, 200_000):
-        assert len(lowest_ranked(places, wanted)) == min(wanted, 100_000)
+    for count in (1, 99_999, 100_000, 200_000):
+        assert len(lowest_ranked(places, count)) == min(count, 100_000)
     np.testing.assert_array_equal(lowest_ranked(np.full(5, 0.9, np.float32), 2), [0, 1])
 
 

@@ -70,26 +70,26 @@ def test_in_point_mode_a_click_picks_and_a_drag_rotates(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
-    told = []
-    viewport.signals.pointed.connect(told.append)
+    emitted = []
+    viewport.signals.pointed.connect(emitted.append)
     spot = pixel(viewport, clouds["red"][600])
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
-    assert told == []
+    assert emitted == []
     viewport.set_mouse("point", "Click")
     assert viewport.canvas.cursor().shape() == Qt.CursorShape.CrossCursor
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
-    (point,) = told
+    (point,) = emitted
     assert point.line == "red"
     np.testing.assert_allclose(point.position, clouds["red"][600], atol=0.11)
     before = viewport.camera
     drag(viewport, spot, QPoint(40, 0), QPoint(20, 0))
-    assert len(told) == 1
+    assert len(emitted) == 1
     assert viewport.camera is not before
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, QPoint(2, 2))
-    assert told[1] is None
+    assert emitted[1] is None
     viewport.set_mouse("navigate")
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
-    assert len(told) == 2
+    assert len(emitted) == 2
 
 
 def test_sketches_are_drawn_at_their_points_and_removed(viewport):
@@ -121,7 +121,7 @@ def test_a_handle_is_dragged_along_its_axis(viewport, parallel):
     viewport.view("isometric")
     place, axis = np.array([1.0, 15.0, 2.0]), np.array([1.0, 0.0, 0.0])
     moved, ended = [], []
-    viewport.signals.handle_moved.connect(lambda *told: moved.append(told))
+    viewport.signals.handle_moved.connect(lambda *move: moved.append(move))
     viewport.signals.handle_released.connect(ended.append)
     viewport.show_sketch(
         "box", Sketch((), (), OVERLAY_COLOUR, handles=(DragHandle(tuple(place), tuple(axis)),))
@@ -131,9 +131,9 @@ def test_a_handle_is_dragged_along_its_axis(viewport, parallel):
     way = pixel(viewport, place + 0.8 * axis) - start
     drag(viewport, start, way / 2, way - way / 2)
     assert viewport.camera is camera, "the view stays"
-    assert {told[:2] for told in moved} == {("box", 0)}
+    assert {move[:2] for move in moved} == {("box", 0)}
     # Pixel coordinates are integers.
-    assert sum(told[2] for told in moved) == pytest.approx(0.8, abs=0.03)
+    assert sum(move[2] for move in moved) == pytest.approx(0.8, abs=0.03)
     assert ended == ["box"]
     drag(viewport, start + QPoint(25, 25), QPoint(30, 0))
     assert viewport.camera is not camera
@@ -141,15 +141,15 @@ def test_a_handle_is_dragged_along_its_axis(viewport, parallel):
 
 def test_an_outline_is_drawn_with_the_left_button(viewport):
     viewport.show_clouds(*scene())
-    told = []
-    viewport.signals.outlined.connect(told.append)
+    emitted = []
+    viewport.signals.outlined.connect(emitted.append)
     viewport.set_mouse("outline", "Draw")
     camera = viewport.camera
     drag(viewport, QPoint(300, 300), QPoint(60, 0), QPoint(0, 60), QPoint(-60, 0))
-    np.testing.assert_array_equal(told[0], [[300, 300], [360, 300], [360, 360], [300, 360]])
+    np.testing.assert_array_equal(emitted[0], [[300, 300], [360, 300], [360, 360], [300, 360]])
     assert viewport.camera is camera
     QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, QPoint(300, 300))
-    assert len(told) == 1
+    assert len(emitted) == 1
 
 
 def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
@@ -157,18 +157,18 @@ def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
     spot = pixel(viewport, clouds["red"][600])
-    told = []
-    viewport.signals.hovered.connect(told.append)
+    emitted = []
+    viewport.signals.hovered.connect(emitted.append)
     QTest.mouseMove(viewport.canvas, spot)
     qtbot.wait(100)
-    assert told == []
+    assert emitted == []
     viewport.set_hovering(True)
     QTest.mouseMove(viewport.canvas, spot + QPoint(1, 0))
-    qtbot.waitUntil(lambda: len(told) == 1, timeout=2000)
-    assert told[0].line == "red"
-    np.testing.assert_allclose(told[0].position, clouds["red"][600], atol=0.11)
+    qtbot.waitUntil(lambda: len(emitted) == 1, timeout=2000)
+    assert emitted[0].line == "red"
+    np.testing.assert_allclose(emitted[0].position, clouds["red"][600], atol=0.11)
     viewport.set_hovering(False)
-    assert told[1:] == [None]
+    assert emitted[1:] == [None]
 
 
 def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):

@@ -82,8 +82,10 @@ def test_all_attributes_of_all_point_formats_are_kept(
     np.testing.assert_allclose(header.mins, after.xyz.min(axis=0), atol=1e-9)
     np.testing.assert_allclose(header.maxs, after.xyz.max(axis=0), atol=1e-9)
     counts = np.bincount(np.array(before.return_number), minlength=16)[1:]
-    room = 15 if header.version.minor >= 4 else 5
-    np.testing.assert_array_equal(header.number_of_points_by_return[:room], counts[:room])
+    return_count = 15 if header.version.minor >= 4 else 5
+    np.testing.assert_array_equal(
+        header.number_of_points_by_return[:return_count], counts[:return_count]
+    )
     own = [record for record in header.vlrs if record.user_id == "someone"]
     assert [record.record_data for record in own] == [b"kept as it is"]
     if header.version.minor >= 4:
@@ -260,19 +262,19 @@ def test_progress_shows_the_rate_and_the_time_remaining(
     points, time = sweep(track(), 40_000)
     parts = np.array_split(np.arange(len(time)), 20)
     chunks = (PointChunk(points[k], time[k], {}, len(time)) for k in parts)
-    said: list[tuple[float, str]] = []
+    steps: list[tuple[float, str]] = []
     path = tmp_path / "map.laz"
     mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
 
     def listen(fraction: float, step: Step | None = None) -> None:
-        said.append((fraction, str(step)))
+        steps.append((fraction, str(step)))
 
     write_cloud(chunks, path, path, mapper, layout_of_columns, progress=listen)
-    fractions = [fraction for fraction, _ in said]
+    fractions = [fraction for fraction, _ in steps]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1.0
-    assert len(said) == 20
-    assert re.search(r"map\.laz: .* points, .* M points/s, .* left", said[5][1])
+    assert len(steps) == 20
+    assert re.search(r"map\.laz: .* points, .* M points/s, .* left", steps[5][1])
 
 
 def test_waveforms_are_not_written_and_reported(tmp_path: Path) -> None:

@@ -222,8 +222,8 @@ def test_the_system_of_a_las_header_is_read(
     las.x = np.array([1.0])
     las.write(tmp_path / "a.las")
     with laspy.open(tmp_path / "a.las") as reader:
-        stated = read_header_crs(reader.header)
-    assert (stated.text, stated.file_warnings) == ("EPSG:2949", ())
+        header_crs = read_header_crs(reader.header)
+    assert (header_crs.text, header_crs.file_warnings) == ("EPSG:2949", ())
 
 
 def test_blocks_in_several_threads_give_the_same_coordinates(
@@ -234,7 +234,7 @@ def test_blocks_in_several_threads_give_the_same_coordinates(
     points = np.random.default_rng(0).uniform([3e5, 5e6, 0], [3.1e5, 5.01e6, 50], (1_000_000, 3))
     started = time.perf_counter()
     ecef = system.to_ecef(points)
-    taken = time.perf_counter() - started
+    seconds = time.perf_counter() - started
     with capsys.disabled():
-        print(f"\nUTM to ECEF, one million points: {taken:.2f} s")
+        print(f"\nUTM to ECEF, one million points: {seconds:.2f} s")
     np.testing.assert_array_equal(ecef[-1000:], system.to_ecef(points[-1000:]))

@@ -124,8 +124,8 @@ def test_the_preview_of_a_line_reports_the_contradiction(tmp_path: Path, ending:
     found = LAS.preview(path, {})
     assert found.choice["crs"] == ZONE_19
     assert [message.code for message in found.messages] == ["file.two_systems"]
-    settled = LAS.preview(path, {"crs": ZONE_18})
-    assert [message.code for message in settled.messages] == []
+    with_option = LAS.preview(path, {"crs": ZONE_18})
+    assert [message.code for message in with_option.messages] == []
 
 
 def test_a_reference_reports_the_contradiction(tmp_path: Path) -> None:

@@ -26,13 +26,13 @@ Damage = Callable[[dict[str, Any]], object]
 JARGON = ("Error", "delimiter", "object", "NoneType", "subscript", "convert", "cattrs", "codec")
 
 
-def refused(folder: Path) -> ProjectError:
+def opening_error(folder: Path) -> ProjectError:
     with pytest.raises(ProjectError) as caught:
         read_project(folder)
-    said = str(caught.value)
+    text = str(caught.value)
     assert caught.value.code == "project.damaged"
-    assert said.startswith(f"{folder / PROJECT_FILE_NAME}: ")
-    assert not [word for word in JARGON if word in said]
+    assert text.startswith(f"{folder / PROJECT_FILE_NAME}: ")
+    assert not [word for word in JARGON if word in text]
     assert caught.value.__cause__ is not None  # shown in the details
     return caught.value
 
@@ -87,30 +87,30 @@ def test_a_wrong_value_is_refused_with_the_reason(
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     damage(content)
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-    assert reason_of(refused(folder)) == reason
+    assert reason_of(opening_error(folder)) == reason
 
 
 def test_a_file_that_is_cut_short_is_refused(folder: Path) -> None:
     text = (folder / PROJECT_FILE_NAME).read_text()
     (folder / PROJECT_FILE_NAME).write_text(text[: len(text) // 2])
     line = text[: len(text) // 2].count("\n") + 1
-    reason = reason_of(refused(folder))
+    reason = reason_of(opening_error(folder))
     assert reason.code == "content.not_json"
     assert reason.params["line"] in (line - 1, line)
 
 
 def test_a_file_that_is_not_text_is_refused(folder: Path) -> None:
     (folder / PROJECT_FILE_NAME).write_bytes(b"\xff\xfe\x00\xd8" * 10)
-    assert reason_of(refused(folder)) == error("content.not_utf8")
+    assert reason_of(opening_error(folder)) == error("content.not_utf8")
 
 
 def test_a_read_error_of_the_drive_is_reported(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def lost(path: Path) -> bytes:
+    def raise_read_error(path: Path) -> bytes:
         raise OSError(5, "Input/output error", str(path))
 
-    monkeypatch.setattr(Path, "read_bytes", lost)
+    monkeypatch.setattr(Path, "read_bytes", raise_read_error)
     with pytest.raises(ProjectError, match="Input/output error"):
         read_project(folder)
 
@@ -130,10 +130,10 @@ def test_invalid_point_numbers_are_refused(folder: Path, numbers: np.ndarray, co
     with np.load(path) as arrays:
         kept = dict(arrays)
     np.savez(path, **(kept | {"line1": numbers}))
-    with pytest.raises(ProjectError) as told:
+    with pytest.raises(ProjectError) as caught:
         read_project(folder)
-    assert told.value.code == "project.points_damaged"
-    params = told.value.message.params
+    assert caught.value.code == "project.points_damaged"
+    params = caught.value.message.params
     assert (params["file"], params["target"]) == (str(path), "T1")
     assert params["reason"].code == code
 
@@ -160,13 +160,13 @@ def test_values_that_could_not_be_read_again_are_not_written(folder: Path) -> No
         replace(first, sightings=(replace(first.sightings[0], rms=float("nan")),)),
     ):  # fmt: skip
         for write in (write_project, write_unsaved):
-            with pytest.raises(ProjectError) as told:
+            with pytest.raises(ProjectError) as caught:
                 write(replace(project, targets=(wrong,)))
-            assert told.value.code == "project.cannot_be_read_again"
+            assert caught.value.code == "project.cannot_be_read_again"
     twice = replace(project, targets=(first, replace(project.targets[1], name=first.name)))
-    with pytest.raises(ProjectError) as told:
+    with pytest.raises(ProjectError) as caught:
         write_project(twice)
-    assert told.value.code == "project.cannot_be_read_again"
+    assert caught.value.code == "project.cannot_be_read_again"
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
 
 
@@ -175,7 +175,7 @@ def test_duplicate_names_are_refused(folder: Path, kind: str) -> None:
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     content[kind][1]["name"] = content[kind][0]["name"]
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-    assert reason_of(refused(folder)).code == f"content.duplicate_{kind[:-1]}"
+    assert reason_of(opening_error(folder)).code == f"content.duplicate_{kind[:-1]}"
 
 
 @pytest.mark.parametrize(
@@ -204,7 +204,7 @@ def test_values_that_only_a_manual_edit_can_cause_are_refused(
             inner = inner[int(name) if name.isdigit() else name]
         inner[last] = value
         (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-        refused(folder)
+        opening_error(folder)
 
 
 def test_messages_that_cannot_be_shown_are_skipped(folder: Path) -> None:

@@ -15,7 +15,7 @@ from tests.support.input_file_samples import START, fan, write_line, write_surve
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
 
 
-def lispac(*arguments: object, **environment: str) -> subprocess.CompletedProcess[bytes]:
+def run_lispac(*arguments: object, **environment: str) -> subprocess.CompletedProcess[bytes]:
     return subprocess.run(
         [sys.executable, "-m", "lispac", *map(os.fsencode, map(str, arguments))],
         capture_output=True, env={**os.environ, **environment}, check=False,
@@ -47,7 +47,7 @@ def test_any_name_can_be_printed_on_any_terminal(tmp_path: Path, encoding: str) 
         ["report", project, "--output", tmp_path / "report.html"],
         ["warnings", project],
     ):  # fmt: skip
-        done = lispac(*command, **environment)
+        done = run_lispac(*command, **environment)
         assert done.returncode == 0, done.stderr
     lines = json.loads((tmp_path / "report.json").read_text())["lines"]
     assert [line["name"] for line in lines] == ["l\ufffd\ufffd", "Käi"]

@@ -75,13 +75,13 @@ def test_cells_that_look_like_formulas_are_escaped(value: object, cell: str) -> 
 
 
 def test_a_message_is_one_line_of_text() -> None:
-    told = str(LispacError("a\nb\x1b[31m\r\x00\x9bc: wrong."))
-    assert told.isprintable()
-    assert "wrong." in told
+    text = str(LispacError("a\nb\x1b[31m\r\x00\x9bc: wrong."))
+    assert text.isprintable()
+    assert "wrong." in text
 
 
 @pytest.mark.parametrize(
-    "given",
+    "values",
     [
         {"position_time": 1e-320}, {"attitude_time": 1e300}, {"subsample": 1e-300},
         {"lidar_sigma": 1e5}, {"lidar_beam_sigma": (1e31, 1.0)},
@@ -89,9 +89,9 @@ def test_a_message_is_one_line_of_text() -> None:
         {"position_sigma": (1e5, 0.1, 0.1)}, {"longest_gap": 1e-12},
     ],
 )  # fmt: skip
-def test_settings_beyond_what_is_possible_are_refused(given: dict[str, object]) -> None:
+def test_settings_beyond_what_is_possible_are_refused(values: dict[str, object]) -> None:
     with pytest.raises(InputError):
-        Settings((0.0, 0.0, 0.0), **given).require_sound()  # type: ignore[arg-type]
+        Settings((0.0, 0.0, 0.0), **values).require_sound()  # type: ignore[arg-type]
     Settings((0.0, 0.0, 0.0)).require_sound()
 
 
@@ -194,12 +194,12 @@ def test_a_pipe_or_folder_is_not_overwritten(tmp_path: Path) -> None:
 
 
 def test_files_that_look_like_temporary_files_are_kept(tmp_path: Path) -> None:
-    mine = tmp_path / ".report-20260101.pdf"
-    mine.write_text("mine")
-    os.utime(mine, (0, 0))
+    file_of_user = tmp_path / ".report-20260101.pdf"
+    file_of_user.write_text("mine")
+    os.utime(file_of_user, (0, 0))
     with atomic_write(tmp_path / "report.pdf") as temporary:
         temporary.write_text("report")
-    assert mine.exists()
+    assert file_of_user.exists()
 
 
 @pytest.mark.parametrize("text", ["9" * 5000, "-1", "", "1.5", "1_0", str(2**63)])

@@ -30,7 +30,7 @@ from lispac.messages import error
 from lispac.project import LineSource
 from lispac.workflow.importing.file_reading import check_file, format_of_line
 from lispac.workflow.importing.line_chunks import LineChunks
-from tests.cli.test_cli import refused, run
+from tests.cli.test_cli import run, run_refused
 from tests.support import point_files as files
 from tests.support.input_file_samples import write_survey
 from tests.support.static_scans import write_pts
@@ -44,7 +44,7 @@ def folder(tmp_path: Path) -> Path:
     return write_survey(tmp_path)
 
 
-def new(
+def point_counts_of_project(
     capsys: pytest.CaptureFixture[str], folder: Path, *lines: Path, more: tuple[object, ...] = ()
 ):
     """Number of points of each line of a new project."""
@@ -63,7 +63,7 @@ def test_a_las_file_with_another_ending_is_a_line(
     for name in ("L1.laz", "L2.las"):
         (folder / name).rename(folder / f"{name[:2]}{ending}")
     lines = [folder / f"L1{ending}", folder / f"L2{ending}"]
-    assert new(capsys, folder, *lines) == {"L1": 3000, "L2": 3000}
+    assert point_counts_of_project(capsys, folder, *lines) == {"L1": 3000, "L2": 3000}
 
 
 @pytest.mark.parametrize("ending", [".las", ".laz", ".ply"])
@@ -76,10 +76,10 @@ def test_a_text_file_with_another_ending_is_a_line(
     named, bare = folder / f"L3{ending}", folder / f"L4{ending}"
     np.savetxt(named, rows, fmt="%.6f", header="time x y z", comments="")
     np.savetxt(bare, rows, fmt="%.6f")
-    assert new(capsys, folder, named) == {"L3": 3000}
+    assert point_counts_of_project(capsys, folder, named) == {"L3": 3000}
     columns = ("--columns", "time,x,y,z")
     shutil.rmtree(folder / "project")
-    assert new(capsys, folder, bare, more=columns) == {"L4": 3000}
+    assert point_counts_of_project(capsys, folder, bare, more=columns) == {"L4": 3000}
 
 
 def test_a_trajectory_and_accuracies_with_other_endings_are_recognised(
@@ -215,11 +215,11 @@ def test_compressed_files_are_refused_with_a_suggestion(
     packed = folder / "packed.laz"
     for source in (lines, trajectory):
         packed.write_bytes(pack(source.read_bytes()))
-        said = refused(capsys, "inspect", packed)
-        assert packing in said
+        refusal = run_refused(capsys, "inspect", packed)
+        assert packing in refusal
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
-    assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)
-    assert packing in refused(capsys, *new, lines, "--trajectory", packed)
+    assert packing in run_refused(capsys, *new, packed, "--trajectory", trajectory)
+    assert packing in run_refused(capsys, *new, lines, "--trajectory", packed)
     for read in (open_static_scan, read_point_list):
         with pytest.raises(InputError) as raised:
             read(packed)
@@ -284,19 +284,19 @@ def special(request: pytest.FixtureRequest, tmp_path: Path):
 
 def ends_within(seconds: float, task: Callable[[], object]) -> str:
     """Error text of a task; the test fails if the task does not end in time."""
-    said: list[str] = []
+    texts: list[str] = []
 
     def run_it() -> None:
         try:
-            said.append(f"no error: {task()}")
+            texts.append(f"no error: {task()}")
         except InputError as error:
-            said.append(str(error))
+            texts.append(str(error))
 
     thread = threading.Thread(target=run_it, daemon=True)
     thread.start()
     thread.join(seconds)
-    assert said, "it waits"
-    return said[0]
+    assert texts, "it waits"
+    return texts[0]
 
 
 @pytest.mark.parametrize(
@@ -313,9 +313,9 @@ def test_special_files_are_refused_with_their_kind(
     special: tuple[Path, str], task: Callable[[Path], object]
 ) -> None:
     path, name = special
-    said = ends_within(20, lambda: task(path))
-    assert name in said
-    assert str(path) in said
+    refusal = ends_within(20, lambda: task(path))
+    assert name in refusal
+    assert str(path) in refusal
 
 
 def test_special_files_are_not_opened_for_recognition(special: tuple[Path, str]) -> None:

@@ -41,7 +41,7 @@ from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
 from lispac.targets.finder_settings import FinderChoices
 from lispac.workflow.output.report_options import report_options
-from tests.io.test_trajectory_bad_input import anything, good
+from tests.io.test_trajectory_bad_input import anything, write_valid
 from tests.simulation.test_meshes import write_mesh
 from tests.support import point_files
 from tests.support.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
@@ -63,15 +63,15 @@ Subject = Callable[[Path], tuple[Sources, Attempt]]
 
 def refusal_of(task: Callable[[], object]) -> str | None:
     """Error text of a refused task, or None if it succeeds; other errors are raised."""
-    told = None
+    text = None
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             task()
     except LispacError as refused:
-        told = str(refused)
-    assert told is None or "\n" not in told
-    return told
+        text = str(refused)
+    assert text is None or "\n" not in text
+    return text
 
 
 def read_wholly(key: str, path: Path, choice: Any) -> None:
@@ -99,7 +99,7 @@ def of_format(key: str) -> Subject:
                 if format == key
             ]
         else:
-            made = point_files.cidco if key.startswith("cidco") else partial(good, key)
+            made = point_files.cidco if key.startswith("cidco") else partial(write_valid, key)
             sound = [made(folder / "sound")]
         path = folder / f"any{sound[0].suffix}"
 
@@ -112,7 +112,7 @@ def of_format(key: str) -> Subject:
                 refusal_of(lambda choice=choice: read_wholly(key, path, choice))  # type: ignore[misc]
                 for choice in ({}, *(finding.choice for finding in findings))
             ]
-            assert not any(told for told in refusals if told and str(path) not in told)
+            assert not any(text for text in refusals if text and str(path) not in text)
             return None in refusals
 
         changed = [damaged(file.read_bytes()) for file in sound]
@@ -167,7 +167,7 @@ def columns_of(key: str) -> Subject:
 
     def subject(folder: Path) -> tuple[Sources, Attempt]:
         named = key == "text"
-        path = point_files.text(folder / "a.csv") if named else good(key, folder / "a.txt")
+        path = point_files.text(folder / "a.csv") if named else write_valid(key, folder / "a.txt")
         roles = [
             "time", "date", "x", "y", "z", "latitude", "longitude", "easting", "height",
             "sea_height", "roll", "pitch", "heading", "sroll", "-", "", "intensity",
@@ -178,19 +178,21 @@ def columns_of(key: str) -> Subject:
             st.permutations(whole),
             st.lists(st.sampled_from(roles), max_size=2).map(lambda more: [*whole, *more]),
         )
-        said = st.builds(str.join, st.sampled_from([" ", ",", ", "]), words) | st.text(max_size=30)
+        written = st.builds(str.join, st.sampled_from([" ", ",", ", "]), words) | st.text(
+            max_size=30
+        )
 
         def attempt(content: bytes) -> bool:
             choice = {"columns": content.decode("utf-8", "surrogatepass")}
             refusal_of(lambda: FORMATS[key].preview(path, choice))
             return refusal_of(lambda: read_wholly(key, path, choice)) is None
 
-        return [said.map(lambda text: text.encode("utf-8", "surrogatepass"))], attempt
+        return [written.map(lambda text: text.encode("utf-8", "surrogatepass"))], attempt
 
     return subject
 
 
-def remembered(folder: Path) -> tuple[Sources, Attempt]:
+def window_settings(folder: Path) -> tuple[Sources, Attempt]:
     """Stored settings of the window, including column mappings."""
     path = folder / "window.ini"
     sound = AppSettings(path)
@@ -260,7 +262,7 @@ def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
             for local in (True, False)
             for columns in ((), ("name", "x", "y", "z"))
         ]  # fmt: skip
-        assert all(str(path) in told for told in refusals if told)
+        assert all(str(path) in refusal for refusal in refusals if refusal)
         return None in refusals
 
     word = st.sampled_from(["T1", "V2", "1.5", "-2,5", "1e400", "x", "name", "#", '"', "", "t"])
@@ -282,9 +284,9 @@ def static_scans(folder: Path) -> tuple[Sources, Attempt]:
             for chunk in open_static_scan(path).coordinate_chunks(local=True):
                 assert np.isfinite(chunk).all()
 
-        told = refusal_of(read)
-        assert told is None or str(path) in told
-        return told is None
+        refusal = refusal_of(read)
+        assert refusal is None or str(path) in refusal
+        return refusal is None
 
     word = st.sampled_from(["1", "2", "0", "-7", "1.5", "1e400", "nan", "1_0", "1,5", "#", "x"])
     mark = st.sampled_from([" ", "\t", "\n", "\r\n", "\r"])
@@ -301,7 +303,7 @@ def stored(folder: Path) -> None:
     write_store(folder, RECIPE, SMALL_LINE.pieces(200), place)
 
 
-def used(folder: Path) -> None:
+def read_store(folder: Path) -> None:
     """Open a store and read all of it."""
     found = open_store(folder, "L1")
     for points in (found.take(np.arange(0, len(found), 7))[0], found.coarse.points_local):
@@ -323,7 +325,7 @@ def manifest(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return refusal_of(lambda: used(folder / "L1")) is None
+        return refusal_of(lambda: read_store(folder / "L1")) is None
 
     def summed(content: bytes) -> bytes:
         try:
@@ -348,7 +350,7 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
         whole = sound[number]
         paths[number].write_bytes((content + whole[len(content) :])[: len(whole)])
         try:
-            return refusal_of(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: read_store(folder / "L1")) is None
         finally:
             paths[number].write_bytes(whole)
 
@@ -373,7 +375,7 @@ def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
         paths[number].write_bytes((content + sound[number][len(content) :])[: len(sound[number])])
         reseal(folder / "L1", whole)
         try:
-            return refusal_of(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: read_store(folder / "L1")) is None
         finally:
             paths[number].write_bytes(sound[number])
 
@@ -437,8 +439,8 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
         (folder / "L1" / layout.SPOOL_FOLDER / files[content[0] % len(files)].name).write_bytes(
             content[1:]
         )
-        told = refusal_of(lambda: stored(folder / "L1"))
-        assert told is None
+        text = refusal_of(lambda: stored(folder / "L1"))
+        assert text is None
         assert files_of(open_store(folder / "L1", "L1").manifest) == expected
         return True
 
@@ -460,9 +462,9 @@ def toml(pattern: str, read: Callable[[Path], object]) -> Subject:
 
         def attempt(content: bytes) -> bool:
             path.write_bytes(content)
-            told = refusal_of(lambda: read(path))
-            assert told is None or len(told) < 1500
-            return told is None
+            text = refusal_of(lambda: read(path))
+            assert text is None or len(text) < 1500
+            return text is None
 
         return [*(toml_like(source.read_bytes()) for source in sources), anything], attempt
 
@@ -530,10 +532,14 @@ def option_values(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         command, option, number = json.loads(content)
-        given = [f"{option}{number}"] if option.endswith("=") else [f"{option}={number}"]
+        arguments_of_option = (
+            [f"{option}{number}"] if option.endswith("=") else [f"{option}={number}"]
+        )
         place = ["--seed", "0", "0", "0", "--name", "T1"] if command == "pick" else []
         with suppress(SystemExit):
-            arguments = build_parser().parse_args([command, str(project.folder), *place, *given])
+            arguments = build_parser().parse_args(
+                [command, str(project.folder), *place, *arguments_of_option]
+            )
             return refusal_of(lambda: keep(arguments)) is None
         return False
 
@@ -573,7 +579,7 @@ SUBJECTS: dict[str, Subject] = {
     **{key: of_format(key) for key in FORMATS},
     "columns of text": columns_of("text"),
     "columns of ascii-trajectory": columns_of("ascii-trajectory"),
-    "window settings": remembered,
+    "window settings": window_settings,
     "project": project,
     "sightings": sightings,
     "coordinate list": coordinate_list,

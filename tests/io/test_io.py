@@ -324,8 +324,8 @@ def test_temporary_files_of_a_killed_save_are_removed(tmp_path: Path) -> None:
         (folder / ".project-folder12.part.json").mkdir(exist_ok=True)
         os.utime(folder / ".project-folder12.part.json", (1e9, 1e9))
         open_or_save()
-        left = {path.name for path in folder.iterdir() if "roject-" in path.name}
-        assert left == {*others, ".project-folder12.part.json"}
+        remaining = {path.name for path in folder.iterdir() if "roject-" in path.name}
+        assert remaining == {*others, ".project-folder12.part.json"}
 
 
 def test_writing_below_a_file_is_refused(tmp_path: Path) -> None:

@@ -136,8 +136,8 @@ def test_an_import_removes_only_files_that_imports_write(project: Project) -> No
         (store / name).mkdir(exist_ok=True)
         (store / name / "mine.txt").write_text("mine")
     import_lines(project, again=True)
-    left = sorted(path.parent.name for path in store.rglob("mine.txt"))
-    assert left == ["columns-7", "columns-backup", "spool"]
+    remaining = sorted(path.parent.name for path in store.rglob("mine.txt"))
+    assert remaining == ["columns-7", "columns-backup", "spool"]
 
 
 @pytest.mark.parametrize("kind", ["link", "folder"])
@@ -157,15 +157,15 @@ def test_a_lock_that_is_a_link_or_folder_is_refused(
 def test_a_manifest_is_not_written_through_a_link(project: Project, tmp_path: Path) -> None:
     import_lines(project)
     store = line_folder(project, project.lines[0])
-    victim = tmp_path / "victim"
-    victim.write_text("precious")
-    (store / "store.json.part").symlink_to(victim)
+    linked_file = tmp_path / "victim"
+    linked_file.write_text("precious")
+    (store / "store.json.part").symlink_to(linked_file)
     for path in (store / "columns-1").iterdir():
         os.utime(path, (1e9, 1e9))
     load_survey(project)
     import_lines(project, again=True)
-    assert victim.read_text() == "precious"
-    assert not victim.is_symlink()
+    assert linked_file.read_text() == "precious"
+    assert not linked_file.is_symlink()
 
 
 def test_no_columns_are_written_or_removed_through_a_link(project: Project, tmp_path: Path) -> None:
@@ -227,17 +227,17 @@ def test_no_line_is_copied_through_a_link(project: Project, tmp_path: Path) -> N
 def test_a_new_demo_keeps_the_files_of_the_user(tmp_path: Path) -> None:
     folder = tmp_path / "demo"
     make_demo(folder, points_per_second=1000.0)
-    mine = {
+    files_of_user = {
         f"{place}/{name}": b"mine"
         for place in ("raw", "truth", "sightings")
         for name in ("mine.laz", "mine.npz", "notes/mine.txt")
     }
-    for name, content in mine.items():
+    for name, content in files_of_user.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
     before = contents(folder)
     make_demo(folder, points_per_second=1000.0)
     after = contents(folder)
-    assert {name: after.get(name) for name in mine} == mine
+    assert {name: after.get(name) for name in files_of_user} == files_of_user
     assert after.keys() == before.keys()
     assert read_project(folder).lines

@@ -42,7 +42,7 @@ def times(count: int) -> np.ndarray:
     return 300_000 + np.arange(count) / 1000
 
 
-def counting(path: Path, count: int, legacy: int | None = None) -> Path:
+def with_header_counts(path: Path, count: int, legacy: int | None = None) -> Path:
     """Change the counts in the header of a file."""
     content = bytearray(path.read_bytes())
     if content[24:26] == b"\x01\x04":
@@ -55,7 +55,7 @@ def counting(path: Path, count: int, legacy: int | None = None) -> Path:
     return path
 
 
-def extended(path: Path, after: bytes, records: int = 0) -> Path:
+def with_bytes_appended(path: Path, after: bytes, records: int = 0) -> Path:
     """Append bytes after the points; as extended records if their number is given."""
     content = bytearray(path.read_bytes())
     if records:
@@ -98,7 +98,7 @@ def test_all_points_are_read_if_the_header_counts_fewer(
     tmp_path: Path, ending: str, point_format: int, version: str, counted: int
 ) -> None:
     path = las(tmp_path / f"a.{ending}", 1500, point_format, version)
-    counting(path, counted, legacy=counted)
+    with_header_counts(path, counted, legacy=counted)
     require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.level) == ("file.header_count", Level.WARNING)
@@ -117,15 +117,15 @@ def test_correct_counts_have_no_message(
     assert messages(path) == []
 
 
-@pytest.mark.parametrize(("counted", "held"), [(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
+@pytest.mark.parametrize(("counted", "stored"), [(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
 @pytest.mark.parametrize("point_format", [1, 6])
 def test_laz_points_are_counted_over_several_chunks(
-    tmp_path: Path, point_format: int, counted: int, held: int
+    tmp_path: Path, point_format: int, counted: int, stored: int
 ) -> None:
-    path = counting(las(tmp_path / "a.laz", held, point_format), counted, legacy=0)
-    assert las_chunks.point_count(path) == held
-    np.testing.assert_array_equal(read(path)[1], times(held))
-    assert [message.params["held"] for message in messages(path)] == [held]
+    path = with_header_counts(las(tmp_path / "a.laz", stored, point_format), counted, legacy=0)
+    assert las_chunks.point_count(path) == stored
+    np.testing.assert_array_equal(read(path)[1], times(stored))
+    assert [message.params["held"] for message in messages(path)] == [stored]
 
 
 @pytest.mark.parametrize("counted", [0, 900, 1500])
@@ -154,7 +154,7 @@ def test_laz_chunks_of_variable_size_are_counted(
             compressor.compress_many(content[start + first * size : start + last * size])
             compressor.finish_current_chunk()
         compressor.done()
-    counting(path, counted, legacy=0)
+    with_header_counts(path, counted, legacy=0)
     require_all_read(path, 1500)
     assert len(messages(path)) == (counted != 1500)
 
@@ -162,14 +162,14 @@ def test_laz_chunks_of_variable_size_are_counted(
 def test_a_correct_legacy_count_is_a_note(tmp_path: Path) -> None:
     """LAS 1.4 whose 64-bit count is zero or wrong: all points are read, with a note."""
     for counted in (0, 2000):
-        path = counting(las(tmp_path / "a.las", 1500, 1), counted, legacy=1500)
+        path = with_header_counts(las(tmp_path / "a.las", 1500, 1), counted, legacy=1500)
         require_all_read(path, 1500)
         (message,) = messages(path)
         assert (message.code, message.level) == ("file.legacy_count", Level.NOTE)
 
 
 def test_a_legacy_count_that_differs_is_a_note(tmp_path: Path) -> None:
-    path = counting(las(tmp_path / "a.las", 1500, 1), 1500, legacy=40)
+    path = with_header_counts(las(tmp_path / "a.las", 1500, 1), 1500, legacy=40)
     require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.params["legacy"]) == ("file.legacy_count", 40)
@@ -179,7 +179,7 @@ def test_a_legacy_count_that_differs_is_a_note(tmp_path: Path) -> None:
 def test_extended_records_are_not_points(tmp_path: Path, counted: int) -> None:
     path = las(tmp_path / "a.las", 1500)
     record = struct.pack("<H16sHQ32s", 0, b"own", 1, 3000, b"") + bytes(range(1, 251)) * 12
-    counting(extended(path, record, 1), counted)
+    with_header_counts(with_bytes_appended(path, record, 1), counted)
     require_all_read(path, 1500)
     assert [m.params["held"] for m in messages(path)] == [1500] * (counted != 1500)
 
@@ -187,14 +187,16 @@ def test_extended_records_are_not_points(tmp_path: Path, counted: int) -> None:
 def test_reserved_space_is_not_read_as_points(tmp_path: Path) -> None:
     """Recorders reserve space for points, and may stop before they write the count."""
     for counted in (1500, 0):
-        path = counting(extended(las(tmp_path / "a.las", 1500), bytes(30 * 5000)), counted)
+        path = with_header_counts(
+            with_bytes_appended(las(tmp_path / "a.las", 1500), bytes(30 * 5000)), counted
+        )
         require_all_read(path, 1500)
         assert [m.code for m in messages(path)] == ["file.header_count"] * (counted == 0)
 
 
 def test_other_bytes_after_the_points_are_reported(tmp_path: Path) -> None:
     noise = np.random.default_rng(0).integers(1, 255, 3000, dtype=np.uint8).tobytes()
-    path = extended(las(tmp_path / "a.las", 1500), noise)
+    path = with_bytes_appended(las(tmp_path / "a.las", 1500), noise)
     require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.params["bytes"]) == ("file.unread_bytes", 3000)
@@ -202,7 +204,7 @@ def test_other_bytes_after_the_points_are_reported(tmp_path: Path) -> None:
 
 def test_an_incomplete_last_record_is_ignored(tmp_path: Path) -> None:
     """The recorder stopped: the count is zero and the last record is incomplete."""
-    path = counting(las(tmp_path / "a.las", 1500), 0)
+    path = with_header_counts(las(tmp_path / "a.las", 1500), 0)
     path.write_bytes(path.read_bytes()[:-11])
     assert las_chunks.point_count(path) == 1499
     np.testing.assert_array_equal(read(path)[1], times(1499))
@@ -212,7 +214,7 @@ def test_an_incomplete_last_record_is_ignored(tmp_path: Path) -> None:
 @pytest.mark.parametrize("ending", ["las", "laz"])
 @pytest.mark.parametrize("point_format", [1, 6])
 def test_missing_points_are_refused(tmp_path: Path, ending: str, point_format: int) -> None:
-    path = counting(las(tmp_path / f"a.{ending}", 1500, point_format), 2000, legacy=0)
+    path = with_header_counts(las(tmp_path / f"a.{ending}", 1500, point_format), 2000, legacy=0)
     for task in (lambda: read(path), lambda: read_scan(path), lambda: messages(path)):
         with pytest.raises(InputError) as refused:
             task()
@@ -223,7 +225,7 @@ def test_missing_points_are_refused(tmp_path: Path, ending: str, point_format: i
 
 def test_all_points_of_a_reference_without_times_are_read(tmp_path: Path) -> None:
     for ending in ("las", "laz"):
-        path = counting(las(tmp_path / f"a.{ending}", 600, 0, "1.2"), 200)
+        path = with_header_counts(las(tmp_path / f"a.{ending}", 600, 0, "1.2"), 200)
         np.testing.assert_allclose(
             np.concatenate(list(las_chunks.read_coordinates(path))), places(600), atol=1e-6
         )
@@ -251,8 +253,8 @@ def test_all_points_of_ply_and_pcd_are_read(tmp_path: Path, name: str, counted: 
     content = path.read_bytes()
     assert old.encode() in content
     path.write_bytes(content.replace(old.encode(), new.format(counted).encode(), 1))
-    for mine, right in zip(read(path, key), whole, strict=True):
-        np.testing.assert_array_equal(mine, right)
+    for values, expected in zip(read(path, key), whole, strict=True):
+        np.testing.assert_array_equal(values, expected)
     (message,) = messages(path, key)
     assert message.code == "file.header_count"
     assert (message.params["header"], message.params["held"]) == (counted, 60)

@@ -293,10 +293,10 @@ def test_absolute_time_stamps_of_e57(tmp_path: Path) -> None:
     assert found.choice["time_from"] == "zero"
     assert "e57.large_time_stamps" in codes(found.file_warnings)
     np.testing.assert_allclose(whole(FORMATS["e57"], path).time, files.TIME)
-    silent = files.e57(tmp_path / "b.e57", start=0.0)
-    assert FORMATS["e57"].preview(silent, {}).choice["time_from"] == "zero"
+    without_absolute_time = files.e57(tmp_path / "b.e57", start=0.0)
+    assert FORMATS["e57"].preview(without_absolute_time, {}).choice["time_from"] == "zero"
     with pytest.raises(InputError, check=has_code("e57.no_start")):
-        list(FORMATS["e57"].read(silent, {}))
+        list(FORMATS["e57"].read(without_absolute_time, {}))
 
 
 def test_cidco_and_plane_files_keep_their_poses(tmp_path: Path) -> None:

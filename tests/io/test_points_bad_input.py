@@ -98,7 +98,7 @@ def test_a_wrong_byte_order_is_refused(tmp_path: Path, made: dict[str, Path]) ->
     assert "not usable numbers" in refusal_text(damaged(tmp_path, "a.ply", wrong), "a.ply")
 
 
-def unusable(path: Path, name: str) -> list[int]:
+def indices_not_finite(path: Path, name: str) -> list[int]:
     """Return the indices of points that are excluded as not finite."""
     format = FORMATS[files.VALID_FILES[name][0]]
     screen = PointScreen(PointSelection(), ranged=True)
@@ -122,18 +122,18 @@ def test_points_that_are_not_finite_are_excluded(tmp_path: Path, value: float, c
         "property double time\nend_header\n"
     )
     data = head.encode() + np.column_stack([xyz, time]).astype("<f8").tobytes()
-    assert unusable(damaged(tmp_path, "a.ply", data), "a.ply") == [6]
+    assert indices_not_finite(damaged(tmp_path, "a.ply", data), "a.ply") == [6]
     rows = "\n".join(f"{t} {x} {y} {z}" for t, (x, y, z) in zip(time, xyz, strict=True))
     text = damaged(tmp_path, "a.csv", b"time x y z\n" + rows.encode() + b"\n")
-    assert unusable(text, "a.csv") == [6]
+    assert indices_not_finite(text, "a.csv") == [6]
     records = np.fromfile(files.cidco(tmp_path / "cidco"), "<f8").reshape(-1, 22)
     records[6, 4 if column == "x" else 3] = value
-    assert unusable(damaged(tmp_path, "cidco", records.tobytes()), "cidco") == [6]
+    assert indices_not_finite(damaged(tmp_path, "cidco", records.tobytes()), "cidco") == [6]
     if column == "time":
         las = laspy.read(files.las(tmp_path / "a.las"))
         las.gps_time[6] = value
         las.write(tmp_path / "b.las")
-        assert unusable(tmp_path / "b.las", "a.las") == [6]
+        assert indices_not_finite(tmp_path / "b.las", "a.las") == [6]
 
 
 def test_points_without_time_are_refused(tmp_path: Path) -> None:
@@ -294,9 +294,9 @@ def test_a_file_removed_while_it_is_read_is_read_to_its_end(
     monkeypatch.setattr("lispac.io.points.ply.POINTS_PER_CHUNK", 10)
     path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
     chunks = FORMATS["ply"].read(path, {})
-    held = len(next(chunks).time)
+    first_count = len(next(chunks).time)
     path.unlink()
-    assert held + sum(len(chunk.time) for chunk in chunks) == files.COUNT
+    assert first_count + sum(len(chunk.time) for chunk in chunks) == files.COUNT
     assert "file.not_found" in refusal_text(path, "a.ply")
 
 

@@ -18,7 +18,7 @@ from tests.support.message_codes import codes
 from tests.support.trajectory_files import vessel, write_records
 
 
-def clocked(seconds: np.ndarray) -> list[str]:
+def clock_texts(seconds: np.ndarray) -> list[str]:
     texts = []
     for t in np.mod(seconds, DAY):
         texts.append(f"{int(t // 3600):02d}:{int(t % 3600 // 60):02d}:{t % 60:09.6f}")
@@ -37,7 +37,7 @@ def track(tmp_path: Path) -> Path:
 
 
 def rows_of(times: np.ndarray) -> str:
-    return "\n".join(f"{c},{k % 5},10.5,{k % 7}" for k, c in enumerate(clocked(times)))
+    return "\n".join(f"{c},{k % 5},10.5,{k % 7}" for k, c in enumerate(clock_texts(times)))
 
 
 def test_the_reader_gives_seconds_of_the_day(times, tmp_path) -> None:
@@ -78,7 +78,7 @@ def test_a_row_with_an_invalid_clock_time_is_named(times, tmp_path) -> None:
 
 
 def test_times_of_another_form_are_refused(track, times, tmp_path, capsys) -> None:
-    rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
+    rows = [f"2023-05-09T{c}Z,1,2,3" for c in clock_texts(times)]
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
     command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]
     with pytest.raises(LispacError, match=r"L\.csv") as refused:

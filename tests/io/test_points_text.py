@@ -24,7 +24,7 @@ TEXT = format_of("text")
 HEADER = "time x y z\n1 2 3 4\n"
 
 
-def refused(path: Path, choice: dict[str, str] | None = None) -> str:
+def refusal_text(path: Path, choice: dict[str, str] | None = None) -> str:
     return str(error_of(path, choice)).removeprefix(str(path))
 
 

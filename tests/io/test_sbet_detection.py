@@ -341,11 +341,11 @@ def test_a_file_that_is_lost_during_detection_is_reported(
     path = write_records(tmp_path / "a.sbet", vessel(200))
     assert len(sample_blocks(path)[0][0]) == sample_blocks(path)[1] == 200
     assert sample_blocks(tmp_path / "absent") == ([], 0)
-    monkeypatch.setattr("lispac.io.trajectory.sbet_detection.np.memmap", lost)
+    monkeypatch.setattr("lispac.io.trajectory.sbet_detection.np.memmap", raise_io_error)
     with pytest.raises(InputError) as refused:
         detect_sbet(path)
     assert refused.value.message == error("sbet.not_readable", file=str(path))
 
 
-def lost(*_: object, **__: object) -> np.ndarray:
+def raise_io_error(*_: object, **__: object) -> np.ndarray:
     raise OSError(5, "Input/output error")

@@ -16,7 +16,7 @@ def written(folder: Path, text: str, *, encoding: str = "utf-8") -> Path:
     return path
 
 
-def named(found: PointList) -> list[tuple[str, tuple[float, float, float]]]:
+def names_and_coordinates(found: PointList) -> list[tuple[str, tuple[float, float, float]]]:
     return [(point.name, point.coordinates) for point in found.points]
 
 
@@ -40,7 +40,7 @@ def named(found: PointList) -> list[tuple[str, tuple[float, float, float]]]:
 def test_lists_are_read_in_various_notations(tmp_path: Path, text: str) -> None:
     for encoding in ("utf-8", "utf-8-sig", "utf-16"):
         path = written(tmp_path, text, encoding=encoding)
-        assert named(read_point_list(path)) == THREE_SEEDS
+        assert names_and_coordinates(read_point_list(path)) == THREE_SEEDS
         assert is_point_list(path)
 
 
@@ -48,7 +48,7 @@ def test_roles_are_read_and_unnamed_points_are_named(tmp_path: Path) -> None:
     found = read_point_list(written(tmp_path, "A 1 2 3 v\nB 4 5 6 T\nC 7 8 9\n"))
     assert [point.role for point in found.points] == ["validation", "target", None]
     found = read_point_list(written(tmp_path, "1.5 2 3\n4 5 6\n"))
-    assert named(found) == [("", (1.5, 2.0, 3.0)), ("", (4.0, 5.0, 6.0))]
+    assert names_and_coordinates(found) == [("", (1.5, 2.0, 3.0)), ("", (4.0, 5.0, 6.0))]
     assert found.columns == ("x", "y", "z")
     assert not found.are_columns_given
     assert not is_point_list(found.path)
@@ -60,17 +60,17 @@ def test_named_or_given_columns_decide_the_order(tmp_path: Path) -> None:
     text = "pt,northing,easting,elevation,description\n1,5041635.7,614119.5,8.1,board\n"
     on_map = (614119.5, 5041635.7, 8.1)
     found = read_point_list(written(tmp_path, text), local=False)
-    assert named(found) == [("1", on_map)]
+    assert names_and_coordinates(found) == [("1", on_map)]
     assert found.are_columns_given
     bare = written(tmp_path, text.split("\n")[1])
-    stated = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
-    assert named(stated) == [("1", on_map)]
+    with_columns = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
+    assert names_and_coordinates(with_columns) == [("1", on_map)]
     words = read_point_list(bare, columns=["point", "northing", "easting", "h"], local=False)
-    assert named(words) == [("1", on_map)]
+    assert names_and_coordinates(words) == [("1", on_map)]
     # Given columns take precedence over those named in the file.
     path = written(tmp_path, text)
     again = read_point_list(path, columns=["-", "y", "x", "z", "name"], local=False)
-    assert named(again) == [("board", on_map)]
+    assert names_and_coordinates(again) == [("board", on_map)]
 
 
 def test_degrees_minutes_and_seconds_are_read(tmp_path: Path) -> None:

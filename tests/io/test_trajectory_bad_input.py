@@ -29,7 +29,7 @@ def outcome(
         return None, str(error)
 
 
-def good(key: str, path: Path) -> Path:
+def write_valid(key: str, path: Path) -> Path:
     """Write a valid file of this format."""
     records = vessel(200)
     if key == "sbet":
@@ -48,7 +48,7 @@ def good(key: str, path: Path) -> Path:
     return path
 
 
-def refused(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
+def refusal_text(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
     """Return code and text of the error of `error_of`."""
     error = error_of(key, path, choice)
     return f"{error.code} {error}".lstrip()
@@ -58,22 +58,22 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
     """Return the error of a refused file, whose text names the file and an action."""
     with pytest.raises(InputError) as error:
         format_of(key).read(path, choice or {})
-    told = str(error.value)
-    assert str(path) in told
-    assert "\n" not in told
-    assert told.endswith((".", ".)"))
+    text = str(error.value)
+    assert str(path) in text
+    assert "\n" not in text
+    assert text.endswith((".", ".)"))
     assert re.search(
         r"export|choose|check|state|give|sort|copy|name |read the file as|does not exist",
-        told, re.IGNORECASE,
-    ), told  # fmt: skip
+        text, re.IGNORECASE,
+    ), text  # fmt: skip
     return error.value
 
 
 def examine(key: str, path: Path) -> None:
     """Preview a file, which must give warnings or a refusal and no other error."""
-    finding, told = outcome(format_of(key).preview, path, {})
+    finding, refusal = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
-    assert finding is not None or str(path) in told
+    assert finding is not None or str(path) in refusal
     assert all(message.params["file"] == path.name for message in file_warnings), file_warnings
     assert all(message_text(message).rstrip(")").endswith(".") for message in file_warnings), (
         file_warnings
@@ -85,7 +85,7 @@ ALL_FORMATS = BINARY + TEXT
 
 @pytest.mark.parametrize("key", ALL_FORMATS)
 def test_a_valid_file_is_read(tmp_path: Path, key: str) -> None:
-    path = good(key, tmp_path / "a.dat")
+    path = write_valid(key, tmp_path / "a.dat")
     format = format_of(key)
     assert format.sniff(path) > 0
     assert len(format.read(path, format.preview(path, {}).choice).time) == 200
@@ -96,26 +96,26 @@ def test_missing_and_empty_files_and_folders_are_refused(tmp_path: Path, key: st
     (tmp_path / "empty").touch()
     for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "file.folder")):
         path = tmp_path / name
-        assert re.search(words, refused(key, path))
+        assert re.search(words, refusal_text(key, path))
         assert format_of(key).sniff(path) == 0
         examine(key, path)
 
 
 @pytest.mark.parametrize("key", BINARY)
 def test_truncated_binary_files_are_refused(tmp_path: Path, key: str) -> None:
-    path = good(key, tmp_path / "a.out")
+    path = write_valid(key, tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
-    assert "file.partial_record" in refused(key, path)
+    assert "file.partial_record" in refusal_text(key, path)
     assert "file.partial_record" in codes(format_of(key).preview(path, {}).file_warnings)
     assert recognise_formats(path, format_of(key).kind)[0][0].key == key
 
 
 @pytest.mark.parametrize("key", TEXT)
 def test_truncated_text_names_the_row(tmp_path: Path, key: str) -> None:
-    path = good(key, tmp_path / "a.txt")
+    path = write_valid(key, tmp_path / "a.txt")
     path.write_text(path.read_text()[:-75])
     rows = len(path.read_text().splitlines())
-    assert f"row {rows}: " in refused(key, path)
+    assert f"row {rows}: " in refusal_text(key, path)
     assert any(
         each.params.get("row") == rows for each in format_of(key).preview(path, {}).file_warnings
     )
@@ -136,7 +136,7 @@ def test_files_of_other_content_are_refused(tmp_path: Path, key: str) -> None:
         path = tmp_path / name
         path.write_bytes(content)
         assert format_of(key).sniff(path) < 0.7, name
-        refused(key, path)
+        refusal_text(key, path)
         examine(key, path)
 
 
@@ -200,7 +200,7 @@ SBET_CODES: dict[str, tuple[Callable[[np.ndarray], None], str, dict[str, object]
 def test_changed_sbet_records_are_read_refused_or_reported(tmp_path: Path, case: str) -> None:
     change, words = SBET_OUTCOMES[case]
     path = records_with(change)(tmp_path / "a.sbet")
-    assert re.search(words, refused("sbet", path))
+    assert re.search(words, refusal_text("sbet", path))
     examine("sbet", path)
 
 
@@ -217,7 +217,7 @@ def test_impossible_states_of_an_sbet_are_refused(tmp_path: Path, case: str) -> 
 
 def test_an_sbet_of_the_other_byte_order(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(200), order=">")
-    refused("sbet", path)
+    refusal_text("sbet", path)
     assert "sbet.big_endian" in codes(format_of("sbet").preview(path, {}).file_warnings)
 
 
@@ -227,7 +227,7 @@ def test_a_single_record_is_refused(tmp_path: Path) -> None:
 
 
 def test_negative_accuracies_of_an_smrmsg_are_refused(tmp_path: Path) -> None:
-    path = good("smrmsg", tmp_path / "a.out")
+    path = write_valid("smrmsg", tmp_path / "a.out")
     records = np.fromfile(path).reshape(-1, 10)
     records[3, 2] = -1
     records.tofile(path)
@@ -237,7 +237,7 @@ def test_negative_accuracies_of_an_smrmsg_are_refused(tmp_path: Path) -> None:
 
 def edited(key: str, path: Path, edit: Callable[[list[str]], list[str]]) -> Path:
     """Write a valid text file with its rows changed."""
-    good(key, path)
+    write_valid(key, path)
     path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
     return path
 
@@ -263,7 +263,7 @@ def test_a_value_that_is_not_a_number_is_refused(
 ) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value or "-"))
     row = len(path.read_text().splitlines()) - 2
-    assert f"row {row}: " in refused(key, path)
+    assert f"row {row}: " in refusal_text(key, path)
 
 
 @pytest.mark.parametrize(
@@ -279,10 +279,10 @@ def test_backward_times_in_text_are_reported(
 ) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value))
     row = len(path.read_text().splitlines()) - 2
-    told = refused(key, path)
-    assert "file.time_order_row" in told
-    assert f"row {row} " in told
-    assert "0 repeated and 1 decreasing times among 200" in told
+    refusal = refusal_text(key, path)
+    assert "file.time_order_row" in refusal
+    assert f"row {row} " in refusal
+    assert "0 repeated and 1 decreasing times among 200" in refusal
 
 
 @pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])
@@ -307,7 +307,7 @@ def test_text_without_its_header_is_refused(tmp_path: Path, key: str) -> None:
 
 
 def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:
-    path = good("exail-text", tmp_path / "a.txt")
+    path = write_valid("exail-text", tmp_path / "a.txt")
     message = error_of("exail-sigmas", path).message
     assert message is not None
     assert (message.code, message.params["column"]) == ("trajectory.no_column", "north_sd")
@@ -344,7 +344,7 @@ def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:
 def test_invalid_choices_are_refused(
     tmp_path: Path, choice: dict[str, str], code: str | None, params: dict[str, object]
 ) -> None:
-    path = good("ascii-trajectory", tmp_path / "a.txt")
+    path = write_valid("ascii-trajectory", tmp_path / "a.txt")
     if code is None:  # both are on Earth: only the course shows the exchange
         assert format_of("ascii-trajectory").read(path, choice)
         return
@@ -386,13 +386,13 @@ def test_wrong_coordinate_systems_of_trajectories_are_refused(
 
 
 def test_a_file_without_permission_is_refused(tmp_path: Path) -> None:
-    path = good("sbet", tmp_path / "a.sbet")
+    path = write_valid("sbet", tmp_path / "a.sbet")
     path.chmod(0)
     try:
         path.read_bytes()
     except PermissionError:
         for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS):
-            assert "permission" in refused(format.key, path)
+            assert "permission" in refusal_text(format.key, path)
             assert format.sniff(path) == 0
     else:
         pytest.skip("this user may read everything")

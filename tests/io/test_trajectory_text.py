@@ -38,8 +38,8 @@ def test_decimal_commas_are_read(tmp_path: Path, separator: str) -> None:
     path.write_text(text_of(records, separator, ","), encoding="utf-8")
     assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
-    entry = examine_file(path)
-    assert (entry.role, entry.error) == ("trajectory", None)
+    input_file = examine_file(path)
+    assert (input_file.role, input_file.error) == ("trajectory", None)
 
 
 @pytest.mark.parametrize(("separator", "sign"), [(",", "."), (",", ","), (";", ","), ("\t", ".")])
@@ -94,9 +94,9 @@ def test_a_refused_trajectory_is_reported_once_without_its_path(tmp_path: Path) 
     rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
     input_files = InputFiles().with_files([path]).with_changed_file(examine_file(path))
-    remarks = input_files.messages(input_files.files[0])
-    about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
-    assert [remark.level for remark in about] == [Level.ERROR]
+    messages = input_files.messages(input_files.files[0])
+    about = [message for message in messages if message.code == "trajectory.no_system"]
+    assert [message.level for message in about] == [Level.ERROR]
     assert about[0].params["file"] == path.name
     assert option_to_choose(about[0].actions[0]) == "crs"
     assert all(each.params["file"] == path.name for each in POSPAC.preview(path, {}).file_warnings)

@@ -67,7 +67,7 @@ def write(path: Path, head: str, rows: np.ndarray, separator: str) -> Path:
     return path
 
 
-def off(trajectory: Trajectory, records: np.ndarray) -> float:
+def largest_position_error(trajectory: Trajectory, records: np.ndarray) -> float:
     """Return the largest error of positions in metres."""
     north = (trajectory.latitude - records[:, 1]) * 6.4e6
     east = (trajectory.longitude - records[:, 2]) * 6.4e6 * np.cos(records[:, 1])
@@ -87,7 +87,7 @@ def test_pospac_positions_are_converted_to_the_unit_of_the_system(
     rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
     path = write(tmp_path / "a.txt", POSPAC_HEAD.format(word), rows, " ")
     assert recognise_formats(path, "trajectory")[0][0] is POSPAC
-    assert off(POSPAC.read(path, {"crs": crs}), records) < 1e-4
+    assert largest_position_error(POSPAC.read(path, {"crs": crs}), records) < 1e-4
 
 
 @pytest.mark.parametrize(
@@ -101,7 +101,7 @@ def test_feet_without_a_name_are_the_feet_of_the_system(
     rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
     path = write(tmp_path / "a.txt", POSPAC_HEAD.format("Feet"), rows, " ")
     trajectory = POSPAC.read(path, {"crs": crs})
-    assert off(trajectory, records) < 1e-4
+    assert largest_position_error(trajectory, records) < 1e-4
     easting = name_of_unit(trajectory, "EASTING")
     of_system = {
         NEW_JERSEY: note("unit.feet_of_system", unit=US_FEET),
@@ -131,7 +131,7 @@ def test_generic_text_uses_the_unit_in_the_names(
     path = write(tmp_path / "a.csv", head, rows, ",")
     finding = ASCII.preview(path, {"crs": NEW_JERSEY})
     trajectory = ASCII.read(path, finding.choice)
-    assert off(trajectory, records) < 1e-4
+    assert largest_position_error(trajectory, records) < 1e-4
     assert name_of_unit(trajectory, "easting") == name
 
 
@@ -139,8 +139,11 @@ def test_a_given_unit_takes_precedence_over_the_names(tmp_path: Path) -> None:
     records, rows = gridded(NEW_JERSEY, FOOT)
     head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
-    stated = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
-    assert off(ASCII.read(path, ASCII.preview(path, stated).choice), records) < 1e-4
+    options = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
+    assert (
+        largest_position_error(ASCII.read(path, ASCII.preview(path, options).choice), records)
+        < 1e-4
+    )
 
 
 def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path: Path) -> None:
@@ -148,13 +151,13 @@ def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path:
     head = "Time,Easting,Northing,Height,Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
     finding = ASCII.preview(path, {"crs": NEW_JERSEY})
-    assert off(ASCII.read(path, finding.choice), records) < 1e-4
+    assert largest_position_error(ASCII.read(path, finding.choice), records) < 1e-4
     assert "trajectory.height_unit_not_stated" in codes(finding.file_warnings)
     rows[:, 3] /= SURVEY_FOOT
     write(path, head, rows, ",")
     finding = ASCII.preview(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
     trajectory = ASCII.read(path, finding.choice)
-    assert off(trajectory, records) < 1e-4
+    assert largest_position_error(trajectory, records) < 1e-4
     assert name_of_unit(trajectory, "height") == note("unit.as_in_system", unit=US_FEET)
     assert "trajectory.height_unit_not_stated" not in codes(finding.file_warnings)
 
@@ -165,7 +168,10 @@ def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit
     rows[:, 5] *= -1
     path = write(tmp_path / "a.txt", EXAIL_HEAD.format(word), rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
     assert recognise_formats(path, "trajectory")[0][0] is EXAIL
-    assert off(EXAIL.read(path, {"crs": NEW_JERSEY, "time": "gps-week"}), records) < 1e-4
+    assert (
+        largest_position_error(EXAIL.read(path, {"crs": NEW_JERSEY, "time": "gps-week"}), records)
+        < 1e-4
+    )
     with pytest.raises(InputError, match=r"a\.txt") as refused:
         EXAIL.read(path, {"time": "gps-week"})
     assert refused.value.code == "trajectory.no_system"
@@ -234,9 +240,9 @@ def test_a_jump_of_an_sbet_gives_a_warning(tmp_path: Path) -> None:
     assert "trajectory.jumps" in codes(SBET.preview(path, {}).file_warnings)
 
 
-@pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
+@pytest.mark.parametrize(("unit", "is_warned"), [(FOOT, True), (1.0, False)])
 def test_positions_outside_the_area_of_the_system_give_a_warning(
-    tmp_path: Path, unit: float, said: bool
+    tmp_path: Path, unit: float, is_warned: bool
 ) -> None:
     """The positions are in feet without a statement, in a system in metres."""
     _, rows = gridded(UTM, unit)
@@ -246,11 +252,11 @@ def test_positions_outside_the_area_of_the_system_give_a_warning(
         for each in ASCII.preview(path, {"crs": UTM}).file_warnings
         if each.code == "trajectory.other_area"
     ]
-    assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if said else [])
+    assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if is_warned else [])
 
 
-@pytest.mark.parametrize("look", [True, False])
-def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
+@pytest.mark.parametrize("with_preview", [True, False])
+def test_heights_in_degrees_are_refused(tmp_path: Path, with_preview: bool) -> None:
     _, rows = gridded(UTM, 1.0)
     head = EXAIL_HEAD.format("meter").replace("Ellipsoid height, meter", "Ellipsoid height, degree")
     path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
@@ -258,7 +264,7 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
         EXAIL.read(path, {"crs": UTM})
     column = {"file": str(path), "column": "ellipsoidHeight", "unit": "deg"}
     assert refused.value.message == error("trajectory.not_a_length", **column)
-    if look:
+    if with_preview:
         named = warning("trajectory.not_a_length", **{**column, "file": path.name})
         assert named in EXAIL.preview(path, {"crs": UTM}).file_warnings
 

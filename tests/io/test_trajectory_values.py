@@ -13,7 +13,7 @@ from lispac.io.trajectory.trajectory_facts import time_warnings
 from lispac.io.trajectory.trajectory_preview import accuracy_facts
 from lispac.messages import error, note, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
-from tests.io.test_trajectory_bad_input import edited, error_of, field, good
+from tests.io.test_trajectory_bad_input import edited, error_of, field, write_valid
 from tests.support.message_codes import codes
 from tests.support.trajectory_files import vessel, write_delph, write_pospac, write_records
 
@@ -28,7 +28,7 @@ def test_a_negative_standard_deviation_in_text_is_refused(tmp_path: Path) -> Non
 
 
 def test_rows_with_a_date_are_not_in_a_time_of_the_week(tmp_path: Path) -> None:
-    path = good("exail-text", tmp_path / "a.txt")
+    path = write_valid("exail-text", tmp_path / "a.txt")
     message = error_of("exail-text", path, {"time": "gps-week"}).message
     assert message == error("trajectory.dates", file=str(path), base="gps-week")
 
@@ -88,12 +88,12 @@ def test_a_heading_of_many_turns_must_be_reached_by_turning() -> None:
     heading = np.linspace(12.5, 12.6, 11)
     level = np.zeros(11)
     require_attitude(Path("a"), np.arange(11.0), (level, level, heading))
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         require_attitude(Path("a"), np.arange(11) / 10, (level, level, heading))
     first = int(np.argmax(heading > 4 * np.pi))
-    assert told.value.code == "trajectory.attitude_in_record"
-    assert told.value.message is not None
-    assert told.value.message.params == {
+    assert caught.value.code == "trajectory.attitude_in_record"
+    assert caught.value.message is not None
+    assert caught.value.message.params == {
         "file": "a", "number": first + 1, "roll": 0.0, "pitch": 0.0, "heading": heading[first],
     }  # fmt: skip
 
@@ -146,7 +146,7 @@ def test_comments_at_the_end_of_text_are_skipped(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)
-    path = good("exail-text", tmp_path / "a.txt")
+    path = write_valid("exail-text", tmp_path / "a.txt")
     plain = EXAIL.preview(path, {})
     with path.open("a") as file:
         file.write("# end of the export\n\n")

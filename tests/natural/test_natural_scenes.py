@@ -136,17 +136,22 @@ def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -
 @pytest.mark.long
 @pytest.mark.timeout(3600)
 def test_intervals_have_the_stated_coverage_on_two_hundred_scenes() -> None:
-    answers = [each for each in study(200) if each.error is not None]
-    assert len(answers) >= 150
-    calm = [each for each in answers if not each.serious]
-    assert len(calm) >= 100
-    covered, covered_calm = (
+    results = [each for each in study(200) if each.error is not None]
+    assert len(results) >= 150
+    without_warning = [each for each in results if not each.serious]
+    assert len(without_warning) >= 100
+    covered, covered_without_warning = (
         np.mean([np.abs(each.error) < 1.96 * each.sigma for each in some], axis=0)
-        for some in (answers, calm)
+        for some in (results, without_warning)
     )
-    print(f"{len(calm)} of {len(answers)} scenes without a serious warning: {covered_calm}")
+    print(
+        f"{len(without_warning)} of {len(results)} scenes without a serious warning: "
+        f"{covered_without_warning}"
+    )
     assert ((covered >= 0.90) & (covered <= 0.98)).all(), covered
-    assert ((covered_calm >= 0.90) & (covered_calm <= 0.98)).all(), covered_calm
-    ratio = np.array([each.sigma / each.predicted for each in answers])
+    assert ((covered_without_warning >= 0.90) & (covered_without_warning <= 0.98)).all(), (
+        covered_without_warning
+    )
+    ratio = np.array([each.sigma / each.predicted for each in results])
     print(f"stated over predicted, median {np.median(ratio, axis=0)}")
     assert (np.abs(np.median(ratio, axis=0) - 1) < MAX_SIGMA_DIFFERENCE).all()

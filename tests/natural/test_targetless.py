@@ -26,7 +26,7 @@ from lispac.workflow.output.export import write_report
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.sharing import make_once
 from tests.workflow.test_reference_surveys import angles, make
 
@@ -224,7 +224,7 @@ def test_harbour_from_the_command_line(
     make(
         capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
     )
-    numbers = answer(capsys, "targetless", project)
+    numbers = run_json(capsys, "targetless", project)
     off = np.abs(angles(numbers, "boresight_deg") - truth)
     assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
     assert numbers["disagreeing_lines"] == []
@@ -247,7 +247,7 @@ def test_targets_and_natural_surfaces_are_combined(thinned: Opened) -> None:
     assert (off < 3).all(), off
     assert project.result is not None
     assert (found.result.sigma < project.result.sigma).all()
-    taken = {
+    points_of_targets = {
         (sighting.line, number)
         for target in found.project.targets[: found.targets]
         for sighting in target.sightings
@@ -255,7 +255,9 @@ def test_targets_and_natural_surfaces_are_combined(thinned: Opened) -> None:
     }
     for surface in found.project.targets[found.targets :]:
         for sighting in surface.sightings:
-            assert not any((sighting.line, n) in taken for n in sighting.indices.tolist())
+            assert not any(
+                (sighting.line, n) in points_of_targets for n in sighting.indices.tolist()
+            )
 
 
 def test_invalid_combinations_are_refused(
@@ -307,7 +309,7 @@ def test_an_accepted_result_is_kept_beside_the_targets(
     kept = with_targetless_result(replace(project, targets=(plane,)), clean)
     assert kept.is_targetless
     assert kept.targets_of_role("validation") == (plane,)
-    taken = replace(plane, name=clean.project.targets[0].name)
+    same_name = replace(plane, name=clean.project.targets[0].name)
     with pytest.raises(AdjustmentError) as raised:
-        with_targetless_result(replace(project, targets=(taken,)), clean)
+        with_targetless_result(replace(project, targets=(same_name,)), clean)
     assert raised.value.code == "targetless.name_taken"

@@ -25,7 +25,7 @@ degrees of freedom, at a level of 0.001.
 def test_clutter_has_little_effect_and_the_displaced_line_is_named(tmp_path: Path) -> None:
     """`test_targetless` does the same quickly with a single survey."""
     errors: dict[str, list[np.ndarray]] = {"clean": [], "clutter": [], "jump": []}
-    named, innocent, clean = [], [], []
+    named, others_named, clean = [], [], []
     for seed in range(1, 1 + SCENES):
         folder = tmp_path / str(seed)
         folder.mkdir()
@@ -42,17 +42,17 @@ def test_clutter_has_little_effect_and_the_displaced_line_is_named(tmp_path: Pat
             if name == "clean":
                 clean.append(bool(found.disagreeing))
         named.append(wrong in found.disagreeing)
-        innocent.append(bool({*found.disagreeing} - {wrong}))
-        told = *(np.degrees(errors[name][-1]).round(4) for name in errors), clean[-1]
-        print(seed, *told, wrong, found.disagreeing, flush=True)
+        others_named.append(bool({*found.disagreeing} - {wrong}))
+        rounded_errors = *(np.degrees(errors[name][-1]).round(4) for name in errors), clean[-1]
+        print(seed, *rounded_errors, wrong, found.disagreeing, flush=True)
     rms = {name: np.sqrt(np.mean(np.square(off), axis=0)) for name, off in errors.items()}
     cost = {name: np.sqrt(np.mean((own / rms["clean"]) ** 2)) for name, own in rms.items()}
     print(f"{SCENES} surveys, rms in deg:")
     for name, own in rms.items():
         print(f"  {name}: {np.degrees(own).round(4)}")
     print(
-        f"of the clean error: {cost}; named {np.mean(named):.2f}, another {np.mean(innocent):.2f}, "
-        f"any where nothing is wrong {np.mean(clean):.2f}"
+        f"of the clean error: {cost}; named {np.mean(named):.2f}, "
+        f"another {np.mean(others_named):.2f}, any where nothing is wrong {np.mean(clean):.2f}"
     )
     assert cost["clutter"] < 1.5
     assert cost["jump"] < 1.5

@@ -58,7 +58,7 @@ def test_confidence_intervals_have_their_nominal_coverage(tmp_path: Path) -> Non
         print(seed, np.round(found[-1], 2), flush=True)
         rmtree(folder)
     off = np.array(found)
-    held = (np.abs(off) < 1.96).mean(axis=0)
+    coverage = (np.abs(off) < 1.96).mean(axis=0)
     rms = np.sqrt((off**2).mean(axis=0))
-    print(f"\n{SCENES} scenes: 95 % intervals hold {np.round(held, 3)}, rms {np.round(rms, 2)}")
-    assert ((held >= 0.90) & (held <= 0.98)).all(), held
+    print(f"\n{SCENES} scenes: 95 % intervals hold {np.round(coverage, 3)}, rms {np.round(rms, 2)}")
+    assert ((coverage >= 0.90) & (coverage <= 0.98)).all(), coverage

@@ -36,7 +36,7 @@ from lispac.workflow.calibration.patch_test import (
 from lispac.workflow.planning.simulate import RAW_FOLDER, as_triple, write_lines, write_trajectory
 from lispac.workflow.project.projects import create_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.cli.test_cli import answer
+from tests.cli.test_cli import run_json
 from tests.support.command_errors import refused_with
 from tests.support.error_codes import has_code
 from tests.support.message_codes import codes
@@ -316,7 +316,7 @@ def test_the_patchtest_command_gives_the_same_result(
     capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTestResult
 ) -> None:
     folder = thinned[0].folder
-    numbers = answer(capsys, "patchtest", folder, "--count", OBJECT_COUNT)
+    numbers = run_json(capsys, "patchtest", folder, "--count", OBJECT_COUNT)
     np.testing.assert_allclose(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
@@ -340,7 +340,7 @@ def test_a_result_with_sigmas_is_saved(
 ) -> None:
     folder = tmp_path / "copy"
     shutil.copytree(thinned[0].folder, folder)
-    numbers = answer(capsys, "patchtest", folder, "--count", 8, "--save")
+    numbers = run_json(capsys, "patchtest", folder, "--count", 8, "--save")
     kept = open_project(folder).alternative_result("patch test")
     assert kept is not None
     np.testing.assert_allclose(np.degrees(kept.boresight), angles(numbers, "boresight_deg"))
@@ -394,7 +394,7 @@ def test_harbour_patch_test_by_command(
     make(
         capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out", "--lidar-sigma", 0.003
     )
-    numbers = answer(capsys, "patchtest", project)
+    numbers = run_json(capsys, "patchtest", project)
     off = np.abs(angles(numbers, "boresight_deg") - known)
     assert (off < 3 * angles(numbers, "sigma_deg")).all(), off
     assert numbers["sigma_deg"]["pitch"] < 0.03

@@ -92,8 +92,8 @@ def test_bad_input_is_refused_with_the_documented_message(
     assert line.endswith(".")
     assert re.search(ACTION, line, re.IGNORECASE)
     assert content_of_folder(scene) == before, "something was changed or left"
-    told = line.removeprefix("lispac: ").replace(f"{scene.folder}/", "")
-    assert told == rows()[name][0]
+    refusal = line.removeprefix("lispac: ").replace(f"{scene.folder}/", "")
+    assert refusal == rows()[name][0]
     (failure,) = errors
     assert failure.code
     with in_language("fr"):

@@ -28,10 +28,10 @@ def test_supported_python_is_accepted(version: tuple[int, int]) -> None:
 
 @pytest.mark.parametrize("version", [(3, 10), (3, 15)])
 def test_other_python_is_refused_in_one_line(version: tuple[int, int]) -> None:
-    complaint = bootstrap.unsupported_python_text(version)
-    assert complaint is not None
-    assert f"3.{version[1]}" in complaint
-    assert "\n" not in complaint
+    refusal = bootstrap.unsupported_python_text(version)
+    assert refusal is not None
+    assert f"3.{version[1]}" in refusal
+    assert "\n" not in refusal
 
 
 @pytest.mark.parametrize("module", [bootstrap, environment, system_packages])
@@ -148,9 +148,9 @@ def test_pip_output_becomes_a_few_lines() -> None:
     lines.append("  Downloading small-1.0-py3-none-any.whl (9.9 MB)")
     lines.append("  Downloading vtk-9.7.2-cp311-cp311-manylinux_2_28_x86_64.whl (139.4 MB)")
     lines.append("Installing collected packages: a, b")
-    said: list[str] = []
-    environment.pip_progress(lines, 40, said.append)
-    assert said == ["  25 of 40 packages", "  downloading vtk-9.7.2 (139 MB)", "  unpacking"]
+    printed: list[str] = []
+    environment.pip_progress(lines, 40, printed.append)
+    assert printed == ["  25 of 40 packages", "  downloading vtk-9.7.2 (139 MB)", "  unpacking"]
 
 
 # Folders
@@ -204,28 +204,30 @@ def test_a_display_that_does_not_answer_does_not_count(monkeypatch: pytest.Monke
 # System packages
 
 
-def missing(**answers: object) -> list[MissingComponent]:
-    """`missing_packages` of a complete system, except for the answers given by name."""
+def missing_components(**overrides: object) -> list[MissingComponent]:
+    """`missing_packages` of a complete system, except for the functions given by name."""
     system = {
         "loads": lambda _soname: True,
         "has_fonts": lambda: True,
         "which": lambda _name: "/usr/bin/Xvfb",
         "has_venv": lambda: True,
     }
-    return system_packages.missing_packages(for_tests=True, **{**system, **answers})
+    return system_packages.missing_packages(for_tests=True, **{**system, **overrides})
 
 
 def test_complete_system_lacks_nothing() -> None:
-    assert missing() == []
+    assert missing_components() == []
 
 
 def test_missing_library_names_its_package() -> None:
-    found = missing(loads=lambda soname: soname != "libxcb-cursor.so.0")
+    found = missing_components(loads=lambda soname: soname != "libxcb-cursor.so.0")
     assert found == [MissingComponent("libxcb-cursor.so.0", ("libxcb-cursor0",))]
 
 
 def test_missing_fonts_screen_and_venv_are_noticed() -> None:
-    found = missing(has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False)
+    found = missing_components(
+        has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False
+    )
     packages = [need.package_names[-1] for need in found]
     assert packages == ["fonts-dejavu-core", "xvfb", "poppler-utils", "python3-venv"]
 
@@ -274,16 +276,16 @@ def test_without_apt_the_packages_are_named() -> None:
 def test_root_installs_only_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[list[str]] = []
     monkeypatch.setattr(system_packages, "run_apt", lambda command: ran.append(list(command)))
-    said: list[str] = []
+    printed: list[str] = []
     needs = [MissingComponent("libGL.so.1", ("libgl1",))]
-    system_packages.ensure_packages(needs, root=True, apt_get="apt-get", say=said.append)
+    system_packages.ensure_packages(needs, root=True, apt_get="apt-get", say=printed.append)
     assert ran == [
         ["apt-get", "update"],
         ["apt-get", "install", "-y", "--no-install-recommends", "libgl1"],
     ]
-    assert len(said) == 1
+    assert len(printed) == 1
     ran.clear()
-    system_packages.ensure_packages([], root=True, apt_get="apt-get", say=said.append)
+    system_packages.ensure_packages([], root=True, apt_get="apt-get", say=printed.append)
     assert ran == []
 
 

@@ -96,8 +96,8 @@ def test_the_hardened_runtime_of_macos_has_the_entitlements_for_numba() -> None:
     assert '--sign "$CODESIGN_IDENTITY"' in signed
     (file,) = re.findall(r'--entitlements "\$checkout/(.*?)"', signed)
     granted = plistlib.loads((CHECKOUT / file).read_bytes())
-    wanted = ("allow-jit", "allow-unsigned-executable-memory")
-    assert granted == {f"com.apple.security.cs.{name}": True for name in wanted}
+    required = ("allow-jit", "allow-unsigned-executable-memory")
+    assert granted == {f"com.apple.security.cs.{name}": True for name in required}
     # Without a certificate the libraries would not have the same developer ID
     assert "--sign -" in sealed
     assert "runtime" not in sealed
@@ -163,8 +163,8 @@ def test_uninstalling_removes_all_installed_files(tmp_path: Path) -> None:
     shutil.rmtree(bundle)
     installed = prefix / "lib" / "lispac"
     subprocess.run([installed / "uninstall.sh", prefix], check=True, capture_output=True)
-    left = [path for path in prefix.rglob("*lispac*") if path.is_file() or path.is_symlink()]
-    assert left == []
+    remaining = [path for path in prefix.rglob("*lispac*") if path.is_file() or path.is_symlink()]
+    assert remaining == []
     assert (prefix / "bin" / "other").exists()
 
 

@@ -20,7 +20,7 @@ def config(tmp_path: Path) -> Path:
     return tmp_path / "config"
 
 
-def filled(place: Path) -> Path:
+def make_cache(place: Path) -> Path:
     """Make a cache with 35 bytes of the program among foreign files."""
     for name, size in (("demo/raw/demo", 5), ("demo/raw/L1.laz", 10), ("numba/a/k.nbc", 20)):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
@@ -56,7 +56,7 @@ def test_a_folder_that_is_not_writable_is_refused(config: Path, tmp_path: Path) 
 
 
 def test_only_files_of_the_program_are_counted_and_removed(tmp_path: Path) -> None:
-    place = filled(tmp_path / "lispac")
+    place = make_cache(tmp_path / "lispac")
     assert caches.cache_size(place) == 35
     caches.empty_cache(place)
     assert caches.cache_size(place) == 0
@@ -81,14 +81,14 @@ def test_a_foreign_folder_called_demo_is_not_removed(tmp_path: Path) -> None:
 def test_the_command_line_uses_the_chosen_folder_unless_an_option_is_given(tmp_path: Path) -> None:
     config = tmp_path / "config"
     caches.choose_folder(tmp_path / "fast", config / "lispac")
-    told = (
+    code = (
         "import os, sys; from lispac.cli.main import main; main(['sensors']); "
         "print(os.environ['NUMBA_CACHE_DIR'].split('/sources-')[0], os.environ['MPLCONFIGDIR'])"
     )
     variables = {k: v for k, v in os.environ.items() if k not in caches.CACHE_VARIABLES}
     variables |= {"XDG_CONFIG_HOME": str(config), "MPLCONFIGDIR": "/elsewhere"}
     done = subprocess.run(
-        [sys.executable, "-c", told], capture_output=True, text=True, env=variables, check=True
+        [sys.executable, "-c", code], capture_output=True, text=True, env=variables, check=True
     )
     assert done.stdout.splitlines()[-1] == f"{tmp_path / 'fast' / 'lispac' / 'numba'} /elsewhere"
 
@@ -141,7 +141,7 @@ def test_a_manual_made_by_the_program_belongs_to_the_cache(tmp_path: Path) -> No
 def test_files_that_cannot_be_removed_are_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    place = filled(tmp_path / "lispac")
+    place = make_cache(tmp_path / "lispac")
 
     def busy(part: Path) -> None:
         raise PermissionError(13, "in use", str(part))
@@ -162,7 +162,7 @@ def environment_of(home: Path | str | None) -> dict[str, str]:
     return variables if home is None else variables | {"HOME": str(home)}
 
 
-def ran(words: list[str], home: Path | str | None) -> subprocess.CompletedProcess[str]:
+def run_in_home(words: list[str], home: Path | str | None) -> subprocess.CompletedProcess[str]:
     """Run ``python -c ...`` with that home directory."""
     program = [sys.executable, *words]
     if os.geteuid() == 0 and shutil.which("setpriv"):  # permissions apply to root too
@@ -215,7 +215,7 @@ MAKE_A_SURVEY = (
 def test_without_a_home_the_command_line_works_and_warns_once(
     no_home: Path, temporary: Path
 ) -> None:
-    done = ran(["-c", MAKE_A_SURVEY, "sensors", "--json"], no_home)
+    done = run_in_home(["-c", MAKE_A_SURVEY, "sensors", "--json"], no_home)
     assert done.returncode == 0, done.stderr
     assert [line[:5] for line in done.stderr.splitlines()] == ["note:"]
     assert f"{no_home / '.cache' / 'lispac'} cannot be written" in done.stderr
@@ -233,7 +233,7 @@ def test_compiled_code_is_reused_by_the_next_run_without_a_home(
 ) -> None:
     words = ["-c", "import lispac; lispac.open; import lispac.survey.kernels as k; "
              "print(k.bounds_and_reach.stats.cache_path)"]  # fmt: skip
-    first, second = (ran(words, tmp_path / "missing") for _ in range(2))
+    first, second = (run_in_home(words, tmp_path / "missing") for _ in range(2))
     assert first.returncode == 0, first.stderr
     assert "cannot be written" in first.stderr
     assert Path(first.stdout.strip()).is_relative_to(temporary)
@@ -242,18 +242,18 @@ def test_compiled_code_is_reused_by_the_next_run_without_a_home(
 
 @linux
 def test_a_folder_that_others_can_write_to_is_not_used(tmp_path: Path, temporary: Path) -> None:
-    taken = temporary / f"lispac-{os.getuid()}"
-    taken.mkdir()
-    taken.chmod(0o777)
-    done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path / "missing")
+    open_folder = temporary / f"lispac-{os.getuid()}"
+    open_folder.mkdir()
+    open_folder.chmod(0o777)
+    done = run_in_home(["-c", MAKE_A_SURVEY, "sensors"], tmp_path / "missing")
     assert done.returncode == 0, done.stderr
-    assert not any(taken.iterdir())
-    assert str(taken / "numba") not in done.stdout
+    assert not any(open_folder.iterdir())
+    assert str(open_folder / "numba") not in done.stdout
 
 
 @linux
 def test_a_writable_home_gives_no_note(tmp_path: Path, temporary: Path) -> None:
-    done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path)
+    done = run_in_home(["-c", MAKE_A_SURVEY, "sensors"], tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.split()[-1] == str(tmp_path / ".cache" / "lispac" / "matplotlib")
     assert not any(temporary.iterdir())

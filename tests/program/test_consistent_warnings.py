@@ -69,8 +69,8 @@ def _unchecked(
             UncontrolledObservations(kind, target, name, angles, size)
             for name in [line.name for line in project.lines[:lines]] or [""]
         )
-        seen = replace(project.result.observability, unchecked=found)
-        return replace(project, result=replace(project.result, observability=seen))
+        observability = replace(project.result.observability, unchecked=found)
+        return replace(project, result=replace(project.result, observability=observability))
 
     return change
 
@@ -148,7 +148,7 @@ def _sighting(**values: object) -> Callable[[Project], Project]:
     return change
 
 
-def _line_gone(project: Project) -> Project:
+def _without_line(project: Project) -> Project:
     assert project.result is not None
     items = tuple(
         replace(item, rejected=item.sighting.line == "L3") for item in project.result.reliability
@@ -231,7 +231,7 @@ CASES = [
      "T1 on line L1 (displaced by 48.3 mm, test value w = -9.3)."),
     ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "but is used: T1 on line "
      "L1 (displaced by 20.0 mm, test value w = +5.5)."),
-    ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
+    ("line_jumped", False, _without_line, "All targets are displaced on line L3"),
     ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
     ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the given LiDAR noise: the "
      "surface"),
@@ -269,9 +269,9 @@ def test_each_warning_is_the_same_everywhere(
     assert text.isascii()
     print_result(result, checks)
     assert f"- {text}\n" in capsys.readouterr().out
-    told = json_values(found)
-    assert to_plain_text(told["text"]) == text
-    assert told in result_values(result, checks)["warnings"]
+    values = json_values(found)
+    assert to_plain_text(values["text"]) == text
+    assert values in result_values(result, checks)["warnings"]
     assert "are realistic" not in result_texts.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]
 
@@ -283,8 +283,8 @@ def test_warning_texts_are_in_the_current_language(
     code, _, change, _ = case
     changed = change(project)
     assert changed.result is not None
-    told = result_warnings(changed.result, changed.cross_checks)
-    (found,) = [each for each in told if each.code == f"adjustment.{code}"]
+    warnings = result_warnings(changed.result, changed.cross_checks)
+    (found,) = [each for each in warnings if each.code == f"adjustment.{code}"]
     with in_language("fr"):
         assert message_text(found) != message_text_in("en", found)
 
@@ -295,7 +295,7 @@ def message_text_in(language: str, message: Message) -> str:
 
 
 def test_the_cases_trigger_every_rule(project: Project) -> None:
-    told = set()
+    triggered = set()
     results = [change(project) for _, _, change, _ in CASES]
     assert project.result is not None
     targetless = replace(project.result, messages=(note("targetless.with_targets", targets=2),))
@@ -303,8 +303,8 @@ def test_the_cases_trigger_every_rule(project: Project) -> None:
         assert changed.result is not None
         for rule in WARNING_RULES:
             if any(rule(changed.result, changed.cross_checks)):
-                told.add(rule)
-    assert told == set(WARNING_RULES)
+                triggered.add(rule)
+    assert triggered == set(WARNING_RULES)
 
 
 def test_a_good_result_has_no_warning(
@@ -319,18 +319,18 @@ def test_a_good_result_has_no_warning(
 
 
 def test_a_given_and_estimated_value_does_not_explain_a_large_sigma(project: Project) -> None:
-    seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
+    lever_x = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
     wide = _wide(project).result
     assert wide is not None
-    (large,) = result_warnings(replace(wide, parameters=(seen,)), None)
+    (large,) = result_warnings(replace(wide, parameters=(lever_x,)), None)
     assert large.code == "adjustment.large_sigma"
 
 
 def test_serious_warnings_come_first(project: Project) -> None:
     changed = _raised(_wide(project))
     assert changed.result is not None
-    told = [each.level for each in result_warnings(changed.result, changed.cross_checks)]
-    assert told == [Level.WARNING, Level.NOTE]
+    levels = [each.level for each in result_warnings(changed.result, changed.cross_checks)]
+    assert levels == [Level.WARNING, Level.NOTE]
 
 
 def test_warnings_are_the_same_after_saving(project: Project, tmp_path: Path) -> None:

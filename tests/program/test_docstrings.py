@@ -98,17 +98,19 @@ def is_quantity(module: str, name: str, annotation: ast.expr | None) -> bool:
     return bool(number and QUANTITY.search(name) and not SUFFIXED.search(name))
 
 
-def is_place(module: str, name: str, annotation: ast.expr | None, said: str) -> bool:
+def is_place(module: str, name: str, annotation: ast.expr | None, description: str) -> bool:
     """Whether a value is coordinates or a direction whose name does not give the frame."""
     triples = {"Triple", "tuple[float, float, float]"}
     array = is_array(module, annotation)
     if not (array or triples & set(kinds(annotation))) or "sigma" in name or FRAMED.search(name):
         return False
-    if NO_PLACE.search(said) or (array and SHAPE.search(said) and not THREE.search(said)):
+    if NO_PLACE.search(description) or (
+        array and SHAPE.search(description) and not THREE.search(description)
+    ):
         return False
-    if "radians" in said and not LENGTH.search(said):
+    if "radians" in description and not LENGTH.search(description):
         return False
-    return bool(PLACE.search(name) or (THREE.search(said) and LENGTH.search(said)))
+    return bool(PLACE.search(name) or (THREE.search(description) and LENGTH.search(description)))
 
 
 def fields(node: ast.ClassDef) -> dict[str, ast.expr]:
@@ -126,8 +128,8 @@ def fields(node: ast.ClassDef) -> dict[str, ast.expr]:
 
 def parameters(node: ast.FunctionDef) -> dict[str, ast.expr | None]:
     """Parameters and their annotations."""
-    given = node.args.posonlyargs + node.args.args + node.args.kwonlyargs
-    return {each.arg: each.annotation for each in given if each.arg not in ("self", "cls")}
+    arguments = node.args.posonlyargs + node.args.args + node.args.kwonlyargs
+    return {each.arg: each.annotation for each in arguments if each.arg not in ("self", "cls")}
 
 
 def missing_descriptions(found: Name) -> Iterator[str]:
@@ -138,27 +140,27 @@ def missing_descriptions(found: Name) -> Iterator[str]:
     values = fields(found.node) if of_class else parameters(found.node)
     for name, annotation in values.items():
         named = re.search(rf"\b({name}|{name.split('_')[0]})s?\b", words, re.IGNORECASE)
-        said = entries.get(name, words if named else "")
-        if REFERENCE.search(said or words):
+        description = entries.get(name, words if named else "")
+        if REFERENCE.search(description or words):
             continue
-        if is_array(module, annotation) and not SHAPE.search(said):
+        if is_array(module, annotation) and not SHAPE.search(description):
             yield f"{found.where}: shape of {name}"
-        if is_quantity(module, name, annotation) and not UNIT.search(said):
+        if is_quantity(module, name, annotation) and not UNIT.search(description):
             yield f"{found.where}: unit of {name}"
-        if is_place(module, name, annotation, said) and not FRAME.search(said):
+        if is_place(module, name, annotation, description) and not FRAME.search(description):
             yield f"{found.where}: frame of {name}"
     if of_class:
         return
     result = found.node.returns
-    said = f"{found.docstring.sections.get('Returns')}\n{words}"
-    if REFERENCE.search(said):
+    description = f"{found.docstring.sections.get('Returns')}\n{words}"
+    if REFERENCE.search(description):
         return
-    if is_array(module, result) and not SHAPE.search(said):
+    if is_array(module, result) and not SHAPE.search(description):
         yield f"{found.where}: shape of what it returns"
-    if is_quantity(module, found.node.name, result) and not UNIT.search(said):
+    if is_quantity(module, found.node.name, result) and not UNIT.search(description):
         yield f"{found.where}: unit of what it returns"
-    said = found.docstring.sections.get("Returns", words)
-    if is_place(module, found.node.name, result, said) and not FRAME.search(said):
+    description = found.docstring.sections.get("Returns", words)
+    if is_place(module, found.node.name, result, description) and not FRAME.search(description):
         yield f"{found.where}: frame of what it returns"
 
 
@@ -180,14 +182,14 @@ def names() -> set[str]:
 
 
 def test_docstrings_refer_to_existing_names() -> None:
-    sent = [
+    references = [
         (name.where, to)
         for package in PACKAGES
         for name in public(package)
         for to in REFERENCE.findall(ast.get_docstring(name.node) or "")
     ]
-    assert len(sent) > 50
-    assert [each for each in sent if each[1].rpartition(".")[2] not in names()] == []
+    assert len(references) > 50
+    assert [each for each in references if each[1].rpartition(".")[2] not in names()] == []
 
 
 @pytest.mark.parametrize("package", PACKAGES)
@@ -197,12 +199,12 @@ def test_shapes_units_and_frames_are_documented(package: str) -> None:
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_errors_in_raises_sections_exist(package: str) -> None:
-    said = {
+    raised = {
         (name.where, error)
         for name in public(package)
         for error in name.docstring.entries("Raises")
     }
-    assert {each for each in said if each[1].rpartition(".")[2] not in names()} == set()
+    assert {each for each in raised if each[1].rpartition(".")[2] not in names()} == set()
 
 
 WITHOUT_SOURCE = {
@@ -253,10 +255,12 @@ def test_modules_that_compute_name_their_sources(package: str) -> None:
     without = set()
     for module, tree in trees().items():
         documented = (ast.Module, ast.FunctionDef, ast.ClassDef)
-        said = [ast.get_docstring(x) or "" for x in ast.walk(tree) if isinstance(x, documented)]
+        docstrings = [
+            ast.get_docstring(x) or "" for x in ast.walk(tree) if isinstance(x, documented)
+        ]
         source = (CORE.parent / module).read_text(encoding="utf-8")
         own = module.split("/")[1] == package and MATHEMATICS.search(source)
-        if own and not SOURCE.search("\n".join(said)):
+        if own and not SOURCE.search("\n".join(docstrings)):
             without.add(Path(module).stem)
     assert without == WITHOUT_SOURCE[package]
 
@@ -277,7 +281,7 @@ def turned(points: Array, angle: float, sigma_deg: float) -> Array:
 
 
 @pytest.mark.parametrize(
-    ("left_out", "found"),
+    ("removed", "found"),
     [
         ("", []),
         (", radians", ["unit of angle"]),
@@ -288,9 +292,9 @@ def turned(points: Array, angle: float, sigma_deg: float) -> Array:
         ("_deg", ["unit of sigma"]),
     ],
 )
-def test_missing_descriptions_are_found(left_out: str, found: list[str]) -> None:
-    (node,) = ast.parse(COMPLETE_EXAMPLE.replace(left_out, "", 1)).body
+def test_missing_descriptions_are_found(removed: str, found: list[str]) -> None:
+    (node,) = ast.parse(COMPLETE_EXAMPLE.replace(removed, "", 1)).body
     assert isinstance(node, ast.FunctionDef)
-    said = Documented.of(ast.get_docstring(node) or "")
-    name = Name("lispac/geometry/planes.py", node.name, node, said)
+    docstring = Documented.of(ast.get_docstring(node) or "")
+    name = Name("lispac/geometry/planes.py", node.name, node, docstring)
     assert [words.partition(": ")[2] for words in missing_descriptions(name)] == found

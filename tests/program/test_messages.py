@@ -160,9 +160,9 @@ def test_messages_are_made_with_the_parameters_of_their_texts() -> None:
     for place, call in calls():
         code = cast(ast.Constant, call.args[0]).value
         assert code in TEXTS, place
-        given = {each.arg for each in call.keywords} - {"subject", "actions"}
-        if None not in given:  # a call with ** is not checked
-            assert given >= set(sample_params(TEXTS[code])), (place, code)
+        passed = {each.arg for each in call.keywords} - {"subject", "actions"}
+        if None not in passed:  # a call with ** is not checked
+            assert passed >= set(sample_params(TEXTS[code])), (place, code)
 
 
 def test_every_code_is_used() -> None:

@@ -16,7 +16,7 @@ def inventory(built: Path) -> set[str]:
     return {line.split(" ")[0] for line in zlib.decompress(content).decode().splitlines()}
 
 
-def below(dotted: str) -> set[str]:
+def documented_names(dotted: str) -> set[str]:
     """Return the public names of a module under which the reference documents them."""
     path = f"{dotted.replace('.', '/')}"
     module = f"{path}.py" if f"{path}.py" in trees() else f"{path}/__init__.py"
@@ -36,7 +36,9 @@ def scripts(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_scripting_names_are_documented_with_an_example(scripts: Path) -> None:
     there = inventory(scripts)
     assert {f"lispac.{name}" for name in lispac.__all__ if name != "__version__"} <= there
-    steps = below("lispac.scripting.open_project") | below("lispac.scripting.loaded_project")
+    steps = documented_names("lispac.scripting.open_project") | documented_names(
+        "lispac.scripting.loaded_project"
+    )
     own = {
         name.replace("lispac.scripting.loaded_project.LoadedProject", "lispac.OpenProject")
         for name in steps
@@ -59,10 +61,10 @@ def test_a_broken_reference_fails_the_build(tmp_path: Path) -> None:
     sources.mkdir()
     names = "`SEMI_MAJOR_AXIS`, `ValueError`, `no_such_name`"
     (sources / "index.rst").write_text(f"One\n===\n\nSee {names}.\n")
-    said = pages.run(sources, tmp_path / "out")
-    assert "reference target not found: no_such_name" in said
-    assert said.count("WARNING") == 1
-    assert said.endswith("Sphinx refuses.")
+    output = pages.run(sources, tmp_path / "out")
+    assert "reference target not found: no_such_name" in output
+    assert output.count("WARNING") == 1
+    assert output.endswith("Sphinx refuses.")
 
 
 def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
@@ -81,12 +83,14 @@ def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
 def test_every_public_name_of_the_core_is_documented(tmp_path: Path) -> None:
     assert pages.build(tmp_path) == ""
     there = inventory(tmp_path)
-    wanted: set[str] = set()
+    expected: set[str] = set()
     for module in trees():
         dotted = module.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-        wanted |= below(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
-    assert len(wanted) > 1500
-    assert wanted - there == set()
+        expected |= (
+            documented_names(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
+        )
+    assert len(expected) > 1500
+    assert expected - there == set()
     # Sphinx leaves the markup of autodoc in signatures that it cannot parse.
     unread = [
         page.name for page in tmp_path.glob("*.html") if "~lispac." in page.read_text("utf-8")

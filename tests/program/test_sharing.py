@@ -23,19 +23,19 @@ def test_one_process_makes_the_object_and_others_wait(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTEST_XDIST_WORKER", "gw0")
-    asked = []
+    made_in = []
 
     def make(folder: Path) -> list[int]:
-        asked.append(folder)
+        made_in.append(folder)
         time.sleep(0.1)
         return [1, 2]
 
-    def ask(worker: int) -> list[int]:
+    def request_object(worker: int) -> list[int]:
         return make_once(Factory(tmp_path / f"gw{worker}"), "thing", make, pause=0.01)
 
     with ThreadPoolExecutor(4) as pool:
-        assert list(pool.map(ask, range(4))) == [[1, 2]] * 4
-    assert asked == [tmp_path / "thing"]
+        assert list(pool.map(request_object, range(4))) == [[1, 2]] * 4
+    assert made_in == [tmp_path / "thing"]
 
 
 def test_a_failed_attempt_is_repeated_by_the_next_process(tmp_path: Path) -> None:

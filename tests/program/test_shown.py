@@ -54,8 +54,8 @@ def test_a_value_is_shown_equally_everywhere(
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
     assert MOUNTING_PARAMETERS[name].amount(value) == in_window
-    said = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
-    assert said == printed.replace(" ", "\u00a0")
+    shown_text = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
+    assert shown_text == printed.replace(" ", "\u00a0")
 
 
 def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
@@ -67,8 +67,8 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
     ):
         result = replace(project.result, offset=offset)
         assert result_texts.form_error_text(result) == words
-        said = result_values(result, None)
-        assert (said["surface_sigma_m"], said["offset_sigma_m"]) == (0.0004, offset)
+        values = result_values(result, None)
+        assert (values["surface_sigma_m"], values["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))
         assert content.settings.offset_sigma_m == offset
         blocks = [block for s in report_document(content, {}).sections for block in s.blocks]
@@ -78,8 +78,8 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
 
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
     latency = ParameterEstimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
-    said = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"][0]
-    assert (said["unit"], said["value"], said["sigma"]) == ("s", 0.0021, 0.0001)
+    values = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"][0]
+    assert (values["unit"], values["value"], values["sigma"]) == ("s", 0.0021, 0.0001)
 
 
 def test_sightings_that_disagree_in_the_report_are_marked(sample: Sample) -> None:
@@ -177,9 +177,9 @@ def test_a_variance_component_is_reported_equally_everywhere(
     assert shown.endswith(english_text(finding))
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
-    (told,) = content.adjustment.components
-    assert told.applied == component.applied
-    assert told.text == finding
+    (reported,) = content.adjustment.components
+    assert reported.applied == component.applied
+    assert reported.text == finding
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
     ]
@@ -224,9 +224,9 @@ def test_the_point_with_the_largest_residual_has_its_time_everywhere(
     far = replace(first, largest_w=12.34, largest_at=416012.5)
     old = replace(second, largest_at=None)  # a result of an earlier version
     result = replace(result, reliability=(far, old, *rest))
-    told = result_values(result, None)["sightings"]
-    assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
-    assert told[1]["largest_w_time_s"] is None
+    sightings = result_values(result, None)["sightings"]
+    assert (sightings[0]["largest_w"], sightings[0]["largest_w_time_s"]) == (12.34, 416012.5)
+    assert sightings[1]["largest_w_time_s"] is None
     place = [column.title for column in SIGHTINGS_TABLE.columns].index(LARGEST_W_COLUMN.title)
     cells = [
         row.cells[place : place + 2]

@@ -5,5 +5,5 @@ from pathlib import Path
 
 from tests.reference.pages import build
 
-said = build(Path(sys.argv[1]))
-sys.exit(said or None)
+errors = build(Path(sys.argv[1]))
+sys.exit(errors or None)

@@ -26,7 +26,7 @@ from lispac.report.document_blocks import Bullets, Table
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked_and_estimated
@@ -129,9 +129,9 @@ def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -
         expected[f"POS {name}"] = spread(attitude=attitude * np.eye(3)[k])
     found = by_name(error_budget(own, [distance]), beam)
     assert set(found) == {*expected, "Total before calibration"}
-    for name, wanted in expected.items():
+    for name, expected_spreads in expected.items():
         (got,) = found[name].spreads or ()
-        for part, value in asdict(wanted).items():
+        for part, value in asdict(expected_spreads).items():
             assert getattr(got, part) == pytest.approx(value, rel=0.04, abs=2e-5), (name, part)
 
 
@@ -172,11 +172,13 @@ def test_unknown_errors_are_reported_and_not_counted() -> None:
     assert found["Lever arm"].spreads is None
     codes = {each.code for each in budget.assumptions}
     assert {"budget.lever_arm_unknown", "budget.no_latency"} <= codes
-    stated = by_name(
+    with_known_errors = by_name(
         error_budget(replace(without, lever_arm=np.full(3, 0.05))), "horizontal, to starboard"
     )
     for k in range(3):
-        less, more = (each["Total after calibration"].spreads[k].total for each in (found, stated))
+        less, more = (
+            each["Total after calibration"].spreads[k].total for each in (found, with_known_errors)
+        )
         assert more == pytest.approx(np.sqrt(less**2 + 3 * 0.05**2))
     for distances in ([], [0.0], [-1.0], [float("nan")]):
         with pytest.raises(InputError, check=has_code("adjustment.budget_distances")):
@@ -191,7 +193,7 @@ def test_the_command_and_the_report_give_the_same_budget(
     sample = sample_project(tmp_path / "sample")
     project = replace(demo_project, folder=tmp_path / "p", result=sample.result)
     write_project(project)
-    found = answer(capsys, "budget", project.folder)
+    found = run_json(capsys, "budget", project.folder)
     budget = ErrorBudgetValues.of(error_budget_of(project, load_survey(project)))
     assert found == json.loads(json.dumps(json_values(budget)))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)

@@ -48,7 +48,7 @@ def content(project: Project) -> ReportContent:
 
 
 def _codes(content: ReportContent) -> set[str]:
-    return {caution.code for caution in content.warnings}
+    return {message.code for message in content.warnings}
 
 
 def _pdf_text(path: Path, *options: str) -> str:

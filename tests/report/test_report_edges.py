@@ -110,11 +110,11 @@ def test_missing_profiles_maps_and_signed_distances_have_no_blocks(project: Proj
     )  # fmt: skip
     whole = validation_blocks(sample_content(replace(project, validation=(first,))))
     less = validation_blocks(sample_content(replace(project, validation=(bare,))))
-    gone = set(_titles(whole)) - set(_titles(less))
-    assert len(gone) == 4
+    missing = set(_titles(whole)) - set(_titles(less))
+    assert len(missing) == 4
     assert set(_titles(less)) < set(_titles(whole))
-    assert sum("median and 95th percentile" in title for title in gone) == 1
-    assert sum("distance of the first line from the second" in title for title in gone) == 1
+    assert sum("median and 95th percentile" in title for title in missing) == 1
+    assert sum("distance of the first line from the second" in title for title in missing) == 1
     assert "M3C2" in _text(whole)
     assert "M3C2" not in _text(less)
     assert "could not be compared" not in _text(less)
@@ -122,15 +122,15 @@ def test_missing_profiles_maps_and_signed_distances_have_no_blocks(project: Proj
 
 def test_observability_is_omitted_where_it_was_not_computed(project: Project) -> None:
     assert project.result is not None
-    seen = project.result.observability
-    assert seen is not None
+    complete = project.result.observability
+    assert complete is not None
     head = "1 sigma of the angles with one line omitted"
-    without = replace(seen, sigma_without_line={})
-    cases = ((seen, True, True), (without, True, False), (None, False, False))
-    for observability, told, has_table in cases:
+    without = replace(complete, sigma_without_line={})
+    cases = ((complete, True, True), (without, True, False), (None, False, False))
+    for observability, is_reported, has_table in cases:
         result = replace(project.result, observability=observability)
         blocks = boresight_section.boresight_blocks(sample_content(replace(project, result=result)))
-        assert ("Observability of the angles on these lines:" in _text(blocks)) == told
+        assert ("Observability of the angles on these lines:" in _text(blocks)) == is_reported
         assert (head in _titles(blocks)) == has_table
 
 
@@ -138,9 +138,9 @@ def test_known_spreads_have_no_explanation_of_their_absence(project: Project) ->
     assert project.cross_checks is not None
     excuse = "at least three targets"
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
-    for checks, said in ((project.cross_checks, True), (known, False)):
+    for checks, is_explained in ((project.cross_checks, True), (known, False)):
         content = sample_content(replace(project, cross_checks=checks))
-        assert (excuse in _text(checks_section.cross_check_blocks(content))) == said
+        assert (excuse in _text(checks_section.cross_check_blocks(content))) == is_explained
 
 
 def test_a_site_without_tracks_and_planes_is_not_drawn(content: ReportContent) -> None:
@@ -153,8 +153,8 @@ def test_a_site_without_tracks_and_planes_is_not_drawn(content: ReportContent) -
 
 
 def test_a_zero_surface_sigma_is_explained(project: Project) -> None:
-    held = replace(project, settings=replace(project.settings, surface=0.0))
-    for made, said in ((held, True), (project, False)):
+    with_zero_sigma = replace(project, settings=replace(project.settings, surface=0.0))
+    for made, is_explained in ((with_zero_sigma, True), (project, False)):
         cells = [
             cell
             for block in settings_section.settings_blocks(
@@ -164,4 +164,7 @@ def test_a_zero_surface_sigma_is_explained(project: Project) -> None:
             for row in block.rows
             for cell in row
         ]
-        assert any(cell.startswith("zero: all sightings of a target") for cell in cells) == said
+        assert (
+            any(cell.startswith("zero: all sightings of a target") for cell in cells)
+            == is_explained
+        )

@@ -48,7 +48,7 @@ from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
 from tests.support.report_sample import MADE, sample_project
 from tests.support.report_variants import VARIANTS, content_of_sample, with_result, with_settings
-from tests.targets.test_quality import board, judged
+from tests.targets.test_quality import board, quality_of
 
 FRENCH = ReportOptions(language="fr")
 
@@ -58,7 +58,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     return sample_project(tmp_path_factory.mktemp("french") / "harbour 2025")
 
 
-def _english_left(content: ReportContent) -> tuple[str, ...]:
+def _english_texts(content: ReportContent) -> tuple[str, ...]:
     """Return the texts of the French report that contain English words."""
     with in_language("fr"):
         made = drawn_document(undrawn_document(content, {}, FRENCH))
@@ -69,29 +69,29 @@ def _english_left(content: ReportContent) -> tuple[str, ...]:
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_no_english_text_remains(project: Project, variant: str) -> None:
-    left = _english_left(content_of_sample(VARIANTS[variant](project)))
+    english_texts = _english_texts(content_of_sample(VARIANTS[variant](project)))
     # Text of a sample warning that has no translation
-    assert [text for text in left if text != "These lines do not see it."] == []
+    assert [text for text in english_texts if text != "These lines do not see it."] == []
 
 
 def _qualities() -> Iterator[SightingQuality]:
     beams = {"scanner_local": np.zeros(3)}
-    yield judged(board())
-    yield judged(board(count=40), **beams)
-    yield judged(board(noise=0.02), threshold=0.03)
-    yield judged(board(lambda x, z: 0.1 * x**2))
-    yield judged(board(lambda x, z: 0.02 * np.sin(40 * x) * np.sin(40 * z)))
-    yield judged(board() * [1, 1, 1] + [60, 0, 0], **beams)
+    yield quality_of(board())
+    yield quality_of(board(count=40), **beams)
+    yield quality_of(board(noise=0.02), threshold=0.03)
+    yield quality_of(board(lambda x, z: 0.1 * x**2))
+    yield quality_of(board(lambda x, z: 0.02 * np.sin(40 * x) * np.sin(40 * z)))
+    yield quality_of(board() * [1, 1, 1] + [60, 0, 0], **beams)
     some = board()
-    yield judged(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
+    yield quality_of(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
     hidden, alone = (
         ObservedExtent(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
         ObservedExtent(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
     )
-    yield judged(board(), observed_extent=hidden)
-    yield judged(board(), observed_extent=alone)
+    yield quality_of(board(), observed_extent=hidden)
+    yield quality_of(board(), observed_extent=alone)
     yield replace(
-        judged(board()),
+        quality_of(board()),
         reasons=(
             note("quality.narrower", size=0.61, off=0.59, expected=1.2),
             note("quality.less_steep", tilt=1.42, off=0.15, expected=1.57),
@@ -111,7 +111,7 @@ def test_qualities_are_in_french(project: Project, calibrated: bool) -> None:
     )  # fmt: skip
     content = replace(content_of_sample(project), qualities=made.qualities)
     assert len({reason for each in made.qualities for reason in each.reasons}) > 10
-    assert _english_left(content) == ()
+    assert _english_texts(content) == ()
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
@@ -122,7 +122,7 @@ def test_conventions_are_in_french(project: Project, key: str) -> None:
     )
     assert made.in_convention is not None
     content = replace(content_of_sample(project), in_convention=made.in_convention)
-    assert _english_left(content) == ()
+    assert _english_texts(content) == ()
 
 
 def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
@@ -159,15 +159,15 @@ def test_alternative_methods_are_in_french(project: Project) -> None:
     assert project.result is not None
     for k, (method, off) in enumerate(zip(ALTERNATIVE_METHODS, (0.0, 0.3, 0.004), strict=True)):
         angles = project.result.boresight + np.radians([off, off, 0.0])
-        remarks = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
-        said = AlternativeResult(
-            method, angles, np.array(project.result.covariance), ("L1", "L2"), 30, remarks
+        notes = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
+        alternative = AlternativeResult(
+            method, angles, np.array(project.result.covariance), ("L1", "L2"), 30, notes
         )
-        project = project.with_alternative_result(said)
+        project = project.with_alternative_result(alternative)
     content = content_of_sample(project)
     assert [each.method for each in content.methods[1:]] == list(ALTERNATIVE_METHODS)
     assert "report.methods_differ" in {each.code for each in content.warnings}
-    assert _english_left(content) == ()
+    assert _english_texts(content) == ()
 
 
 @pytest.mark.parametrize("kind", ["scan", "points"])
@@ -177,7 +177,7 @@ def test_absolute_checks_are_in_french(
 ) -> None:
     content = content_of_sample(project.with_absolute(_absolute(kind, mean)))
     assert content.absolute is not None
-    assert _english_left(content) == ()
+    assert _english_texts(content) == ()
 
 
 @pytest.mark.parametrize(
@@ -193,15 +193,15 @@ def test_absolute_checks_are_in_french(
 )
 def test_error_budgets_are_in_french(project: Project, known: dict[str, Any]) -> None:
     budget = ErrorBudgetValues.of(error_budget(system(**known), (10, 1_000)))
-    assert _english_left(replace(content_of_sample(project), budget=budget)) == ()
+    assert _english_texts(replace(content_of_sample(project), budget=budget)) == ()
 
 
 def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
     document = report_document(content_of_sample(replace(project, identity=typed)), {}, options)
-    said = dict(document.identity.rows)  # type: ignore[arg-type]
-    assert (said["Navire"], said["Remarques"]) == ("Points", "Roll. Pitch.")
+    details = dict(document.identity.rows)  # type: ignore[arg-type]
+    assert (details["Navire"], details["Remarques"]) == ("Points", "Roll. Pitch.")
     assert document.letterhead.company == "no"
     assert document.letterhead.heading == "Good."
     *_, closing, signature = document.summary
@@ -226,12 +226,12 @@ def test_numbers_and_names_equal_those_of_the_english_report(project: Project) -
         [b for s in report_document(content, {}, options).sections for b in s.blocks]
         for options in (DEFAULT_OPTIONS, FRENCH)
     )
-    for block, said in zip(english, french, strict=True):
+    for block, french_block in zip(english, french, strict=True):
         if block.kind != "table":
             continue
-        for row, other in zip(block.rows, said.rows, strict=True):  # type: ignore[union-attr]
-            for cell, told in zip(row, other, strict=True):
-                assert _numbers(told, ",", "\u202f") == _numbers(cell, ".", ",")
+        for row, french_row in zip(block.rows, french_block.rows, strict=True):  # type: ignore[union-attr]
+            for cell, french_cell in zip(row, french_row, strict=True):
+                assert _numbers(french_cell, ",", "\u202f") == _numbers(cell, ".", ",")
 
 
 def _numbers(text: str, decimal: str, group: str) -> list[str]:
@@ -269,8 +269,8 @@ def test_texts_tables_and_figures_use_the_decimal_comma(project: Project, varian
             texts += block.items
         elif isinstance(block, Paragraph):
             texts.append(block.text)
-    left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
-    assert [text for text in left if re.search(r"\d\.\d", text)] == []
+    checked = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
+    assert [text for text in checked if re.search(r"\d\.\d", text)] == []
     warnings = (*document.warnings, *document.notes)
     assert [text for text in (*shown, *warnings) if re.search(r"(?<!\w)-\d", text)] == []
     assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10

@@ -105,7 +105,7 @@ def test_the_template_of_the_manual_is_valid(language: str, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
         ("colour = 'red'", "report_template.unknown_key"),
         ("page = 'a5'", "report_template.no_page"),
@@ -118,12 +118,12 @@ def test_the_template_of_the_manual_is_valid(language: str, tmp_path: Path) -> N
         ('heading = "a\\u0007b"', "report_template.long_text"),
     ],
 )
-def test_an_invalid_template_is_refused(tmp_path: Path, text: str, said: str) -> None:
+def test_an_invalid_template_is_refused(tmp_path: Path, text: str, code: str) -> None:
     path = tmp_path / "own.toml"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as refusal:
         report_options(path)
-    assert is_refusal(refusal.value, said)
+    assert is_refusal(refusal.value, code)
     assert str(refusal.value).startswith(str(path))
     assert "\n" not in str(refusal.value)
 
@@ -184,23 +184,23 @@ def test_page_one_ends_with_the_signature(
 ) -> None:
     options = report_options(template, page, language=language)
     content = sample_content(project.with_identity(EMPTY_IDENTITY if blank else FULL))
-    remark = (
+    sentence = (
         "The angles were estimated once more with other targets, and the answer stayed as it was."
     )
-    said = tuple(
-        note("report.not_compared", reason=f"{k}: {remark} Nothing else is known.")
+    messages = tuple(
+        note("report.not_compared", reason=f"{k}: {sentence} Nothing else is known.")
         for k in range(4)
     )
-    content = replace(content, warnings=said)
+    content = replace(content, warnings=messages)
     plane = content.validation[0]
     content = replace(content, validation=tuple(replace(plane, name=f"V{k}") for k in range(1, 6)))
     path = tmp_path / "r.pdf"
     write_pdf(content, path, {}, options)
     first = _pdf_text(path, "-f", "1", "-l", "1")
-    assert all(f"{k}: {remark}" in re.sub(r"\s+", " ", first) for k in range(4))
+    assert all(f"{k}: {sentence}" in re.sub(r"\s+", " ", first) for k in range(4))
     assert re.search("Place and date|Lieu et date", first)
     # With too much text for one page, the signature moves on with the text above it.
-    many = replace(content, warnings=said * 10)
+    many = replace(content, warnings=messages * 10)
     write_pdf(many, path, {}, options)
     pages = _pdf_text(path).split("\f")
     (at,) = (k for k, text in enumerate(pages) if re.search("Place and date|Lieu et date", text))
@@ -226,7 +226,7 @@ def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("finished", "remarks", "page"),
+    ("finished", "line_count", "page"),
     [
         (True, 0, "a4"),
         (True, 25, "letter"),
@@ -236,12 +236,12 @@ def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
     ],
 )
 def test_pages_are_numbered_for_any_position_of_the_contents(
-    project: Project, tmp_path: Path, finished: bool, remarks: int, page: Page
+    project: Project, tmp_path: Path, finished: bool, line_count: int, page: Page
 ) -> None:
     if not finished:
         project = replace(project, result=None, validation=(), cross_checks=None, targets=())
-    said = EMPTY_IDENTITY.changed(remarks="\n".join(["word"] * remarks))
-    content = sample_content(project.with_identity(said))
+    identity = EMPTY_IDENTITY.changed(remarks="\n".join(["word"] * line_count))
+    content = sample_content(project.with_identity(identity))
     write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions(page))
     text = _pdf_text(tmp_path / "r.pdf")
     numbers = [tuple(map(int, found)) for found in re.findall(r"Page (\d+) of (\d+)", text)]

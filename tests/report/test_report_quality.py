@@ -24,7 +24,7 @@ from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.targets.sighting_quality import SightingQuality
 from tests.support.report_sample import MADE, sample_content, sample_project
-from tests.targets.test_quality import board, judged
+from tests.targets.test_quality import board, quality_of
 
 Changed = Callable[..., ReportContent]
 
@@ -53,7 +53,7 @@ def _result(project: Project) -> AdjustmentResult:
 def _warning(content: ReportContent, code: str) -> Mapping[str, Any]:
     """Return the parameters of the only warning with this code."""
     found = [each.params for each in content.warnings if each.code == code]
-    assert len(found) == 1, (code, [caution.code for caution in content.warnings])
+    assert len(found) == 1, (code, [message.code for message in content.warnings])
     return found[0]
 
 
@@ -64,15 +64,15 @@ def _tables(document: Document) -> dict[str, Table]:
 
 def _words(document: Document, title: str) -> str:
     section = next(section for section in document.sections if section.title == title)
-    said: list[str] = []
+    texts: list[str] = []
     for block in section.blocks:
         if isinstance(block, Paragraph):
-            said.append(block.text)
+            texts.append(block.text)
         elif isinstance(block, Bullets):
-            said += block.items
+            texts += block.items
         elif isinstance(block, Table):
-            said += [cell for row in block.rows for cell in row]
-    return "\n".join(said)
+            texts += [cell for row in block.rows for cell in row]
+    return "\n".join(texts)
 
 
 def _settings(content: ReportContent) -> dict[str, str]:
@@ -80,44 +80,44 @@ def _settings(content: ReportContent) -> dict[str, str]:
 
 
 def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
-    said = _settings(sample_content(project))
-    assert said["POS errors"].startswith("Correlated in time. All points of one sighting share")
-    assert said["Correlation times (position, attitude)"].startswith(
+    rows = _settings(sample_content(project))
+    assert rows["POS errors"].startswith("Correlated in time. All points of one sighting share")
+    assert rows["Correlation times (position, attitude)"].startswith(
         "300 s and 600 s: time over which a POS error persists"
     )
-    assert said["Form error of the targets (1 sigma)"].startswith(
+    assert rows["Form error of the targets (1 sigma)"].startswith(
         "0.4\u00a0mm, estimated from the data"
     )
-    assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
-    assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
+    assert rows["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
+    assert rows["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
     noisy = changed(
         targets=(first, replace(second, noise=1.42)),
         model=StochasticModel(surface=0.0004, loss="tukey"),
     )
-    said = _settings(noisy)
-    assert said["Estimated LiDAR noise"].startswith(
+    rows = _settings(noisy)
+    assert rows["Estimated LiDAR noise"].startswith(
         "T2: 1.4\u00a0times the given noise; the sigmas"
     )
-    assert "T1" not in said["Estimated LiDAR noise"]
-    assert said["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")
-    assert "beyond 4.7 standard deviations" in said["Outliers"]
-    assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
+    assert "T1" not in rows["Estimated LiDAR noise"]
+    assert rows["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")
+    assert "beyond 4.7 standard deviations" in rows["Outliers"]
+    assert "adjustment.noise" not in {message.code for message in noisy.warnings}
     noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
     assert (noisier["targets"], noisier["factor"]) == (("T2",), 2.4)
 
 
 @pytest.mark.parametrize(
-    ("stated", "shown"),
+    ("settings", "shown"),
     [
         ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg"),
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
     ],
 )
 def test_given_lidar_noise_is_reported(
-    project: Project, stated: dict[str, Any], shown: str
+    project: Project, settings: dict[str, Any], shown: str
 ) -> None:
-    other = replace(project, settings=replace(project.settings, **stated))
+    other = replace(project, settings=replace(project.settings, **settings))
     assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
 
 
@@ -188,8 +188,8 @@ def test_heat_map_is_shown_only_with_extra_parameters(project: Project, tmp_path
 
 def test_rejected_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
     first, second, *rest = _result(project).reliability
-    gone = replace(first, rejected=True, shift=0.0483, w=9.34)
-    content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
+    rejected = replace(first, rejected=True, shift=0.0483, w=9.34)
+    content = changed(reliability=(rejected, replace(second, w=-4.2), *rest))
     assert _warning(content, "adjustment.released")["sightings"] == (
         note("item.sighting_shifted", target="T1", line="L1", shift=0.0483, w=9.34),
     )
@@ -215,7 +215,7 @@ def test_more_outliers_than_expected_by_chance_give_a_warning(
 ) -> None:
     reliability = _result(project).reliability
     few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
-    codes = {caution.code for caution in changed(reliability=few).warnings}
+    codes = {message.code for message in changed(reliability=few).warnings}
     assert not any(code.startswith("adjustment.strays") for code in codes)
     many = (*reliability[:-1], replace(reliability[-1], outliers=60))
     found = _warning(changed(reliability=many), "adjustment.strays_full_weight")
@@ -323,19 +323,19 @@ def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed:
     reason = note("parameter.kept_uncertain")
     unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
-    (seen,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
-    assert "roll 0.50 deg" in message_text(seen)
-    assert "scan-angle offset" in message_text(seen)
+    (message,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
+    assert "roll 0.50 deg" in message_text(message)
+    assert "scan-angle offset" in message_text(message)
     assert not [c for c in changed().warnings if "large_sigma" in c.code]
 
 
 def test_noise_is_reported_only_where_it_was_found(project: Project, changed: Changed) -> None:
     result = _result(project)
     failed = replace(result.chi_square, statistic=result.chi_square.upper * 2)
-    quiet = tuple(replace(target, noise=1.0) for target in result.targets)
+    noiseless = tuple(replace(target, noise=1.0) for target in result.targets)
     noisy = tuple(replace(target, noise=2.0) for target in result.targets)
     model = StochasticModel("correlated")
-    for targets, code in ((quiet, "chi_square_high"), (noisy, "chi_square_high_noise")):
+    for targets, code in ((noiseless, "chi_square_high"), (noisy, "chi_square_high_noise")):
         content = changed(chi_square=failed, targets=targets, model=model)
         assert f"report.{code}" in {each.code for each in content.warnings}
 
@@ -373,7 +373,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     target = project.targets[0]
     first, second, *others = target.sightings
     edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
-    quality = replace(judged(board()), visible_share=0.512)
+    quality = replace(quality_of(board()), visible_share=0.512)
     content = report_content(
         project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(target.name, line): quality for line in (first.line, second.line)},
@@ -384,15 +384,15 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
         False, True,
     ]  # fmt: skip
     assert [row[-2] for row in table.rows] == ["51", "51"]
-    said = json.loads(json_text(content))["qualities"]
-    assert [each["visible_share"] for each in said] == [0.512, 0.512]
-    assert [each["edited_by_hand"] for each in said] == [False, True]
+    qualities = json.loads(json_text(content))["qualities"]
+    assert [each["visible_share"] for each in qualities] == [0.512, 0.512]
+    assert [each["edited_by_hand"] for each in qualities] == [False, True]
 
 
 def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
     first, second = project.targets[:2]
-    good = replace(judged(board()), rating="good", reasons=())
+    good = replace(quality_of(board()), rating="good", reasons=())
     oblique = [
         replace(
             good, rating="doubtful", incidence=np.radians(deg),
@@ -412,7 +412,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     one, two, three = (s.line for s in first.sightings[:3])
     assert first.role == second.role == "target"
     fine = content((first.name, one, good), (first.name, two, good))
-    assert "report.sightings" not in {caution.code for caution in fine.warnings}
+    assert "report.sightings" not in {message.code for message in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
     assert _warning(content(*some), "report.sightings") == {
         "total": 3, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
@@ -425,9 +425,9 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # A sighting that is not used is not counted.
-    left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
+    excluded = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
     out = report_content(
-        project.with_target(left), headings_deg={}, counts={}, track_local={}, notes=(),
+        project.with_target(excluded), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(first.name, one): rough}, generated=MADE,
     )  # fmt: skip
-    assert "report.sightings" not in {caution.code for caution in out.warnings}
+    assert "report.sightings" not in {message.code for message in out.warnings}

@@ -32,8 +32,8 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def test_published_schema_is_up_to_date() -> None:
-    said = "a content class has changed: run `python -m tests.documents`"
-    assert PATH.read_text(encoding="utf-8") == schema_text(), said
+    instruction = "a content class has changed: run `python -m tests.documents`"
+    assert PATH.read_text(encoding="utf-8") == schema_text(), instruction
 
 
 def test_reports_of_every_kind_are_valid(project: Project) -> None:

@@ -8,7 +8,7 @@ import pytest
 from lispac.simulation.scene import Sphere
 from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
 from lispac.workflow.project.projects import open_project
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import run, run_json, run_refused
 
 PORT_PLAN = Path(__file__).parents[1] / "data" / "port-plan.toml"
 
@@ -17,7 +17,7 @@ def test_a_simulated_plan_has_the_predicted_sigmas(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     folder = tmp_path / "sailed"
-    made = answer(
+    made = run_json(
         capsys, "simulate", PORT_PLAN, "--output", folder, "--points-per-second", 60_000,
         "--seed", 4, "--boresight", 0.5, -0.8, 0.4,
     )  # fmt: skip
@@ -29,7 +29,7 @@ def test_a_simulated_plan_has_the_predicted_sigmas(
     assert project.truth_deg == pytest.approx((0.5, -0.8, 0.4))
     off = np.degrees(project.result.boresight) - project.truth_deg
     assert (np.abs(off) < 3.5 * np.degrees(project.result.sigma)).all(), off
-    found = answer(capsys, "compare-plan", folder, "--plan", PORT_PLAN)
+    found = run_json(capsys, "compare-plan", folder, "--plan", PORT_PLAN)
     assert found["missing_lines"] == []
     # The plan has two and a half times as many points, which has little effect
     obtained, predicted = (
@@ -60,7 +60,7 @@ def test_files_that_are_not_plans_and_wrong_options_are_reported(
     outcome = run(capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--scanner", "zf-9012")
     assert outcome[0] == 2
     assert "a survey plan contains its scanner and lines" in outcome[2]
-    assert "no vessel named" in refused(
+    assert "no vessel named" in run_refused(
         capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--vessel", "raft"
     )
 

@@ -34,12 +34,12 @@ def drawn(model: PosErrors, count: int = EPOCH_COUNT, draws: int = DRAW_COUNT) -
 )
 def test_errors_have_the_variance_of_the_model(model: PosErrors) -> None:
     """3000 draws give a standard deviation to 1.3 %; the limit for 241 x 6 values is 5 sigma."""
-    stated = np.sqrt(model.variance(EPOCH_COUNT, INTERVAL)) / np.array(
+    expected = np.sqrt(model.variance(EPOCH_COUNT, INTERVAL)) / np.array(
         [*POSITION_SIGMA, *ATTITUDE_SIGMA]
     )
     found = np.sqrt((drawn(model) ** 2).mean(axis=0))
-    assert stated.max() > 0.1
-    np.testing.assert_allclose(found, stated, rtol=0.065, atol=1e-12)
+    assert expected.max() > 0.1
+    np.testing.assert_allclose(found, expected, rtol=0.065, atol=1e-12)
 
 
 def test_white_noise_has_no_memory() -> None:

@@ -92,12 +92,12 @@ def test_the_port_scene_equals_the_built_in_survey(port: SimulatedSurvey) -> Non
         assert (ours.name, ours.reflectance) == (theirs.name, theirs.reflectance)
         assert isinstance(ours, Rectangle | Cylinder)
         np.testing.assert_array_equal(ours.row, theirs.row)
-    for mine, built_in in (
+    for of_scene, built_in in (
         (made.trajectory, port.trajectory),
         *zip(made.lines, port.lines, strict=True),
     ):
         for name, values in vars(built_in).items():
-            np.testing.assert_array_equal(getattr(mine, name), values, err_msg=name)
+            np.testing.assert_array_equal(getattr(of_scene, name), values, err_msg=name)
     for own, theirs in ((made.targets, port.targets), (made.validation, port.validation)):
         assert own.keys() == theirs.keys()
         for name in own:
@@ -226,12 +226,12 @@ def test_errors_in_a_scene_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     path = edited(tmp_path, SCENE, old, new)
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_scene(path)
-    assert told.value.code == code
-    assert told.value.message.params.items() >= (params | {"file": str(path)}).items()
-    assert str(told.value).startswith(f"{path}: ")
-    assert str(told.value).count("\n") == 0
+    assert caught.value.code == code
+    assert caught.value.message.params.items() >= (params | {"file": str(path)}).items()
+    assert str(caught.value).startswith(f"{path}: ")
+    assert str(caught.value).count("\n") == 0
 
 
 def test_a_number_instead_of_tables_is_refused(tmp_path: Path) -> None:
@@ -244,10 +244,10 @@ def test_a_number_instead_of_tables_is_refused(tmp_path: Path) -> None:
          "toml.not_a_list_of_tables", "surfaces"),
     ):  # fmt: skip
         path = edited(tmp_path, text, "title", "title")
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as caught:
             read_scene(path)
-        assert told.value.code == code
-        assert told.value.message.params["key"] == key
+        assert caught.value.code == code
+        assert caught.value.message.params["key"] == key
 
 
 def test_a_ball_has_the_position_of_its_scene_file(tmp_path: Path) -> None:
@@ -278,10 +278,10 @@ def test_a_ball_has_the_position_of_its_scene_file(tmp_path: Path) -> None:
 def test_errors_in_a_vessel_file_are_reported(
     old: str, new: str, code: str, params: dict[str, str], tmp_path: Path
 ) -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_vessel(edited(tmp_path, VESSEL.read_text(), old, new))
-    assert told.value.code == code
-    assert told.value.message.params.items() >= params.items()
+    assert caught.value.code == code
+    assert caught.value.message.params.items() >= params.items()
 
 
 @pytest.mark.parametrize(
@@ -297,14 +297,14 @@ def test_errors_in_a_vessel_file_are_reported(
 def test_errors_in_a_scanner_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_scanner(edited(tmp_path, SCANNER.read_text(), old, new))
-    assert told.value.code == code
-    assert told.value.message.params.items() >= params.items()
+    assert caught.value.code == code
+    assert caught.value.message.params.items() >= params.items()
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
         (
             SCENE.replace(LINE, '[[lines]]\nstart_s = 10\nstop_s = 20\nside = "port"\n'),
@@ -316,12 +316,12 @@ def test_errors_in_a_scanner_file_are_reported(
         ),
     ],
 )
-def test_an_impossible_scene_is_refused(text: str, said: str, tmp_path: Path) -> None:
+def test_an_impossible_scene_is_refused(text: str, code: str, tmp_path: Path) -> None:
     path = edited(tmp_path, text, "title", "title")
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read_simulation(str(path))
-    assert told.value.code == said
-    assert str(told.value).startswith(f"{path}: ")
+    assert caught.value.code == code
+    assert str(caught.value).startswith(f"{path}: ")
 
 
 @pytest.mark.parametrize(
@@ -349,7 +349,7 @@ def test_settings_of_the_project_have_the_simulated_correlation_times(
 def test_simulating_into_a_file_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"
     path.write_text("mine")
-    with pytest.raises(ProjectError) as told:
+    with pytest.raises(ProjectError) as caught:
         require_replaceable(path, "simulated")
-    assert told.value.code == "simulate.folder_is_file"
-    assert str(path) in str(told.value)
+    assert caught.value.code == "simulate.folder_is_file"
+    assert str(path) in str(caught.value)

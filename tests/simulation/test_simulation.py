@@ -75,12 +75,12 @@ def test_beams_of_the_profiler_are_in_a_plane(survey):
 
 def test_noise_of_labelled_points_is_that_of_the_scanner(survey):
     """Georeferenced with the true states, points are off their surface by scanner noise only."""
-    calm = port_survey(pos_errors=False)
-    for line in calm.lines:
-        points = placed(calm, line)
+    without_pos_errors = port_survey(pos_errors=False)
+    for line in without_pos_errors.lines:
+        points = placed(without_pos_errors, line)
         for name in TARGET_NAMES:
-            label = calm.surface_names.index(name)
-            distance = calm.scene[name].distance(points[line.label == label])
+            label = without_pos_errors.surface_names.index(name)
+            distance = without_pos_errors.scene[name].distance(points[line.label == label])
             assert np.abs(distance).max() < 0.02
             assert 0.0005 < distance.std() < 0.004
         mixed = line.label < 0
@@ -100,9 +100,11 @@ def test_validation_planes_are_seen_from_opposite_lines(survey):
     assert set(survey.validation) == set(VALIDATION_NAMES)
     for name in VALIDATION_NAMES:
         label = survey.surface_names.index(name)
-        seen = {x.heading_deg for x in survey.lines if np.count_nonzero(x.label == label) > 1000}
-        pairs = [h for h in seen if (h + 180) % 360 in seen]
-        assert len(pairs) >= 4, (name, seen)
+        headings = {
+            x.heading_deg for x in survey.lines if np.count_nonzero(x.label == label) > 1000
+        }
+        pairs = [h for h in headings if (h + 180) % 360 in headings]
+        assert len(pairs) >= 4, (name, headings)
 
 
 def test_site_has_the_documented_layout(survey):
@@ -238,16 +240,16 @@ def test_the_same_seed_gives_the_same_survey():
 
 
 def test_simulation_reports_progress_and_can_be_cancelled():
-    told: list[float] = []
+    fractions: list[float] = []
 
     def stop_at_half(fraction: float, step: Step | None = None) -> None:
-        told.append(fraction)
+        fractions.append(fraction)
         if fraction >= 0.5:
             raise Cancelled
 
     with pytest.raises(Cancelled):
         port_survey(points_per_second=SPARSE_PULSES, progress=stop_at_half)
-    assert told == pytest.approx([1 / 6, 2 / 6, 3 / 6])
+    assert fractions == pytest.approx([1 / 6, 2 / 6, 3 / 6])
 
 
 def test_memory_of_the_simulation_is_limited(survey):

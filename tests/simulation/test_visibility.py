@@ -36,7 +36,7 @@ from lispac.simulation.visibility_criteria import (
 from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy, study_visibility
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 
 ERROR = float(np.radians(2.0))
 UPRIGHT_BOARD = MARINE_SITE.board(0.0)
@@ -211,10 +211,10 @@ def test_pairs_of_lines_reveal_or_conceal_errors_of_angles(
 
 def test_no_pair_of_lines_reveals_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
     shift, turn = terrestrial.visibility_spread("lever_z")
-    seen = np.isfinite(shift)
-    assert seen.sum() == 14
-    assert shift[seen] == pytest.approx(np.zeros(14), abs=1e-9)
-    assert np.degrees(turn[seen]) == pytest.approx(np.zeros(14), abs=1e-5)
+    is_visible = np.isfinite(shift)
+    assert is_visible.sum() == 14
+    assert shift[is_visible] == pytest.approx(np.zeros(14), abs=1e-9)
+    assert np.degrees(turn[is_visible]) == pytest.approx(np.zeros(14), abs=1e-5)
     # The error shifts all lines equally.
     off = terrestrial.orthogonal_distance[TERRESTRIAL_SITE.errors.index("lever_z"), 0]
     assert np.nanmax(np.abs(off)) == pytest.approx(0.1, abs=1e-9)
@@ -324,7 +324,7 @@ def test_the_given_reason_for_roll_is_true(terrestrial: VisibilityStudy) -> None
 def test_the_command_writes_the_tables_it_prints(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    found = answer(capsys, "visibility", "marine", "--output", tmp_path, "--error", "yaw")
+    found = run_json(capsys, "visibility", "marine", "--output", tmp_path, "--error", "yaw")
     assert found["thesis"][0]["lines_agree"] is True
     assert sorted(Path(each).name for each in found["files"]) == sorted(
         ["marine-values.csv", "marine-best.csv", *(f"marine-yaw-{name}.png" for name in CRITERIA)]
@@ -344,7 +344,7 @@ def test_the_command_writes_the_tables_it_prints(
 def test_a_real_board_is_not_compared_with_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    found = answer(
+    found = run_json(
         capsys, "visibility", "marine", "--output", tmp_path, "--error", "pitch", "--hit-beams"
     )
     assert found["beams"] == "struck"
@@ -387,12 +387,14 @@ def test_figures_have_all_lines_and_can_be_drawn_again(
 def test_errors_without_a_suitable_inclination_show_the_thesis_only(
     terrestrial: VisibilityStudy,
 ) -> None:
-    blind = replace(terrestrial, type_one=0 * terrestrial.type_one)
-    assert blind.kept_inclinations("pitch") == ()
-    assert blind.best_configuration("pitch").inclination is None
-    (axes,) = visibility_figure(blind, "pitch", "orthogonal-distance").axes
+    without_type_one = replace(terrestrial, type_one=0 * terrestrial.type_one)
+    assert without_type_one.kept_inclinations("pitch") == ()
+    assert without_type_one.best_configuration("pitch").inclination is None
+    (axes,) = visibility_figure(without_type_one, "pitch", "orthogonal-distance").axes
     assert not axes.patches, "nothing is shaded"
-    (pitch,) = (each for each in compare_with_thesis(blind) if each.best.error == "pitch")
+    (pitch,) = (
+        each for each in compare_with_thesis(without_type_one) if each.best.error == "pitch"
+    )
     assert not pitch.inclination_agrees
     assert pitch.reason is not None
     assert len(pitch.reason.params["differences"]) == 1

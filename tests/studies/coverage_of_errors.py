@@ -67,7 +67,7 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
     near = place_points(data.points_lidar, poses, TRUTH)
     beams = place_points(1.1 * data.points_lidar, poses, TRUTH) - near
     beams /= np.linalg.norm(beams, axis=1)[:, None]
-    off, seen = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
+    off, is_curved = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
     bends = {name: chance.normal(0, 0.01) for name in boards}
     for k, sighting in enumerate(data.sightings):
         board, own = boards[sighting.target], data.sighting == k
@@ -77,8 +77,8 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
         bend = bends[board.name] * 4 * height**2
         off[own] = bend / (beams[own] @ normal)
         first = chance.uniform(-0.5, -0.1)
-        seen[own] = (height >= first) & (height <= first + 0.6)
-    return _along_beams(data, off).where(seen)
+        is_curved[own] = (height >= first) & (height <= first + 0.6)
+    return _along_beams(data, off).where(is_curved)
 
 
 def rough(data: Observations, chance: np.random.Generator) -> Observations:
@@ -148,7 +148,7 @@ class SurveyResult:
     shortened: bool
 
 
-def answer(kind: str, seed: int) -> SurveyResult:
+def simulate_and_adjust(kind: str, seed: int) -> SurveyResult:
     result = adjust(survey(kind, seed), PRIOR, MODEL)
     return SurveyResult(
         np.degrees(result.boresight - TRUTH.boresight),
@@ -161,30 +161,31 @@ def answer(kind: str, seed: int) -> SurveyResult:
 
 def study(kind: str, surveys: int, workers: int = 2) -> list[SurveyResult]:
     if workers == 1:
-        return [answer(kind, seed) for seed in range(surveys)]
+        return [simulate_and_adjust(kind, seed) for seed in range(surveys)]
     with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(answer, [kind] * surveys, range(surveys), chunksize=4))
+        return list(pool.map(simulate_and_adjust, [kind] * surveys, range(surveys), chunksize=4))
 
 
-def hits(answers: list[SurveyResult], which: str = "sigma") -> np.ndarray:
+def hits(results: list[SurveyResult], which: str = "sigma") -> np.ndarray:
     """Share of the 95 % intervals that contain the truth, shape (3,)."""
-    if not answers:
+    if not results:
         return np.full(3, np.nan)
-    return np.mean([np.abs(a.error) < 1.96 * getattr(a, which) for a in answers], axis=0)
+    return np.mean([np.abs(a.error) < 1.96 * getattr(a, which) for a in results], axis=0)
 
 
-def row(kind: str, answers: list[SurveyResult]) -> str:
+def row(kind: str, results: list[SurveyResult]) -> str:
     """One row of the table."""
-    calm = [each for each in answers if not each.serious]
+    without_warning = [each for each in results if not each.serious]
 
     def cells(values: np.ndarray) -> str:
         return " ".join(f"{100 * value:5.1f}" for value in values)
 
-    raised = np.mean([each.sigma > 1.05 * each.formal for each in answers], axis=0)
-    codes = Counter(code for each in answers for code in each.serious)
+    raised = np.mean([each.sigma > 1.05 * each.formal for each in results], axis=0)
+    codes = Counter(code for each in results for code in each.serious)
     return (
-        f"{kind:16s} {cells(hits(answers, 'formal'))}   {cells(hits(answers))}   {cells(raised)}"
-        f"   {100 * (1 - len(calm) / len(answers)):5.1f}   {cells(hits(calm))}   {dict(codes)}"
+        f"{kind:16s} {cells(hits(results, 'formal'))}   {cells(hits(results))}   {cells(raised)}"
+        f"   {100 * (1 - len(without_warning) / len(results)):5.1f}"
+        f"   {cells(hits(without_warning))}   {dict(codes)}"
     )
 
 

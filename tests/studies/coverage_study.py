@@ -39,7 +39,7 @@ that few surveys are sufficient; `sigma_ratios` returns the standard error."""
 
 
 @dataclass(frozen=True, eq=False)
-class Answers:
+class ErrorsAndSigmas:
     """Errors and estimated sigmas of many surveys, each of shape (surveys, 3), degrees."""
 
     errors: np.ndarray
@@ -113,7 +113,7 @@ def _one(
 
 def study(
     times: tuple[float, float], distances: tuple[float, ...], surveys: int, workers: int = 2
-) -> dict[tuple[str, float], Answers]:
+) -> dict[tuple[str, float], ErrorsAndSigmas]:
     """Errors and sigmas by model and subsampling distance."""
     arguments = ([times] * surveys, [distances] * surveys, range(surveys))
     if workers == 1:
@@ -123,29 +123,33 @@ def study(
             runs = list(pool.map(_one, *arguments, chunksize=4))
     table = np.array(runs)  # surveys, distances x models, error and sigma, angles
     keys = [(name, distance) for distance in distances for name in models(times)]
-    return {key: Answers(table[:, k, 0], table[:, k, 1]) for k, key in enumerate(keys)}
+    return {key: ErrorsAndSigmas(table[:, k, 0], table[:, k, 1]) for k, key in enumerate(keys)}
 
 
-def sigma_ratios(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
+def sigma_ratios(
+    results: dict[tuple[str, float], ErrorsAndSigmas],
+) -> tuple[np.ndarray, np.ndarray]:
     """Ratios of sigmas of the correlated model to those at the smallest distance.
 
     Returns
     -------
     ratio, standard_error : ndarray of shape (distances, 3)
     """
-    sigmas = [a.sigmas for (name, _), a in answers.items() if name == "correlated"]
+    sigmas = [a.sigmas for (name, _), a in results.items() if name == "correlated"]
     ratios = np.array([each / sigmas[0] for each in sigmas])
     return ratios.mean(axis=1), ratios.std(axis=1, ddof=1) / np.sqrt(ratios.shape[1])
 
 
-def table_text(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
+def table_text(
+    times: tuple[float, float], results: dict[tuple[str, float], ErrorsAndSigmas]
+) -> str:
     """The table of one pair of correlation times."""
-    count = len(next(iter(answers.values())).errors)
+    count = len(next(iter(results.values())).errors)
     lines = [
         f"correlation times {times[0]:g} s, {times[1]:g} s; {count} surveys; roll, pitch, yaw",
         "  cm  model         RMSE (deg)              sigma (deg)             sd(e/s)           95%",
     ]
-    for (name, distance), a in answers.items():
+    for (name, distance), a in results.items():
         cells = [" ".join(f"{v:.4f}" for v in a.rmse), " ".join(f"{v:.4f}" for v in a.sigma)]
         cells.append(" ".join(f"{v:5.2f}" for v in a.spread))
         cells.append(" ".join(f"{100 * v:5.1f}" for v in a.hits))
@@ -159,9 +163,9 @@ def main() -> None:
     for times in CORRELATION_TIMES:
         print(table_text(times, study(times, (0.10,), surveys)), flush=True)
     for times in CORRELATION_TIMES:
-        answers = study(times, DISTANCES, min(SUBSAMPLED_SURVEYS, max(surveys, 2)))
-        print(table_text(times, answers))
-        print("sigma by that at the first, +-", *sigma_ratios(answers), sep="\n", flush=True)
+        results = study(times, DISTANCES, min(SUBSAMPLED_SURVEYS, max(surveys, 2)))
+        print(table_text(times, results))
+        print("sigma by that at the first, +-", *sigma_ratios(results), sep="\n", flush=True)
 
 
 if __name__ == "__main__":

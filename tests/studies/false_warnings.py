@@ -40,7 +40,7 @@ from lispac.workflow.project.survey import load_survey
 from tests.natural.test_targetless_coverage import surveyed
 from tests.studies.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
 from tests.studies.coverage_of_errors import POINT_SPACING as SPACING
-from tests.studies.natural_scenes import print_answers, study
+from tests.studies.natural_scenes import print_results, study
 
 OF_GEOMETRY = {
     "adjustment.large_sigma", "adjustment.large_sigma_unseen", "adjustment.line_unchecked",
@@ -148,15 +148,15 @@ def separate_warnings(
 def row(kind: str, surveys: int) -> str:
     if kind == NATURAL:
         scenes = study(surveys)
-        print_answers(scenes)
+        print_results(scenes)
         known = [
             separate_warnings(f"{kind} {seed}", each.warnings, each.bent)
             for seed, each in enumerate(scenes) if each.error is not None
         ]  # fmt: skip
     else:
         with ProcessPoolExecutor(2) as pool:
-            answers = pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2)
-            known = [each for each in answers if each is not None]
+            results = pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2)
+            known = [each for each in results if each is not None]
 
     def shares(codes: Iterator[str]) -> str:
         return ", ".join(

@@ -100,7 +100,7 @@ def natural_site(seed: int) -> Site:
     """Random scene of a seed with two, four or six lines past it."""
     chance = np.random.default_rng([34, seed])
     scene = surfaces(chance)
-    seen = site(
+    scene_site = site(
         scene,
         lines=int(chance.choice([2, 4, 6])),
         seed=seed,
@@ -108,21 +108,21 @@ def natural_site(seed: int) -> Site:
         near=9.0,
     )
     forms = int(chance.integers(2**31))
-    mounting = Mounting(np.array(LEVER_ARM), seen.boresight)
+    mounting = Mounting(np.array(LEVER_ARM), scene_site.boresight)
     echoes = {}
-    for name, each in seen.echoes.items():
+    for name, each in scene_site.echoes.items():
         near, far = (
-            georeference(scale * each.points_lidar, each.time, seen.trajectory, mounting)
+            georeference(scale * each.points_lidar, each.time, scene_site.trajectory, mounting)
             for scale in (1.0, 1.1)
         )
         beams = (far - near) / np.linalg.norm(far - near, axis=1)[:, None]
         echoes[name] = formed(each, beams, scene, np.random.default_rng(forms))
-    return replace(seen, echoes=echoes)
+    return replace(scene_site, echoes=echoes)
 
 
-def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
+def opened(scene_site: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
     """Project and survey with the simulated standard deviations of the POS."""
-    project, survey = seen.opened(off_deg)
+    project, survey = scene_site.opened(off_deg)
     position, attitude = HYDROGRAPHIC_INS.sigma_position, HYDROGRAPHIC_INS.sigma_attitude
     degrees = tuple(float(np.degrees(each)) for each in attitude)
     settings = replace(project.settings, position_sigma=position, attitude_sigma_deg=degrees)
@@ -130,7 +130,7 @@ def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
     return project.with_settings(settings), replace(survey, accuracy=accuracy)
 
 
-def form_factors(seen: Site, project: Project) -> dict[str, float]:
+def form_factors(scene_site: Site, project: Project) -> dict[str, float]:
     """Ratio of the form error of each true target surface to the averaged LiDAR noise.
 
     The error is the RMS distance of the true places of its points from their best plane. Points on
@@ -140,10 +140,10 @@ def form_factors(seen: Site, project: Project) -> dict[str, float]:
     noise, side = lidar_noise(project.settings), HALF_WAVE
     found = {}
     for target in project.targets_of_role("target"):
-        labels = {s.line: seen.echoes[s.line].label[s.indices] for s in target.sightings}
+        labels = {s.line: scene_site.echoes[s.line].label[s.indices] for s in target.sightings}
         own = np.bincount(np.concatenate([each[each >= 0] for each in labels.values()])).argmax()
         places = [
-            seen.echoes[s.line].true_points_local[s.indices[labels[s.line] == own]]
+            scene_site.echoes[s.line].true_points_local[s.indices[labels[s.line] == own]]
             for s in target.sightings
         ]
         plane = fit_plane(np.concatenate(places))
@@ -183,56 +183,56 @@ class SceneResult:
         return tuple(each.code for each in self.warnings)
 
 
-def answer(seed: int) -> SceneResult:
+def propose_and_adjust(seed: int) -> SceneResult:
     """Propose targets, adjust, and compare the result with the truth."""
-    seen = natural_site(seed)
+    scene_site = natural_site(seed)
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
-    project, survey = opened(seen, off)
+    project, survey = opened(scene_site, off)
     try:
         proposal = propose_targets(project, survey)
         solved = estimate(replace(project, targets=proposal.targets), survey)
     except (TargetNotFound, AdjustmentError) as error:
-        return SceneResult(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
+        return SceneResult(f"{type(error).__name__}: {error}", lines=len(scene_site.echoes))
     result = solved.result
     assert result is not None
     return SceneResult(
         "",
-        np.degrees(result.boresight - seen.boresight),
+        np.degrees(result.boresight - scene_site.boresight),
         np.degrees(result.sigma),
         np.degrees(proposal.sigma),
         sum(target.role == "target" for target in proposal.targets),
-        len(seen.echoes),
+        len(scene_site.echoes),
         tuple(each for each in result_warnings(result, solved.cross_checks) if each.is_serious),
-        frozenset(name for name, each in form_factors(seen, solved).items() if each >= 1),
+        frozenset(name for name, each in form_factors(scene_site, solved).items() if each >= 1),
     )
 
 
 def study(scenes: int, workers: int = 2) -> list[SceneResult]:
     with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(answer, range(scenes)))
+        return list(pool.map(propose_and_adjust, range(scenes)))
 
 
 def main() -> None:
     """Print the study."""
-    print_answers(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
+    print_results(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
 
 
-def print_answers(answers: list[SceneResult]) -> None:
+def print_results(results: list[SceneResult]) -> None:
     """Print a row for each scene, and the shares."""
-    for seed, each in enumerate(answers):
+    for seed, each in enumerate(results):
         if each.error is None or each.sigma is None:
             print(seed, each.lines, each.reason[:150])
         else:
             print(seed, each.lines, each.targets, np.round(each.error, 3), np.round(each.sigma, 3),
                   np.round(each.error / each.sigma, 1), np.round(each.sigma / each.predicted, 2),
                   each.serious)  # fmt: skip
-    for label, wanted in (("all", answers), ("calm", [a for a in answers if not a.serious])):
-        known = [a for a in wanted if a.error is not None]
+    for label, selected in (("all", results), ("calm", [a for a in results if not a.serious])):
+        known = [a for a in selected if a.error is not None]
         hits = np.mean([np.abs(a.error) < 1.96 * a.sigma for a in known], axis=0)
         ratio = np.median([a.sigma / a.predicted for a in known], axis=0)
-        print(f"{label}: {len(known)} of {len(answers)} scenes; intervals that hold {100 * hits}; "
+        print(f"{label}: {len(known)} of {len(results)} scenes; intervals that hold {100 * hits}; "
               f"stated over predicted {ratio}")  # fmt: skip
-    print(Counter(code for each in answers for code in each.serious))
+    print(Counter(code for each in results for code in each.serious))
 
 
 if __name__ == "__main__":

@@ -22,14 +22,16 @@ BOARDS = (
 PLAN = Plan(BOARDS, line_pattern(), (0.0, -15.0, 5.0))
 
 
-def compared(plan: Plan, surveys: int, *, stated: bool, workers: int = 2) -> MonteCarloResult:
-    """Simulate surveys of a plan; with ``stated`` the flatness of the boards is given."""
+def compared(
+    plan: Plan, surveys: int, *, flatness_known: bool, workers: int = 2
+) -> MonteCarloResult:
+    """Simulate surveys of a plan; with ``flatness_known`` the flatness of the boards is given."""
     with process_pool_mapper(workers) as mapper:
-        return run_monte_carlo(plan, surveys, flatness_known=stated, mapper=mapper)
+        return run_monte_carlo(plan, surveys, flatness_known=flatness_known, mapper=mapper)
 
 
 if __name__ == "__main__":
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    for told in (True, False):
-        print("flatness stated" if told else "flatness from the data")
-        print(SimulationValues.of(compared(PLAN, number, stated=told)))
+    for flatness_known in (True, False):
+        print("flatness stated" if flatness_known else "flatness from the data")
+        print(SimulationValues.of(compared(PLAN, number, flatness_known=flatness_known)))

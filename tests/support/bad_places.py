@@ -213,8 +213,8 @@ def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Wo
         project, sound = scene.make_project(), las_chunks.require_usable_points
         scene.changed_files.add("L1.las")
 
-        def spoil(*given: object) -> None:
-            sound(*given)  # type: ignore[arg-type]
+        def spoil(*arguments: object) -> None:
+            sound(*arguments)  # type: ignore[arg-type]
             if (scene / "L1.las").exists():
                 act(scene / "L1.las")
 

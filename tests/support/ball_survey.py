@@ -96,10 +96,10 @@ def _profiles(states, course, mounting, rng):
     scanner = pose[:, :3] + rotation @ mounting.lever_arm
     rays = np.einsum("nij,mj->nmi", rotation @ mounting.rotation_body_lidar, beams)
     reach, label = _first_hit(scanner[:, None, :], rays)
-    seen = np.isfinite(reach)
-    noisy = reach[seen] + rng.normal(0.0, NOISE, np.count_nonzero(seen))
-    points = noisy[:, None] * np.broadcast_to(beams, (*reach.shape, 3))[seen]
-    return points, np.broadcast_to(time[:, None], reach.shape)[seen], label[seen]
+    is_hit = np.isfinite(reach)
+    noisy = reach[is_hit] + rng.normal(0.0, NOISE, np.count_nonzero(is_hit))
+    points = noisy[:, None] * np.broadcast_to(beams, (*reach.shape, 3))[is_hit]
+    return points, np.broadcast_to(time[:, None], reach.shape)[is_hit], label[is_hit]
 
 
 def _first_hit(origin, rays):
@@ -107,9 +107,9 @@ def _first_hit(origin, rays):
     for centre, radius in BALLS.values():
         to = centre - origin
         along = (rays * to).sum(axis=-1)
-        left = radius**2 - ((to**2).sum(axis=-1) - along**2)
-        hit = (left >= 0.0) & (along > 0.0)
-        ranges.append(np.where(hit, along - np.sqrt(np.maximum(left, 0.0)), np.inf))
+        discriminant = radius**2 - ((to**2).sum(axis=-1) - along**2)
+        hit = (discriminant >= 0.0) & (along > 0.0)
+        ranges.append(np.where(hit, along - np.sqrt(np.maximum(discriminant, 0.0)), np.inf))
     centre, normal, half = BOARD
     with np.errstate(divide="ignore", invalid="ignore"):
         reach = ((centre - origin) @ normal) / (rays @ normal)

@@ -12,17 +12,17 @@ MAST, WALL = -1, -2  # labels in addition to those of the balls, which count fro
 def to_sphere(rays, sphere):
     """Range along each ray to a sphere, infinite where it misses."""
     along = rays @ sphere.centre
-    left = sphere.radius**2 - (sphere.centre @ sphere.centre - along**2)
-    return np.where(left >= 0.0, along - np.sqrt(np.maximum(left, 0.0)), np.inf)
+    discriminant = sphere.radius**2 - (sphere.centre @ sphere.centre - along**2)
+    return np.where(discriminant >= 0.0, along - np.sqrt(np.maximum(discriminant, 0.0)), np.inf)
 
 
 def to_mast(rays, foot, radius):
     """Range along each ray to an upright post that ends at ``foot``."""
     level = np.linalg.norm(rays[:, :2], axis=1)
     along = (rays[:, :2] @ foot[:2]) / level
-    left = radius**2 - (foot[:2] @ foot[:2] - along**2)
-    reach = (along - np.sqrt(np.maximum(left, 0.0))) / level
-    return np.where((left >= 0.0) & (reach * rays[:, 2] <= foot[2]), reach, np.inf)
+    discriminant = radius**2 - (foot[:2] @ foot[:2] - along**2)
+    reach = (along - np.sqrt(np.maximum(discriminant, 0.0))) / level
+    return np.where((discriminant >= 0.0) & (reach * rays[:, 2] <= foot[2]), reach, np.inf)
 
 
 def cast(rng, balls, *, mast=None, wall=None, noise=0.002, mixed=0.5, step=(0.006, 0.012)):
@@ -51,13 +51,13 @@ def cast(rng, balls, *, mast=None, wall=None, noise=0.002, mixed=0.5, step=(0.00
         blurred[edge] += rng.uniform(0.0, 0.5, np.count_nonzero(edge)) * (
             beside[edge] - reach[edge]
         )
-    seen = np.isfinite(blurred).ravel()
+    is_hit = np.isfinite(blurred).ravel()
     noisy = blurred.ravel() + rng.normal(0.0, noise, len(rays))
-    return (noisy[:, None] * rays)[seen], label.ravel()[seen]
+    return (noisy[:, None] * rays)[is_hit], label.ravel()[is_hit]
 
 
 def front(sphere, *, off=(0.0, 0.0), gap=0.0):
     """A place on the side towards the scanner, ``off`` radii north and up from the centre."""
     towards = -sphere.centre / np.linalg.norm(sphere.centre)
-    aside = towards + off[0] * np.array([1.0, 0.0, 0.0]) + off[1] * np.array([0.0, 0.0, 1.0])
-    return sphere.centre + (sphere.radius + gap) * aside / np.linalg.norm(aside)
+    direction = towards + off[0] * np.array([1.0, 0.0, 0.0]) + off[1] * np.array([0.0, 0.0, 1.0])
+    return sphere.centre + (sphere.radius + gap) * direction / np.linalg.norm(direction)

@@ -6,7 +6,7 @@ from contextlib import ExitStack
 import dask
 import distributed
 
-RESTART_S = 30.0
+RESTART_TIMEOUT_S = 30.0
 """Time in which a nanny process restarts a worker on busy processors."""
 
 
@@ -34,7 +34,7 @@ class Clusters:
 
     def with_workers(self) -> distributed.LocalCluster:
         """The current cluster, or a new one if an earlier test has ended its workers for good."""
-        until = time.monotonic() + RESTART_S
+        until = time.monotonic() + RESTART_TIMEOUT_S
         while len(self.running.scheduler.workers) < 2:
             if time.monotonic() > until:
                 self.close()

@@ -11,8 +11,10 @@ def has_code(code: str, **params: Any) -> Callable[[BaseException], bool]:
 
     def check(error: BaseException) -> bool:
         assert isinstance(error, LispacError)
-        held = error.message.params if error.message is not None else {}
-        assert (error.code, {name: held.get(name) for name in params}) == (code, params), error
+        parameters = error.message.params if error.message is not None else {}
+        assert (error.code, {name: parameters.get(name) for name in params}) == (code, params), (
+            error
+        )
         return True
 
     return check

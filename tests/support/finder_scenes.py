@@ -44,8 +44,8 @@ class Site:
 
     def on(self, line: str, *names: str) -> np.ndarray:
         """Mask of the points of a line on the surfaces with these names."""
-        wanted = [k for k, name in enumerate(self.scene.names) if name in names]
-        return np.isin(self.echoes[line].label, wanted)
+        labels = [k for k, name in enumerate(self.scene.names) if name in names]
+        return np.isin(self.echoes[line].label, labels)
 
     def opened(
         self, off_deg: Iterable[float] = (0.0, 0.0, 0.0), *, noise: float = 0.002

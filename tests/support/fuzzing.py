@@ -26,8 +26,8 @@ def damaged(content: bytes) -> st.SearchStrategy[bytes]:
 
     def apply(edits: list[tuple[int, int, bytes]], cut: int | None) -> bytes:
         changed = bytearray(content)
-        for at, taken, new in edits:
-            changed[at : at + (len(new) if taken < 0 else taken)] = new
+        for at, removed_length, new in edits:
+            changed[at : at + (len(new) if removed_length < 0 else removed_length)] = new
         return bytes(changed[:cut])
 
     cut = st.one_of(st.none(), st.none(), st.none(), place)

@@ -20,10 +20,14 @@ def import_files(
 ) -> InputFiles:
     """Examine and import input files like the window, in one thread."""
     input_files = input_files.with_files(collect_files(paths))
-    while waiting := [entry for entry in input_files.files if entry.pending]:
-        entry = waiting[0]
-        found = reexamine_file(entry) if entry.checks else examine_file(entry.path, mappings)
-        input_files = input_files.with_changed_file(found).with_resolved_role(entry.path)
+    while waiting := [input_file for input_file in input_files.files if input_file.pending]:
+        input_file = waiting[0]
+        found = (
+            reexamine_file(input_file)
+            if input_file.checks
+            else examine_file(input_file.path, mappings)
+        )
+        input_files = input_files.with_changed_file(found).with_resolved_role(input_file.path)
     return input_files
 
 
@@ -80,8 +84,8 @@ def write_survey(folder: Path) -> Path:
 
 
 def named(input_files: InputFiles, name: str) -> InputFile:
-    """The entry of a file of that name."""
-    return next(entry for entry in input_files.files if entry.path.name == name)
+    """The input file of that name."""
+    return next(input_file for input_file in input_files.files if input_file.path.name == name)
 
 
 def message_texts(input_files: InputFiles, name: str) -> str:

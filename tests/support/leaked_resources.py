@@ -15,13 +15,13 @@ SETTLING_S = 1.0
 
 def find_leaks() -> list[str]:
     """Names of objects that were created since `gc.freeze` and still exist after a short wait."""
-    left = _leaked()
+    leaks = _leaked()
     until = time.monotonic() + SETTLING_S  # one search may take that long on a busy machine
-    while left and time.monotonic() < until:
+    while leaks and time.monotonic() < until:
         time.sleep(0.01)
         QCoreApplication.processEvents()
-        left = _leaked()
-    return left
+        leaks = _leaked()
+    return leaks
 
 
 def _leaked() -> list[str]:

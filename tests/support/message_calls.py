@@ -49,15 +49,19 @@ def message_levels() -> dict[str, set[str]]:
         makers = _names(call.func)
         for name in makers if scope else ():
             makers = makers.union(*map(_names, _assigned(scope[0]).get(name, ())))
-        given, texts = {*MAKERS} & makers, call.args[:1]
+        levels_of_call, texts = {*MAKERS} & makers, call.args[:1]
         if "Message" in makers and len(call.args) > 1:
-            given = {each.lower() for each in _matching(Level.__members__, call.args[1], scope)}
-        elif not given:  # a function with the maker as an argument
-            given = {*MAKERS} & {each.id for each in call.args if isinstance(each, ast.Name)}
+            levels_of_call = {
+                each.lower() for each in _matching(Level.__members__, call.args[1], scope)
+            }
+        elif not levels_of_call:  # a function with the maker as an argument
+            levels_of_call = {*MAKERS} & {
+                each.id for each in call.args if isinstance(each, ast.Name)
+            }
             texts = [each for each in call.args if isinstance(each, ast.Constant)]
-        for text in texts if given else ():
+        for text in texts if levels_of_call else ():
             for code in _matching(TEXTS, text, scope):
-                levels[code] |= given
+                levels[code] |= levels_of_call
     return levels
 
 
@@ -82,15 +86,15 @@ def _matching(known: Iterable[str], node: ast.expr, scope: Scope) -> set[str]:
     return {each for each in known if pattern.fullmatch(each)}
 
 
-def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> set[str]:
-    """Regular expressions of the possible texts of an expression; none for one in ``seen``."""
-    if node in seen:
+def _patterns(node: ast.AST, scope: Scope, steps: int, visited: set[ast.AST]) -> set[str]:
+    """Regular expressions of the possible texts of an expression; none for one in ``visited``."""
+    if node in visited:
         return set()
-    seen.add(node)
+    visited.add(node)
     if isinstance(node, ast.Constant):
         return {re.escape(node.value)} if isinstance(node.value, str) else set()
     if isinstance(node, ast.JoinedStr):
-        parts = [_patterns(each, scope, steps, set(seen)) or {r"\w+"} for each in node.values]
+        parts = [_patterns(each, scope, steps, set(visited)) or {r"\w+"} for each in node.values]
         found = "".join(f"(?:{'|'.join(each)})" for each in parts)
         if not any(re.fullmatch(found, each) for each in TEXTS):
             found = "".join(
@@ -119,9 +123,9 @@ def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> se
         if node.attr in Level.__members__:
             return {node.attr}
         inside, sources = (), _attributes().get(node.attr, []) + _returned().get(node.attr, [])
-    found = {text for each in inside for text in _patterns(each, scope, steps, seen)}
+    found = {text for each in inside for text in _patterns(each, scope, steps, visited)}
     for source in sources if steps else ():
-        found |= _patterns(*source, steps - 1, seen)
+        found |= _patterns(*source, steps - 1, visited)
     return found
 
 

@@ -74,8 +74,8 @@ def public(package: str) -> Iterator[Name]:
         for node in nodes:
             if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name[0] != "_":
                 name = f"{parent}{node.name}"
-                said = Documented.of(ast.get_docstring(node) or "")
-                yield Name(module, name, node, said)
+                docstring = Documented.of(ast.get_docstring(node) or "")
+                yield Name(module, name, node, docstring)
                 if isinstance(node, ast.ClassDef):
                     yield from below(module, f"{name}.", node.body)
 

@@ -158,19 +158,21 @@ def content_of_sample(project: Project) -> ReportContent:
     """Report content of the sample, with notes and messages of the program."""
     result = project.result
     if result is not None and result.observability is not None:
-        seen = replace(result.observability, messages=COMMENT_MARKS)
+        observability = replace(result.observability, messages=COMMENT_MARKS)
         parts = tuple(
             replace(p, reason=p.reason and note("cross_check.no_common_target"))
             if p.kind != "half"
-            else replace(p, boresight=None, reason=_refused())
+            else replace(p, boresight=None, reason=_refusal_message())
             for p in (project.cross_checks.parts if project.cross_checks else ())
         )
         checks = project.cross_checks and replace(project.cross_checks, parts=parts)
-        project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
+        project = replace(
+            project, result=replace(result, observability=observability), cross_checks=checks
+        )
     return replace(sample_content(project), notes=NOTES)
 
 
-def _refused() -> Message:
+def _refusal_message() -> Message:
     return error(
         "adjustment.undetermined_because",
         direction=note(

@@ -75,7 +75,7 @@ class Findings:
             pick_seeds(bare, survey, listed, {})[1],
         )
 
-    def asked(
+    def dialogs_by_name(
         self, dialogs: Dialogs, settings: AppSettings, project: Project, survey: Survey
     ) -> dict[str, Callable[[], object]]:
         """Functions by name that open dialogues which no action opens directly."""

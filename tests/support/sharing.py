@@ -31,20 +31,20 @@ def make_once(
     root = factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         root = root.parent
-    answer, making = root / f"{name}.made", root / f"{name}.making"
-    while not answer.is_file():
+    result_path, making = root / f"{name}.made", root / f"{name}.making"
+    while not result_path.is_file():
         try:
             making.mkdir()
         except FileExistsError:
             time.sleep(pause)
             continue
         try:
-            if not answer.is_file():  # the other process finished between the two checks
+            if not result_path.is_file():  # the other process finished between the two checks
                 made = make(root / name)
                 whole = root / f"{name}.writing"
                 whole.write_bytes(pickle.dumps(made))
-                whole.replace(answer)
+                whole.replace(result_path)
                 return made
         finally:
             making.rmdir()
-    return pickle.loads(answer.read_bytes())  # type: ignore[no-any-return]
+    return pickle.loads(result_path.read_bytes())  # type: ignore[no-any-return]

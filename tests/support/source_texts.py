@@ -83,20 +83,22 @@ def _name(error: ast.expr | None) -> str:
 def _texts(node: ast.expr) -> Iterator[str]:
     """Possible texts of an expression: one for each combination of its conditions."""
     values = node.values if isinstance(node, ast.JoinedStr) else []
-    asked = {ast.unparse(n.test) for v in values for n in ast.walk(v) if isinstance(n, ast.IfExp)}
-    for answers in product((True, False), repeat=len(asked)):
-        yield _text(node, dict(zip(sorted(asked), answers, strict=True)))
+    conditions = {
+        ast.unparse(n.test) for v in values for n in ast.walk(v) if isinstance(n, ast.IfExp)
+    }
+    for outcomes in product((True, False), repeat=len(conditions)):
+        yield _text(node, dict(zip(sorted(conditions), outcomes, strict=True)))
 
 
-def _text(node: ast.expr, answers: Mapping[str, bool]) -> str:
+def _text(node: ast.expr, outcomes: Mapping[str, bool]) -> str:
     match node:
         case ast.Constant(value=str(text)):
             return text
         case ast.JoinedStr(values=values):
-            return "".join(_text(value, answers) for value in values)
+            return "".join(_text(value, outcomes) for value in values)
         case ast.FormattedValue(value=value):
-            return _text(value, answers)
-        case ast.IfExp(test=test, body=body, orelse=orelse) if ast.unparse(test) in answers:
-            return _text(body if answers[ast.unparse(test)] else orelse, answers)
+            return _text(value, outcomes)
+        case ast.IfExp(test=test, body=body, orelse=orelse) if ast.unparse(test) in outcomes:
+            return _text(body if outcomes[ast.unparse(test)] else orelse, outcomes)
         case _:
             return VALUE_MARK

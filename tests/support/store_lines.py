@@ -33,7 +33,7 @@ class Line:
 
     count: int
     seed: int = 3
-    stray: bool = False
+    far_point: bool = False
     xyz: np.ndarray = field(default=None)  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
@@ -46,7 +46,7 @@ class Line:
             )
             self.xyz[1::2, 1] = 20 + rng.normal(0, 0.01, n // 2)
             self.xyz[1::2, 2] = rng.uniform(3, 12, n // 2)
-            if self.stray:  # beyond the grid cells
+            if self.far_point:  # beyond the grid cells
                 self.xyz[::50] *= rng.uniform(1, 5000, (len(self.xyz[::50]), 1))
         # Every tenth point after a hundred has no pose.
         self.index = np.arange(n) + np.maximum(0, np.arange(n) - 100) // 9
@@ -72,11 +72,11 @@ class Source:
     """Reader of the points of a line from an index on, which records the requested indices."""
 
     def __init__(self, line: Line, size: int) -> None:
-        self._line, self._size, self.asked = line, size, []
+        self._line, self._size, self.requested = line, size, []
 
     def __call__(self, first: int) -> Iterator[PointPiece]:
         """The points from an index of the file on."""
-        self.asked.append(first)
+        self.requested.append(first)
         line, end = self._line, int(self._line.index[-1]) + 1
         for start in range(first, end, self._size):
             read = min(end, start + self._size)

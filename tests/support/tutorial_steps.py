@@ -16,7 +16,7 @@ _ROLES: dict[str, Kind] = {
     "guilabel": "click", "menuselection": "menu", "kbd": "press", "typed": "type",
 }  # fmt: skip
 _MARK = re.compile(
-    r"\{(?P<role>\w+)\}`(?P<said>[^`]+)`|\*\*(?P<bold>[^*]+)\*\*|"
+    r"\{(?P<role>\w+)\}`(?P<name>[^`]+)`|\*\*(?P<bold>[^*]+)\*\*|"
     r"!\[[^\]]*\]\((?P<picture>[^)]+)\)",
 )
 
@@ -52,10 +52,10 @@ def steps_of(text: str) -> list[Step]:
     found = []
     for mark in _MARK.finditer(text):
         line = text.count("\n", 0, mark.start()) + 1
-        role, said = mark["role"], mark["said"]
+        role, name = mark["role"], mark["name"]
         if role is not None and role not in _ROLES:
             raise ValueError(f"line {line}: {role} is none of {', '.join(_ROLES)}")
         kind: Kind = _ROLES[role] if role else "see" if mark["bold"] else "look"
-        words = said or mark["bold"] or mark["picture"]
+        words = name or mark["bold"] or mark["picture"]
         found.append(Step(kind, re.sub(r"\s+", " ", words), line))
     return found

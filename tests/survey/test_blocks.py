@@ -19,8 +19,8 @@ def test_blocks_are_reassembled_in_order(count: int, monkeypatch: pytest.MonkeyP
 
     # Columns of a table are not contiguous
     x, y, z = np.random.default_rng(count).normal(size=(count, 6)).T[::2]
-    for found, wanted in zip(run_in_blocks(run, x, y, z), (x + y, 2 * y, z - 1), strict=True):
-        np.testing.assert_array_equal(found, wanted)
+    for found, expected in zip(run_in_blocks(run, x, y, z), (x + y, 2 * y, z - 1), strict=True):
+        np.testing.assert_array_equal(found, expected)
     assert sorted(sizes, reverse=True) == [7] * (count // 7) + [count % 7] * bool(
         count % 7 or not count
     )

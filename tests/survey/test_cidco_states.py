@@ -155,6 +155,6 @@ def test_a_point_at_a_state_next_to_a_gap_has_a_pose() -> None:
     time = np.array([0.0, 1.0, 2.0, 100.0, 101.0, 200.0])
     still = np.zeros((6, 3))
     track = LocalTrajectory(LocalFrame(0.8, 0.1, 0.0), time, still, still, 1.5)
-    asked = np.array([-0.1, 0.0, 0.5, 2.0, 2.1, 99.9, 100.0, 100.5, 101.0, 150.0, 200.0, 201.0])
+    times = np.array([-0.1, 0.0, 0.5, 2.0, 2.1, 99.9, 100.0, 100.5, 101.0, 150.0, 200.0, 201.0])
     known = [False, True, True, True, False, False, True, True, True, False, False, False]
-    np.testing.assert_array_equal(track.covers(asked), known)
+    np.testing.assert_array_equal(track.covers(times), known)

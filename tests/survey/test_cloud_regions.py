@@ -88,11 +88,13 @@ def test_points_and_samples_are_placed_with_the_mounting(
         some, their_time = cloud.sample_lidar(np.array([9, 2]))
         np.testing.assert_array_equal(some, own[[9, 2]])
         np.testing.assert_array_equal(their_time, cloud.sample_time[[9, 2]])
-    held = cloud.scan if isinstance(cloud, CloudInMemory) else cloud.stored
-    points, times = held.take(numbers)
+    points_of_line = cloud.scan if isinstance(cloud, CloudInMemory) else cloud.stored
+    points, times = points_of_line.take(numbers)
     np.testing.assert_array_equal(points, line.xyz[numbers].astype(np.float32))
     np.testing.assert_array_equal(times, line.time[numbers])
-    np.testing.assert_array_equal(held.intensities(numbers), line.extra["intensity"][numbers])
+    np.testing.assert_array_equal(
+        points_of_line.intensities(numbers), line.extra["intensity"][numbers]
+    )
     assert Scan(points, times).intensities(np.array([0, 2])) is None
 
 

@@ -66,16 +66,16 @@ def test_conversion_there_and_back_gives_the_same_mounting(
     scanner = "kept" if kept and convention.key != "hypack" else None
     setup = ConventionSetup(replace(convention, direction=direction), scanner=scanner)
     mounting = Mounting(LEVER_ARM, np.array([roll, pitch, yaw]))
-    stated = convert_to_system(mounting, setup)
-    back = convert_from_system(setup, stated.rotation, stated.lever_arm)
+    converted = convert_to_system(mounting, setup)
+    back = convert_from_system(setup, converted.rotation, converted.lever_arm)
     np.testing.assert_allclose(back.boresight, mounting.boresight, rtol=0, atol=1e-12)
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, rtol=0, atol=1e-15)
-    if stated.angles is not None:
-        again = mounting_of_angles(setup, stated.angles, stated.lever_arm)
+    if converted.angles is not None:
+        again = mounting_of_angles(setup, converted.angles, converted.lever_arm)
         # At the pole the third angle is redundant, which the note reports.
         exact = (
             GIMBAL_LOCK_COSINE
-            if stated.note is not None and stated.note.code == "convention.gimbal_lock"
+            if converted.note is not None and converted.note.code == "convention.gimbal_lock"
             else 1e-12
         )
         np.testing.assert_allclose(
@@ -135,11 +135,13 @@ def test_a_mounting_contains_the_quarter_turns(axes) -> None:
     boresight, _ = angles_of_rotation(LISPAC_CONVENTION, rotation)
     assert nearest_axes(rotation) == axes
     setup = ConventionSetup(convention_of_key("opals"))
-    stated = convert_to_system(Mounting(LEVER_ARM, boresight), setup)
-    assert np.degrees(np.abs(stated.angles).max()) < 1.0
-    back = convert_from_system(replace(setup, mounting=axes), stated.rotation, stated.lever_arm)
+    converted = convert_to_system(Mounting(LEVER_ARM, boresight), setup)
+    assert np.degrees(np.abs(converted.angles).max()) < 1.0
+    back = convert_from_system(
+        replace(setup, mounting=axes), converted.rotation, converted.lever_arm
+    )
     np.testing.assert_allclose(back.rotation_body_lidar, rotation, rtol=0, atol=1e-12)
-    body = stated.transform[:3, :3] @ [1.0, 2.0, 3.0]
+    body = converted.transform[:3, :3] @ [1.0, 2.0, 3.0]
     np.testing.assert_allclose(body * [1, -1, -1], rotation @ [1.0, 2.0, 3.0], atol=1e-12)
 
 
@@ -148,14 +150,14 @@ def test_a_mounting_contains_the_quarter_turns(axes) -> None:
 
 def test_a_sum_of_angles_has_the_reported_error() -> None:
     convention = convention_of_key("applanix")
-    current, wanted = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
-    found = correct_boresight(convention, current, rotation_of_angles(convention, wanted))
+    current, expected = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
+    found = correct_boresight(convention, current, rotation_of_angles(convention, expected))
     summed = rotation_of_angles(convention, current + found.correction)
     sight = np.array([0.0, 0.0, 1.0])
-    off = 100 * np.linalg.norm(summed @ sight - rotation_of_angles(convention, wanted) @ sight)
+    off = 100 * np.linalg.norm(summed @ sight - rotation_of_angles(convention, expected) @ sight)
     assert 0.1 < off <= 100 * found.sum_error * 1.0001
     assert found.sum_error == pytest.approx(
-        angle_between_rotations(summed, rotation_of_angles(convention, wanted))
+        angle_between_rotations(summed, rotation_of_angles(convention, expected))
     )
 
 
@@ -206,18 +208,18 @@ def test_at_the_pole_the_rotation_is_right_and_a_note_says_so(convention, pole) 
     angles = np.radians([10.0, 20.0, 30.0])
     angles[convention.order[1]] = np.radians(pole)
     rotation = rotation_of_angles(convention, angles)
-    found, remark = angles_of_rotation(convention, rotation)
+    found, message = angles_of_rotation(convention, rotation)
     np.testing.assert_allclose(rotation_of_angles(convention, found), rotation, atol=1e-12)
-    assert remark is not None
-    assert remark.params["angle"] == pytest.approx(np.radians(pole))
+    assert message is not None
+    assert message.params["angle"] == pytest.approx(np.radians(pole))
     assert found[convention.order[2]] == 0.0
     # With a free mounting, a system chooses other axes instead of the pole.
     setup = ConventionSetup(convention, mounting=FORWARD_PORT_UP)
     mounting = convert_from_system(setup, rotation, LEVER_ARM)
-    stated = convert_to_system(mounting, setup, np.eye(3) * 1e-8)
-    assert stated.sigmas is None
-    assert stated.note is not None
-    assert stated.note.code == "convention.gimbal_lock"
+    converted = convert_to_system(mounting, setup, np.eye(3) * 1e-8)
+    assert converted.sigmas is None
+    assert converted.note is not None
+    assert converted.note.code == "convention.gimbal_lock"
 
 
 def test_near_the_pole_a_note_requires_all_digits() -> None:

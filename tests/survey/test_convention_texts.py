@@ -129,5 +129,5 @@ def test_the_assumed_axes_of_the_scanner_are_reported() -> None:
 def test_assumed_axes_are_reported_and_given_axes_are_not() -> None:
     phoenix = next(each for each in SYSTEMS if each.open_axes)
     assert "X forward, Y port, Z up is assumed" in str(ConventionSetup(phoenix).assumption)
-    stated = ConventionSetup(phoenix, ("down", "starboard", "aft")).assumption
-    assert "is assumed" not in str(stated)
+    of_given_axes = ConventionSetup(phoenix, ("down", "starboard", "aft")).assumption
+    assert "is assumed" not in str(of_given_axes)

@@ -186,8 +186,8 @@ def setup_of(key: str) -> ConventionSetup:
 def test_points_agree_with_the_formula_of_each_program(key: str, boresight_deg) -> None:
     points, poses = survey()
     mounting = Mounting(LEVER_ARM, np.radians(boresight_deg))
-    stated = convert_to_system(mounting, setup_of(key))
-    theirs = FORMULAS[key](points, stated.angles, stated.lever_arm, poses.attitude)
+    converted = convert_to_system(mounting, setup_of(key))
+    theirs = FORMULAS[key](points, converted.angles, converted.lever_arm, poses.attitude)
     ours = place_points(points, poses, mounting) - poses.position
     assert np.abs(theirs - ours).max() < 1e-9
 
@@ -199,10 +199,10 @@ def test_points_agree_with_the_4x4_matrix(key: str) -> None:
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
     setup = setup_of(key)
     transform = convert_to_system(mounting, setup).transform
-    given = points
+    points_scanner = points
     if setup.scanner_frame == "turned":
-        given = points @ setup.permutation.T
-    theirs = np.c_[given, np.ones(len(points))] @ transform.T
+        points_scanner = points @ setup.permutation.T
+    theirs = np.c_[points_scanner, np.ones(len(points))] @ transform.T
     body_ned = {
         ("forward", "starboard", "down"): ((0, 1), (1, 1), (2, 1)),
         ("forward", "port", "up"): ((0, 1), (1, -1), (2, -1)),
@@ -222,14 +222,16 @@ def test_points_agree_with_the_4x4_matrix(key: str) -> None:
 def test_real_vessel_data_by_the_applanix_formula(shared_data: Path) -> None:
     """The converted angles give the coordinates stored by another program, in NED."""
     mounting = Mounting(LEVER_ARM, np.radians([0.4395, -1.8681, 0.3992]))
-    stated = convert_to_system(mounting, ConventionSetup(convention_of_key("applanix")))
-    np.testing.assert_allclose(np.degrees(stated.angles), [0.4395, 1.8681, 0.3992], atol=1e-12)
+    converted = convert_to_system(mounting, ConventionSetup(convention_of_key("applanix")))
+    np.testing.assert_allclose(np.degrees(converted.angles), [0.4395, 1.8681, 0.3992], atol=1e-12)
     files = sorted((shared_data / "cidco").glob("*/*/*"))
     assert len(files) == 16
     for path in files:
         rows = np.fromfile(path, dtype="<f8").reshape(-1, 22)[:300]
         local = (
-            FORMULAS["applanix"](rows[:, 4:7], stated.angles, stated.lever_arm, rows[:, 10:13])
+            FORMULAS["applanix"](
+                rows[:, 4:7], converted.angles, converted.lever_arm, rows[:, 10:13]
+            )
             + rows[:, 16:19]
         )
         assert np.abs(local - rows[:, :3]).max() < 1e-9, path.name
@@ -270,14 +272,14 @@ def test_phoenix_turns_about_fixed_axes() -> None:
 
 @pytest.mark.parametrize("key", ["applanix", "kluster", "qinsy", "terrascan", "hypack"])
 def test_small_angles_differ_in_the_sign_of_the_pitch_only(key: str) -> None:
-    stated = convert_to_system(
+    converted = convert_to_system(
         Mounting(np.zeros(3), np.radians([0.1, 0.0, 0.0])), ConventionSetup(convention_of_key(key))
     )
-    np.testing.assert_allclose(np.degrees(stated.angles), [0.1, 0, 0], atol=1e-12)
-    stated = convert_to_system(
+    np.testing.assert_allclose(np.degrees(converted.angles), [0.1, 0, 0], atol=1e-12)
+    converted = convert_to_system(
         Mounting(np.zeros(3), np.radians([0.0, 0.1, 0.0])), ConventionSetup(convention_of_key(key))
     )
-    np.testing.assert_allclose(np.degrees(stated.angles), [0, -0.1, 0], atol=1e-12)
+    np.testing.assert_allclose(np.degrees(converted.angles), [0, -0.1, 0], atol=1e-12)
 
 
 @pytest.mark.parametrize("key", [each.key for each in WITH_ANGLES])
@@ -285,16 +287,16 @@ def test_the_new_rotation_is_correction_times_current(key: str) -> None:
     """The rotation of the correction times the current rotation is the new rotation."""
     setup = setup_of(key)
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
-    stated = convert_to_system(mounting, setup)
+    converted = convert_to_system(mounting, setup)
     current = np.radians([2.0, -3.0, 5.0])
-    found = correct_boresight(setup.convention, current, stated.rotation)
+    found = correct_boresight(setup.convention, current, converted.rotation)
     product = rotation_of_angles(setup.convention, found.correction) @ rotation_of_angles(
         setup.convention, found.current
     )
-    np.testing.assert_allclose(product, stated.rotation, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(product, converted.rotation, rtol=0, atol=1e-12)
     np.testing.assert_allclose(
         found.rotation @ rotation_of_angles(setup.convention, current), product, atol=1e-12
     )
     points, poses = survey(100)
-    theirs = FORMULAS[key](points, found.new, stated.lever_arm, poses.attitude)
+    theirs = FORMULAS[key](points, found.new, converted.lever_arm, poses.attitude)
     assert np.abs(theirs - place_points(points, poses, mounting) + poses.position).max() < 1e-9

@@ -57,7 +57,7 @@ def test_coordinates_near_the_trajectory_are_converted(circle: LocalTrajectory) 
 
 
 @pytest.mark.parametrize(
-    ("code", "point", "said"),
+    ("code", "point", "message_code"),
     [
         (
             GEOGRAPHIC, (46.8, -71.2, 5.0),
@@ -75,13 +75,13 @@ def test_coordinates_near_the_trajectory_are_converted(circle: LocalTrajectory) 
     ],
 )  # fmt: skip
 def test_implausible_coordinates_are_reported_with_a_possible_cause(
-    circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
+    circle: LocalTrajectory, code: str, point: tuple[float, ...], message_code: str
 ) -> None:
     system = coordinate_system(code) if code else None
-    told = too_far_message(np.array(point), system, circle, "P1")
-    assert told is not None
-    assert told.code == said
+    message = too_far_message(np.array(point), system, circle, "P1")
+    assert message is not None
+    assert message.code == message_code
     with pytest.raises(InputError) as caught:
         require_near_trajectory(np.array(point), system, circle, "P1")
-    assert caught.value.message == told
+    assert caught.value.message == message
     assert str(caught.value).startswith("P1: ")

@@ -119,14 +119,14 @@ def test_a_crs_without_an_area_of_use_is_valid_everywhere() -> None:
 
 def test_area_of_use_has_a_tolerance_of_three_degrees() -> None:
     zone = CRS("EPSG:32619")  # 72 to 66 degrees west, 0 to 84 north
-    said = zone.area_of_use.name.split(".")[0]
-    assert said.startswith("Between 72°W and 66°W")
+    area_name = zone.area_of_use.name.split(".")[0]
+    assert area_name.startswith("Between 72°W and 66°W")
     for latitude, longitude, elsewhere in (
         (-2.9, -69, False), (-3.1, -69, True), (86.9, -69, False), (87.1, -69, True),
         (46, -74.9, False), (46, -75.1, True), (46, -63.1, False), (46, -62.9, True),
         (46, 111, True),
     ):  # fmt: skip
-        assert area_of_use_elsewhere(zone, latitude, longitude) == (said if elsewhere else "")
+        assert area_of_use_elsewhere(zone, latitude, longitude) == (area_name if elsewhere else "")
 
 
 def test_area_of_use_across_the_antimeridian() -> None:
@@ -169,9 +169,9 @@ def test_the_converter_extends_to_distant_points() -> None:
     mapper = ScannerPointConverter(system, track, ZERO_MOUNTING)
     time = np.array([1.0, 8.0])
     for metres in (20.0, 3000.0, 25.0):
-        seen = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
-        found = mapper.to_scanner(mapper.to_map(seen, time), time)
-        np.testing.assert_allclose(found, seen, atol=1e-4)
+        points = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
+        found = mapper.to_scanner(mapper.to_map(points, time), time)
+        np.testing.assert_allclose(found, points, atol=1e-4)
 
 
 def test_a_site_outside_the_map_projection_gives_distant_points() -> None:
@@ -212,7 +212,7 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCovera
 
 
 @pytest.mark.parametrize(
-    ("covered", "lost", "found"),
+    ("covered", "excluded_count", "found"),
     [
         (_covered(2000, 1500), 1500, {"import.excluded_outside": 1500}),
         (
@@ -222,9 +222,9 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCovera
     ],
 )  # fmt: skip
 def test_excluded_points_are_reported(
-    covered: TrajectoryCoverage, lost: int, found: dict[str, int]
+    covered: TrajectoryCoverage, excluded_count: int, found: dict[str, int]
 ) -> None:
-    notes = exclusion_notes(covered, lost, "a")
+    notes = exclusion_notes(covered, excluded_count, "a")
     assert {each.code: each.params["count"] for each in notes} == found
 
 

@@ -64,7 +64,7 @@ def test_the_correction_matrix_moves_points_to_the_new_mounting(
 ) -> None:
     setup = setup_of(key)
     new = replacement_of_old(setup, NEW_MOUNTING, applied=False, known=known)
-    wanted = Mounting(
+    expected = Mounting(
         NEW_MOUNTING.lever_arm if known else OLD_MOUNTING.lever_arm, NEW_MOUNTING.boresight
     )
     assert new.current is not None
@@ -75,8 +75,8 @@ def test_the_correction_matrix_moves_points_to_the_new_mounting(
     np.testing.assert_allclose(
         now @ setup.permutation, in_body(points, OLD_MOUNTING), rtol=0, atol=1e-9
     )
-    mended = moved(now, new.transform) @ setup.permutation
-    np.testing.assert_allclose(mended, in_body(points, wanted), rtol=0, atol=1e-9)
+    corrected = moved(now, new.transform) @ setup.permutation
+    np.testing.assert_allclose(corrected, in_body(points, expected), rtol=0, atol=1e-9)
     np.testing.assert_allclose(moved(theirs, new.in_system.transform), moved(now, new.transform),
                                rtol=0, atol=1e-9)  # fmt: skip
     assert new.lever_arm == ("replaced" if known else "taken over")
@@ -92,7 +92,7 @@ def test_the_correction_matrix_moves_points_to_the_new_mounting(
         again = FORMULAS[key](
             points, new.in_system.angles, new.in_system.lever_arm, np.zeros((len(points), 3))
         )
-        np.testing.assert_allclose(again, in_body(points, wanted), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(again, in_body(points, expected), rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("exported", [np.eye(3), FLIPPED_AXES], ids=["up", "down"])
@@ -144,11 +144,11 @@ def test_a_matrix_is_from_the_scanner_for_both_directions_of_angles() -> None:
     setup = setup_of("applanix")
     other = replace(setup, convention=replace(setup.convention, direction="body_to_lidar"))
     for each in (setup, other):
-        stated = convert_to_system(OLD_MOUNTING, each)
-        assert stated.angles is not None
-        current = current_mounting_of_matrix(each, stated.transform[:3, :3], None)
+        converted = convert_to_system(OLD_MOUNTING, each)
+        assert converted.angles is not None
+        current = current_mounting_of_matrix(each, converted.transform[:3, :3], None)
         found = angles_of_rotation(each.convention, current.values)[0]
-        np.testing.assert_allclose(found, stated.angles, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(found, converted.angles, rtol=0, atol=1e-12)
 
 
 def test_a_3x3_matrix_does_not_change_the_lever_arm() -> None:

@@ -107,7 +107,7 @@ def test_simulated_lines_are_recovered(
         chunks = list(recover_scanner_points(LAS_FORMAT.read(path, choice), recovery))
         back = np.concatenate([chunk.xyz for chunk, _ in chunks])
         worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
-        assert sum(lost for _, lost in chunks) == 0
+        assert sum(skipped for _, skipped in chunks) == 0
         intensity = np.concatenate([chunk.extra["intensity"] for chunk, _ in chunks])
         np.testing.assert_array_equal(intensity, np.arange(len(back)) % 60_000)
     with capsys.disabled():
@@ -174,8 +174,8 @@ def test_points_without_a_pose_are_skipped_and_counted(port: SimulatedSurvey) ->
     outside = time.copy()
     outside[:30] = recovery.trajectory.time[0] - 1.0
     chunk = PointChunk(cloud, outside, {"mark": np.arange(len(time))}, None)
-    ((kept, lost),) = recover_scanner_points([chunk], recovery)
-    assert lost == 30
+    ((kept, skipped),) = recover_scanner_points([chunk], recovery)
+    assert skipped == 30
     assert len(kept.xyz) == len(kept.time) == len(time) - 30
     np.testing.assert_array_equal(kept.extra["mark"], np.arange(30, len(time)))
 
@@ -185,13 +185,16 @@ def test_points_in_a_gap_are_skipped(port: SimulatedSurvey) -> None:
     whole = recovery.trajectory
     middle = float(np.median(time))
     kept = (whole.time < middle - 1) | (whole.time > middle + 1)
-    torn = replace(
+    with_gap = replace(
         whole, time=whole.time[kept], position=whole.position[kept], attitude=whole.attitude[kept]
     )
     chunk = PointChunk(cloud, time, {}, None)
-    ((_, lost),) = recover_scanner_points([chunk], replace(recovery, trajectory=torn))
-    last, first = torn.time[torn.time < middle].max(), torn.time[torn.time > middle].min()
-    assert lost == np.count_nonzero((time > last) & (time < first)) > 0
+    ((_, skipped),) = recover_scanner_points([chunk], replace(recovery, trajectory=with_gap))
+    last, first = (
+        with_gap.time[with_gap.time < middle].max(),
+        with_gap.time[with_gap.time > middle].min(),
+    )
+    assert skipped == np.count_nonzero((time > last) & (time < first)) > 0
 
 
 @pytest.mark.parametrize(
@@ -228,13 +231,13 @@ def test_latency_shifts_the_times_with_a_pose(port: SimulatedSurvey) -> None:
     assert RecoverySetup.has_pose(late, times).tolist() == [False, True, True, True, False]
 
 
-@pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])
+@pytest.mark.parametrize(("near", "is_accepted"), [(40, False), (60, True)])
 def test_lines_with_half_their_points_too_far_are_not_in_the_scanner_frame(
-    near: int, taken: bool
+    near: int, is_accepted: bool
 ) -> None:
     points = np.full((100, 3), 1e6)
     points[:near] = 10.0
-    if taken:
+    if is_accepted:
         require_scanner_frame(points, Path("line.laz"))
         return
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):

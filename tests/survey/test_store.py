@@ -66,22 +66,22 @@ def test_the_manifest_has_the_extent_of_the_line(tmp_path: Path) -> None:
 
 
 def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None:
-    told: list[tuple[float, str]] = []
+    steps: list[tuple[float, str]] = []
     write_store(
         tmp_path, RECIPE, LINE.pieces(1000), place,
-        progress=lambda done, step=None: told.append((done, str(step or ""))),
+        progress=lambda done, step=None: steps.append((done, str(step or ""))),
     )  # fmt: skip
-    done = [part for part, _ in told]
+    done = [part for part, _ in steps]
     assert done == sorted(done)
-    reading = [(part, words) for part, words in told if words.startswith("Reading L1")]
+    reading = [(part, words) for part, words in steps if words.startswith("Reading L1")]
     whole = LINE.index[-1] + 1
     assert [part for part, _ in reading] == pytest.approx(
         [0.6 * min(1.0, 1000 * k / whole) for k in range(1, len(reading) + 1)]
     )
     assert reading[0][1] == f"Reading L1: 1,000 of {whole:,} points"
-    ordering = [words for _, words in told if words.startswith("Sorting the points of L1: ")]
+    ordering = [words for _, words in steps if words.startswith("Sorting the points of L1: ")]
     assert ordering[0] == "Sorting the points of L1: 0 of 6,300 points"
-    assert told[-1] == (1.0, "Sorting the points of L1: writing to disk")
+    assert steps[-1] == (1.0, "Sorting the points of L1: writing to disk")
 
 
 def test_fingerprint_is_that_of_the_points_in_memory(tmp_path: Path) -> None:
@@ -142,9 +142,9 @@ def test_points_in_a_region_equal_those_of_brute_force(
     centre = np.array(centre) * (1000 if far else 1)
     rows, local = region.within(centre, radius, place)
     every = place(region.points_lidar.astype(float), region.time)
-    wanted = np.flatnonzero(((every - centre) ** 2).sum(axis=1) <= radius**2)
-    np.testing.assert_array_equal(rows, wanted)
-    np.testing.assert_array_equal(local, every[wanted])
+    expected = np.flatnonzero(((every - centre) ** 2).sum(axis=1) <= radius**2)
+    np.testing.assert_array_equal(rows, expected)
+    np.testing.assert_array_equal(local, every[expected])
     runs = region.near(centre, radius)
     assert (np.diff(runs.ravel()) > 0).all()
 
@@ -165,15 +165,15 @@ def test_points_in_a_region_with_another_boresight(
         return place(xyz @ rotation.T, time)
 
     every = turned(region.points_lidar.astype(float), region.time)
-    wanted = np.flatnonzero(((every - np.array(centre)) ** 2).sum(axis=1) <= radius**2)
+    expected = np.flatnonzero(((every - np.array(centre)) ** 2).sum(axis=1) <= radius**2)
     rows, _ = region.within(np.array(centre), radius, turned, margin=margin)
-    np.testing.assert_array_equal(rows, wanted)
+    np.testing.assert_array_equal(rows, expected)
 
 
 @pytest.fixture(scope="module")
 def region(tmp_path_factory) -> StoredLine:
     """A stored line that tests only read."""
-    return stored(tmp_path_factory.mktemp("region") / "L1", Line(4_000, stray=True))
+    return stored(tmp_path_factory.mktemp("region") / "L1", Line(4_000, far_point=True))
 
 
 def test_a_small_region_reads_few_points(tmp_path: Path) -> None:
@@ -266,9 +266,9 @@ def test_cancelled_import_is_resumed(tmp_path: Path, when: int) -> None:
     source = LINE.pieces(300)
     write_store(folder, RECIPE, source, place)
     if when > 22:
-        assert not source.asked, "all of it was spooled: the file is not read again"
+        assert not source.requested, "all of it was spooled: the file is not read again"
     else:
-        assert source.asked == [LINE.index[1000 * blocks - 1] + 1 if blocks else 0]
+        assert source.requested == [LINE.index[1000 * blocks - 1] + 1 if blocks else 0]
     assert files_of(open_store(folder, "L1").manifest) == files_of(whole)
 
 
@@ -283,7 +283,7 @@ def test_a_damaged_block_is_read_again(tmp_path: Path) -> None:
     block.write_bytes(content)
     source = LINE.pieces(1000)
     write_store(folder, RECIPE, source, place)
-    assert source.asked == [LINE.index[1999] + 1]
+    assert source.requested == [LINE.index[1999] + 1]
     assert files_of(open_store(folder, "L1").manifest) == files_of(whole)
 
 
@@ -293,7 +293,7 @@ def test_blocks_of_another_file_are_not_used(tmp_path: Path) -> None:
     changed = replace(RECIPE, original=replace(ORIGINAL, modified=99))
     source = LINE.pieces(1000)
     write_store(tmp_path, changed, source, place)
-    assert source.asked == [0]
+    assert source.requested == [0]
 
 
 def test_a_new_import_replaces_the_old_one_only_when_complete(tmp_path: Path) -> None:

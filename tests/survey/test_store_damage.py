@@ -59,10 +59,10 @@ def test_a_flipped_bit_is_detected(tmp_path: Path) -> None:
         assert reason_code(refused.value) == "store.part_changed"
         content[-3] ^= 4
         path.write_bytes(content)
-    told: list[float] = []
-    found.require_sound(told.append)
+    fractions: list[float] = []
+    found.require_sound(fractions.append)
     sizes = [column.size for column in found.manifest.files]
-    assert told == [sum(sizes[: k + 1]) / sum(sizes) for k in range(len(sizes))]
+    assert fractions == [sum(sizes[: k + 1]) / sum(sizes) for k in range(len(sizes))]
 
 
 @pytest.mark.parametrize("name", ["octaves", "starts"])
@@ -71,10 +71,10 @@ def test_files_used_by_searches_are_always_checked(tmp_path: Path, name: str) ->
     stored(tmp_path)
     open_store(tmp_path, "L1")
     path = tmp_path / "columns-1" / f"{name}.npy"
-    seen, content = path.stat(), bytearray(path.read_bytes())
+    status, content = path.stat(), bytearray(path.read_bytes())
     content[-3] ^= 4
     path.write_bytes(content)
-    os.utime(path, ns=(seen.st_atime_ns, seen.st_mtime_ns))
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
     with pytest.raises(ProjectError, match=rf"{name}\.npy") as refused:
         open_store(tmp_path, "L1")
     assert reason_code(refused.value) == "store.part_changed"
@@ -101,12 +101,12 @@ def test_impossible_coordinates_with_right_checksums_are_refused(
 def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stored(tmp_path / "L1")
     copy = Path(shutil.copytree(tmp_path / "L1", tmp_path / "copy", copy_function=shutil.copyfile))
-    told: list[object] = []
+    steps: list[object] = []
 
     def opening(folder: Path) -> list[object]:
-        told.clear()
-        open_store(folder, "L1", progress=lambda done, words="": told.append(words))
-        return told
+        steps.clear()
+        open_store(folder, "L1", progress=lambda done, words="": steps.append(words))
+        return steps
 
     assert opening(tmp_path / "L1") == []
     assert set(opening(copy)) == {gettext_lazy("Checking {line}", line="L1")}
@@ -139,9 +139,9 @@ def test_a_line_imported_again_meanwhile_is_refused(tmp_path: Path) -> None:
     assert len(opened.time)
     stored(tmp_path)
     assert (tmp_path / "columns-2").is_dir()
-    for look in (lambda: opened.points_lidar, lambda: opened.extra, opened.require_sound):
+    for read in (lambda: opened.points_lidar, lambda: opened.extra, opened.require_sound):
         with pytest.raises(ProjectError) as refused:
-            look()
+            read()
         assert refused.value.code == "store.imported_again"
     assert len(opened.time)
 
@@ -280,16 +280,16 @@ def test_a_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "given",
+    "changes",
     [
         {"folder": ".."}, {"folder": "columns-abc"}, {"folder": "columns-\u00b2"},
         {"placed_with": {"mounting": [[[]]]}}, {"placed_with": {"mounting": [0.0]}},
         {"first_time": -1e308, "last_time": 1e308}, {"reach": 1e300}, {"reach": -1.0},
     ],
 )  # fmt: skip
-def test_invalid_manifests_are_refused(tmp_path: Path, given) -> None:
+def test_invalid_manifests_are_refused(tmp_path: Path, changes) -> None:
     found = stored(tmp_path)
-    write_manifest(tmp_path, replace(found.manifest, **given))
+    write_manifest(tmp_path, replace(found.manifest, **changes))
     with pytest.raises(ProjectError):
         open_store(tmp_path, "L1")
     assert list((tmp_path / "columns-1").glob("*.npy"))

@@ -57,9 +57,11 @@ def test_a_line_without_skipped_points_keeps_its_numbers(tmp_path: Path, intensi
         assert sample.intensity is None
         assert found.intensities(numbers) is None
     else:
-        given = line.extra["intensity"]
-        np.testing.assert_array_equal(sample.intensity, given[found.numbers(sample.rows)])
-        np.testing.assert_array_equal(found.intensities(numbers), given[numbers])
+        intensity_of_points = line.extra["intensity"]
+        np.testing.assert_array_equal(
+            sample.intensity, intensity_of_points[found.numbers(sample.rows)]
+        )
+        np.testing.assert_array_equal(found.intensities(numbers), intensity_of_points[numbers])
 
 
 def test_all_points_of_a_small_sphere_in_crowded_cells_are_found(tmp_path: Path) -> None:
@@ -81,12 +83,12 @@ def test_a_line_imported_again_during_opening_is_opened_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = stored(tmp_path, Line(80)).manifest
-    look, again = stored_line.require_file_sizes, iter([True])
+    original_check, again = stored_line.require_file_sizes, iter([True])
 
     def after_an_import(folder: Path, manifest: object) -> None:
         if next(again, False):
             write_store(folder, RECIPE, Line(500).pieces(900), place)
-        look(folder, manifest)
+        original_check(folder, manifest)
 
     monkeypatch.setattr(stored_line, "require_file_sizes", after_an_import)
     found = open_store(tmp_path, "L1")
@@ -213,11 +215,11 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_acquired_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The previous holder removes the file just after this one has opened it."""
-    take, gone = locks._lock, iter([True])
+    take, is_removed = locks._lock, iter([True])
 
     def too_late(handle: int) -> None:
         take(handle)
-        if next(gone, False):
+        if next(is_removed, False):
             (tmp_path / LOCK_FILE).unlink()
 
     monkeypatch.setattr(locks, "_lock", too_late)

@@ -329,14 +329,14 @@ def test_seconds_of_the_hour_match_the_trajectory(hour: int, begin: float, span:
     track = start + np.linspace(-60, span + 60, 800)
     line = start + np.linspace(0, span, 300)
     raw = np.mod(from_gps(line, base_of_key("unix")), HOUR)
-    restart = find_rollover(raw)
-    assert restart == ("full-hour" if raw[-1] < raw[0] and span < 0.9 * HOUR / 2 else "") or (
+    rollover = find_rollover(raw)
+    assert rollover == ("full-hour" if raw[-1] < raw[0] and span < 0.9 * HOUR / 2 else "") or (
         raw[-1] < raw[0]
     )
     counted = np.where(raw < raw[0], raw + HOUR, raw)
-    if restart:
+    if rollover:
         np.testing.assert_allclose(
-            resolve_rollover(raw, restart) - counted, counted[0] * 0, atol=1e-6
+            resolve_rollover(raw, rollover) - counted, counted[0] * 0, atol=1e-6
         )
     found = find_time_matches(
         counted, from_gps(track, base_of_key("gps-week")),

@@ -53,12 +53,14 @@ def test_the_share_is_the_largest_over_lines_relative_to_the_smaller_target() ->
     assert find_overlap(small, [BOARD, WALL, DUPLICATE]) == replace(found, one="T7", other="V1")
 
 
-@pytest.mark.parametrize(("shared", "told"), [(0, False), (99, False), (100, True), (299, True)])
-def test_a_share_of_a_tenth_or_more_is_reported(shared: int, told: bool) -> None:
+@pytest.mark.parametrize(
+    ("shared", "is_reported"), [(0, False), (99, False), (100, True), (299, True)]
+)
+def test_a_share_of_a_tenth_or_more_is_reported(shared: int, is_reported: bool) -> None:
     other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
-    assert bool(find_overlaps([BOARD, other])) == told
+    assert bool(find_overlaps([BOARD, other])) == is_reported
     found = overlap_warning(other, [BOARD])
-    assert (found is not None) == told
+    assert (found is not None) == is_reported
     if found is not None:
         assert found.code == "overlap.points_shared_twice"
         assert found.params["share"] == pytest.approx(shared / 1000)
@@ -128,8 +130,8 @@ def test_a_result_with_shared_points_has_a_warning_everywhere(
 
 
 def test_unused_targets_and_sightings_do_not_count(project: Project) -> None:
-    left_out = replace(DUPLICATE, used=False)
-    assert duplicate_warnings(replace(project, targets=(BOARD, left_out))) == ()
+    excluded = replace(DUPLICATE, used=False)
+    assert duplicate_warnings(replace(project, targets=(BOARD, excluded))) == ()
     no_lines = replace(
         DUPLICATE, sightings=tuple(replace(s, used=False) for s in DUPLICATE.sightings)
     )

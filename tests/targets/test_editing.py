@@ -61,10 +61,10 @@ def test_all_given_lines_are_edited_and_an_empty_selection_changes_nothing(
     target = project.target("T1")
     less, count = without_points(target, survey.clouds, lambda p: p[:, 2] > np.median(p[:, 2]))
     assert all(sighting.by_hand for sighting in less.sightings)
-    lost = [len(a.indices) - len(b.indices)
-            for a, b in zip(target.sightings, less.sightings, strict=True)]  # fmt: skip
-    assert sum(lost) == count
-    assert min(lost) > 0
+    removed = [len(a.indices) - len(b.indices)
+               for a, b in zip(target.sightings, less.sightings, strict=True)]  # fmt: skip
+    assert sum(removed) == count
+    assert min(removed) > 0
     same, none = without_points(target, survey.clouds, lambda p: np.zeros(len(p), bool))
     assert same is target
     assert none == 0
@@ -107,10 +107,11 @@ def test_only_points_near_the_surface_of_a_ball_are_added() -> None:
     """Half of the points are removed and restored; the RMS is that of a sphere of known radius."""
     centre, radius = np.array([0.0, WALL, 8.0]), 0.4
     ball = Sphere("T1", centre, radius, 200.0)
-    seen = site([ball], lines=2, pulses_per_second=200_000.0)
-    _, survey = seen.opened()
+    scene_site = site([ball], lines=2, pulses_per_second=200_000.0)
+    _, survey = scene_site.opened()
     sightings = tuple(
-        PickedSighting(line, np.flatnonzero(seen.on(line, "T1")), 0.002) for line in survey.lines
+        PickedSighting(line, np.flatnonzero(scene_site.on(line, "T1")), 0.002)
+        for line in survey.lines
     )
     target = Target(
         "S1", "target", (0.0, WALL, 8.0), 0.02, 1.0, sightings, shape="sphere",

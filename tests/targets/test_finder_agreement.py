@@ -58,23 +58,23 @@ def scenery(name: str) -> Site:
     return site(SCENES[name], absent_from=LINE_WITHOUT_TARGET)
 
 
-def clicked(seen: Site, survey: Survey, line: str) -> np.ndarray:
-    on = np.flatnonzero(seen.on(line, "T1"))
-    truly = seen.echoes[line].true_points_local[on]
+def clicked_point(scene_site: Site, survey: Survey, line: str) -> np.ndarray:
+    on = np.flatnonzero(scene_site.on(line, "T1"))
+    truly = scene_site.echoes[line].true_points_local[on]
     nearest = np.argmin(np.linalg.norm(truly - truly.mean(axis=0) - [-0.2, 0.0, -0.2], axis=1))
     return survey.clouds[line][on[[nearest]]][0]
 
 
-def typed(seen: Site) -> np.ndarray:
-    truly = seen.echoes["L3"].true_points_local[seen.on("L3", "T1")]
+def typed_seed(scene_site: Site) -> np.ndarray:
+    truly = scene_site.echoes["L3"].true_points_local[scene_site.on("L3", "T1")]
     return np.asarray(truly.mean(axis=0) + [0.1, 0.05, 0.1])
 
 
-def require_right(seen: Site, target: Target) -> None:
+def require_right(scene_site: Site, target: Target) -> None:
     """Require that every sighting contains points on the true plane of the target."""
-    truth = next(s for s in seen.scene.surfaces if s.name == "T1")
+    truth = next(s for s in scene_site.scene.surfaces if s.name == "T1")
     for sighting in target.sightings:
-        points = seen.echoes[sighting.line].true_points_local[sighting.indices]
+        points = scene_site.echoes[sighting.line].true_points_local[sighting.indices]
         plane = patch_of(points, np.arange(len(points)), truth.normal).plane
         assert sighting.line != LINE_WITHOUT_TARGET, target.missing
         assert np.degrees(np.arccos(min(1.0, plane.normal @ truth.normal))) < 2.0, sighting.line
@@ -94,25 +94,30 @@ def test_a_line_without_the_target_has_no_sighting(
     name: str, off_deg: tuple[float, float, float]
 ) -> None:
     """The seed is a click on one line, or coordinates that belong to no line."""
-    seen = scenery(name)
-    project, survey = seen.opened(off_deg)
+    scene_site = scenery(name)
+    project, survey = scene_site.opened(off_deg)
     require_right(
-        seen, find_target(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
+        scene_site,
+        find_target(
+            project, survey, clicked_point(scene_site, survey, "L3"), name="T1", first_line="L3"
+        ),
     )
-    require_right(seen, find_target(project, survey, typed(seen), name="T1"))
+    require_right(scene_site, find_target(project, survey, typed_seed(scene_site), name="T1"))
 
 
 def two_boards() -> tuple[Site, Project, Survey, Target]:
-    seen = scenery("similar board beside")
-    project, survey = seen.opened((1.0, -1.0, 1.0))
-    target = find_target(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
-    return seen, project, survey, target
+    scene_site = scenery("similar board beside")
+    project, survey = scene_site.opened((1.0, -1.0, 1.0))
+    target = find_target(
+        project, survey, clicked_point(scene_site, survey, "L3"), name="T1", first_line="L3"
+    )
+    return scene_site, project, survey, target
 
 
 def test_a_click_on_another_surface_adds_no_sighting() -> None:
     """The user clicks the similar board on the line that lacks the target."""
-    seen, project, survey, target = two_boards()
-    on = np.flatnonzero(seen.on(LINE_WITHOUT_TARGET, "T2"))
+    scene_site, project, survey, target = two_boards()
+    on = np.flatnonzero(scene_site.on(LINE_WITHOUT_TARGET, "T2"))
     seed = survey.clouds[LINE_WITHOUT_TARGET][on[[len(on) // 2]]][0]
     with pytest.raises(TargetNotFound):
         find_target(project.with_target(target), survey, seed, name="T1", line=LINE_WITHOUT_TARGET)
@@ -121,9 +126,9 @@ def test_a_click_on_another_surface_adds_no_sighting() -> None:
 
 
 def test_a_click_on_the_same_surface_adds_a_sighting() -> None:
-    seen, project, survey, target = two_boards()
+    scene_site, project, survey, target = two_boards()
     fewer = replace(target, sightings=tuple(s for s in target.sightings if s.line != "L6"))
-    on = np.flatnonzero(seen.on("L6", "T1"))
+    on = np.flatnonzero(scene_site.on("L6", "T1"))
     seed = survey.clouds["L6"][on[[len(on) // 2]]][0]
     again = find_target(project.with_target(fewer), survey, seed, name="T1", line="L6")
     assert {s.line for s in again.sightings} == {s.line for s in target.sightings}
@@ -132,15 +137,15 @@ def test_a_click_on_the_same_surface_adds_a_sighting() -> None:
 @pytest.mark.parametrize(("off_deg", "agrees"), [(0.3, True), (2.0, False)])
 def test_the_limit_follows_from_the_accuracy_of_the_placement(off_deg: float, agrees: bool) -> None:
     """Lines displaced by an error of the boresight, judged as accurate to 0.2 deg."""
-    seen = scenery("wall 0.3 m behind")
-    _, survey = seen.opened((off_deg, -off_deg, off_deg))
+    scene_site = scenery("wall 0.3 m behind")
+    _, survey = scene_site.opened((off_deg, -off_deg, off_deg))
     lines = ["L1", "L2", "L3"]
     clouds = {line: survey.clouds[line] for line in lines}
     found = {
         line: replace(
             patch_of(clouds[line][on], np.arange(len(on)), np.array([0.0, 1.0, 0.0])), indices=on
         )
-        for line, on in ((line, np.flatnonzero(seen.on(line, "T1"))) for line in lines)
+        for line, on in ((line, np.flatnonzero(scene_site.on(line, "T1"))) for line in lines)
     }
     kept, rejected = split_by_agreement(
         found, clouds, PlacementAccuracy(np.radians(0.2)), 2.0, "L1"

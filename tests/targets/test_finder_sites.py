@@ -63,39 +63,39 @@ def scenery(name: str) -> Site:
     return site(SCENES[name]())
 
 
-def click(seen: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> np.ndarray:
+def clicked_point(scene_site: Site, clouds: dict[str, np.ndarray], line: str = "L1") -> np.ndarray:
     """The point of a line that is clicked."""
-    boards = [s.centre for s in seen.scene.surfaces if s.name == "T1"]
-    on = seen.on(line, "T1")
-    truly = seen.echoes[line].true_points_local[on]
+    boards = [s.centre for s in scene_site.scene.surfaces if s.name == "T1"]
+    on = scene_site.on(line, "T1")
+    truly = scene_site.echoes[line].true_points_local[on]
     nearest = np.argmin(np.linalg.norm(truly - np.mean(boards, axis=0) - CLICK_OFFSET, axis=1))
     return clouds[line][on][nearest]
 
 
 def picked(name: str, off_deg: tuple[float, ...]) -> tuple[Site, dict[str, PlanePatch]]:
-    seen = scenery(name)
-    clouds = seen.clouds(off_deg)
-    found, missing = find_in_lines(clouds, click(seen, clouds), SETTINGS)
+    scene_site = scenery(name)
+    clouds = scene_site.clouds(off_deg)
+    found, missing = find_in_lines(clouds, clicked_point(scene_site, clouds), SETTINGS)
     assert missing == {}
-    return seen, found
+    return scene_site, found
 
 
 @pytest.mark.parametrize("off_deg", OFF_DEG)
 @pytest.mark.parametrize("name", ["5 cm proud", "similar targets", "bollard", "grazing"])
 def test_every_line_gives_the_target_only(name, off_deg):
     """Points of the wall behind, a similar target beside it or an occluding object are excluded."""
-    seen, found = picked(name, off_deg)
+    scene_site, found = picked(name, off_deg)
     for line, patch in found.items():
-        precision, recall = precision_and_recall(patch.indices, seen.on(line, "T1"))
+        precision, recall = precision_and_recall(patch.indices, scene_site.on(line, "T1"))
         assert precision > 0.99, (line, precision, recall)
         assert recall > 0.95, (line, precision, recall)
 
 
 def test_a_rippled_sheet_is_separated_from_the_wall():
     """The sheet is not a plane, but its points are found; its RMS is large."""
-    seen, found = picked("rippled", (1, 1, 1))
+    scene_site, found = picked("rippled", (1, 1, 1))
     for line, patch in found.items():
-        precision, recall = precision_and_recall(patch.indices, seen.on(line, "T1"))
+        precision, recall = precision_and_recall(patch.indices, scene_site.on(line, "T1"))
         assert precision > 0.99
         assert recall > 0.7
         assert patch.rms > 0.004
@@ -136,20 +136,25 @@ def test_one_seed_is_sufficient_for_each_target_of_the_demo(port, target, off_de
             assert recall > 0.95, (line.name, precision, recall)
 
 
-@pytest.mark.parametrize("lost", ["empty", "far", "sparse"])
-def test_a_line_without_points_near_the_seed_has_a_reason(lost):
-    seen = scenery("grazing")
-    clouds = dict(list(seen.clouds().items())[:2])
+@pytest.mark.parametrize("defect", ["empty", "far", "sparse"])
+def test_a_line_without_points_near_the_seed_has_a_reason(defect):
+    scene_site = scenery("grazing")
+    clouds = dict(list(scene_site.clouds().items())[:2])
     clouds["L9"] = {
         "empty": np.empty((0, 3)),
         "far": clouds["L1"] + [0.0, 500.0, 0.0],
         "sparse": clouds["L1"][::20_000],
-    }[lost]
-    found, missing = find_in_lines(clouds, click(seen, clouds), SETTINGS, first_line="L1")
+    }[defect]
+    found, missing = find_in_lines(
+        clouds, clicked_point(scene_site, clouds), SETTINGS, first_line="L1"
+    )
     assert set(found) == {"L1", "L2"}
     assert missing["L9"].code
     # With a seed that belongs to no line, the line without points does not matter either.
-    assert set(find_in_lines(clouds, click(seen, clouds) + 0.01, SETTINGS)[0]) == {"L1", "L2"}
+    assert set(find_in_lines(clouds, clicked_point(scene_site, clouds) + 0.01, SETTINGS)[0]) == {
+        "L1",
+        "L2",
+    }
 
 
 # P6 of the truck crosses P2 at 17 deg within its own width, and its seed lies among five times as
@@ -201,11 +206,11 @@ def test_a_click_on_an_edge_finds_its_surface_in_sampled_lines(
 ) -> None:
     """Only a sample is searched, but it contains the clicked point, whose surface is found."""
     monkeypatch.setattr(target_search, "MAX_SAMPLE_POINTS", 6_000)
-    seen = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
-    _, survey = seen.opened()
+    scene_site = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
+    _, survey = scene_site.opened()
     cloud = survey.clouds["L1"]
     points = cloud[np.arange(len(cloud))]
-    on = np.flatnonzero(seen.on("L1", "T1"))
+    on = np.flatnonzero(scene_site.on("L1", "T1"))
     edge = np.abs(points[on, 0]) > 0.57
     clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
     sampled = target_search._search_regions(

@@ -129,13 +129,13 @@ def test_a_halved_sighting_of_the_demo_is_reported(
     assert whole["T1", line].quality.visible_share > 0.95
     assert whole["V5", line].quality.visible_share is None  # cut by the search radius
     half = narrowed(project, survey, "T1", line)
-    judged = assess_sightings(half, survey, known=whole)
-    quality = judged["T1", line].quality
+    assessed = assess_sightings(half, survey, known=whole)
+    quality = assessed["T1", line].quality
     assert quality.rating != "good"
     assert "quality.shows_less" in codes(quality.reasons)
     # The other sightings are assessed again, because their reference has changed.
-    assert all(each is not whole[key] for key, each in judged.items() if key[0] == "T1")
-    assert all(each is whole[key] for key, each in judged.items() if key[0] != "T1")
+    assert all(each is not whole[key] for key, each in assessed.items() if key[0] == "T1")
+    assert all(each is whole[key] for key, each in assessed.items() if key[0] != "T1")
     # Without other sightings there is no comparison.
     target = half.target("T1")
     alone = replace(

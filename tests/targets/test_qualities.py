@@ -86,12 +86,12 @@ def smeared(bend: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
 def test_deformation_that_the_prior_explains_is_not_called_curvature():
     points, moves = smeared()
     plane, every = fit_plane(points), np.arange(len(points))
-    told = plane_quality(points, points, every, plane, NOISE)
-    assert told.curved
-    assert told.rating == "poor"
-    spared = plane_quality(points, points, every, plane, NOISE, turns_local=moves)
-    assert spared.rating == "good", spared.words
-    assert spared.smear == pytest.approx(0.3 * radians(1.0) * 0.5, rel=0.1)
+    uncorrected = plane_quality(points, points, every, plane, NOISE)
+    assert uncorrected.curved
+    assert uncorrected.rating == "poor"
+    corrected = plane_quality(points, points, every, plane, NOISE, turns_local=moves)
+    assert corrected.rating == "good", corrected.words
+    assert corrected.smear == pytest.approx(0.3 * radians(1.0) * 0.5, rel=0.1)
     # A deformation larger than the prior allows is one of the board itself.
     points, moves = smeared(bend=0.06)
     plane = fit_plane(points)
@@ -104,8 +104,8 @@ def test_smear_is_not_removed_from_a_plane_seen_for_an_instant():
     off = 0.02 * placed[:, 0] ** 2
     off -= off.mean()
     moves = np.column_stack([placed @ [3.0, 1.0], placed @ [0.5, 9.0], np.full(2000, 20.0)])
-    left = remove_smear(placed, off, moves, NOISE, PRIOR_BORESIGHT_SIGMA)
-    np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
+    remaining = remove_smear(placed, off, moves, NOISE, PRIOR_BORESIGHT_SIGMA)
+    np.testing.assert_allclose(np.sqrt(np.mean(remaining**2)), np.std(off), rtol=0.02)
 
 
 def test_terminal_prints_the_rating_of_each_sighting(
@@ -113,11 +113,14 @@ def test_terminal_prints_the_rating_of_each_sighting(
 ) -> None:
     folder = str(copy.folder)
     assert main(["estimate", folder, "--no-cross-checks", "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)["qualities"]
-    assert {each["rating"] for each in said} <= {"good", "doubtful"}
-    for each in said:
+    qualities = json.loads(capsys.readouterr().out)["qualities"]
+    assert {each["rating"] for each in qualities} <= {"good", "doubtful"}
+    for each in qualities:
         assert each["points"] > 50
         assert len(each["reasons"]) == (each["rating"] != "good") or each["reasons"]
         assert 0 < each["incidence_deg"] < 90
         assert each["visible_share"] is None or 0.9 < each["visible_share"] <= 1
-    assert {each["target"] for each in said if each["visible_share"] is not None} >= {"T1", "T2"}
+    assert {each["target"] for each in qualities if each["visible_share"] is not None} >= {
+        "T1",
+        "T2",
+    }

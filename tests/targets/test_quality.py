@@ -15,12 +15,12 @@ from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphe
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.sighting_assessment import assess_target
 from tests.support.message_codes import codes, texts
-from tests.targets.test_finder_sites import click, scenery
+from tests.targets.test_finder_sites import clicked_point, scenery
 
 NOISE = 0.002
 
 
-def judged(points: np.ndarray, **also: object) -> SightingQuality:
+def quality_of(points: np.ndarray, **also: object) -> SightingQuality:
     return plane_quality(
         points, points, np.arange(len(points)), fit_plane(points), NOISE, **also
     )  # fmt: skip
@@ -35,7 +35,7 @@ def board(shape=lambda x, z: 0 * x, *, count=3000, size=(1.2, 1.0), noise=NOISE)
 
 
 def test_a_flat_board_is_good_and_its_values_are_correct():
-    quality = judged(board(), scanner_local=np.zeros(3))
+    quality = quality_of(board(), scanner_local=np.zeros(3))
     assert quality.rating == "good"
     assert quality.reasons == ()
     assert quality.points == 3000
@@ -51,18 +51,20 @@ def test_a_flat_board_is_good_and_its_values_are_correct():
 
 def test_curvature_is_measured_and_reported():
     sagitta = 0.004  # over 1.2 m
-    quality = judged(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
+    quality = quality_of(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
     assert quality.curved
     assert quality.curvature == pytest.approx(sagitta, rel=0.1)
     assert quality.rating == "doubtful"
     assert quality.reasons[0].code == "quality.curved"
-    assert judged(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).rating == "poor"
+    assert quality_of(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).rating == "poor"
 
 
 def test_noise_alone_is_not_called_curvature():
     rng = np.random.default_rng(0)
     called = sum(
-        judged(np.stack([*(rng.uniform(-0.6, 0.6, (2, 600))), rng.normal(0, NOISE, 600)], 1)).curved
+        quality_of(
+            np.stack([*(rng.uniform(-0.6, 0.6, (2, 600))), rng.normal(0, NOISE, 600)], 1)
+        ).curved
         for _ in range(80)
     )
     assert called <= 1
@@ -81,7 +83,7 @@ def test_noise_alone_is_not_called_curvature():
     ],
 )
 def test_defects_of_a_surface_are_reported(points, light, code):
-    quality = judged(points)
+    quality = quality_of(points)
     assert quality.rating == light
     assert code in codes(quality.reasons)
 
@@ -91,7 +93,7 @@ def test_grazing_incidence_is_poor():
     scanner = points.mean(axis=0) + 10 * np.array(
         [np.sin(np.radians(78)), -np.cos(np.radians(78)), 0]
     )
-    quality = judged(points, scanner_local=scanner)
+    quality = quality_of(points, scanner_local=scanner)
     assert np.degrees(quality.incidence) == pytest.approx(78, abs=0.5)
     assert quality.rating == "poor"
     assert quality.reasons[0].code == "quality.oblique"
@@ -136,9 +138,9 @@ LINES = tuple(HALF_OCCLUDED)
 )
 def test_ratings_on_simulated_sites(name, expected, off_deg):
     """Targets are picked as in the window, with a prior boresight that is right or 2 deg wrong."""
-    seen = scenery(name)
-    project, survey = seen.opened(off_deg)
-    target = find_target(project, survey, click(seen, survey.clouds), name="T1")
+    scene_site = scenery(name)
+    project, survey = scene_site.opened(off_deg)
+    target = find_target(project, survey, clicked_point(scene_site, survey.clouds), name="T1")
     found = assess_target(project, survey, target)
     assert set(found) == set(LINES)
     for line, (light, words) in expected.items():
@@ -154,11 +156,11 @@ def test_ratings_on_simulated_sites(name, expected, off_deg):
 @pytest.mark.parametrize("off_deg", [(1, -1, 1), (-2, 2, -2)])
 def test_ripples_are_not_attributed_to_the_boresight(off_deg):
     """The angles may be off by two degrees, on lines that pass the sheet at 45 deg."""
-    seen = scenery("rippled")
-    project, survey = seen.opened(off_deg)
+    scene_site = scenery("rippled")
+    project, survey = scene_site.opened(off_deg)
     clouds = survey.clouds
     survey.__dict__["alignment"] = Alignment(clouds, clouds, 0.0, 0.0)
-    target = find_target(project, survey, click(seen, clouds), name="T1")
+    target = find_target(project, survey, clicked_point(scene_site, clouds), name="T1")
     for line, quality in assess_target(project, survey, target).items():
         assert quality.visible_share is None
         assert quality.rating == "poor", line
@@ -170,9 +172,9 @@ def test_ripples_are_not_attributed_to_the_boresight(off_deg):
 
 
 def test_deviations_from_the_expected_target_are_reported():
-    seen = scenery("5 cm proud")
-    cloud = seen.clouds()["L1"]
-    patch = patch_of(cloud, np.flatnonzero(seen.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
+    scene_site = scenery("5 cm proud")
+    cloud = scene_site.clouds()["L1"]
+    patch = patch_of(cloud, np.flatnonzero(scene_site.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
     upright = np.pi / 2
     assert (
         deviations_from_expected(

@@ -61,8 +61,13 @@ def test_balls_of_unknown_radius_are_found(radius):
 def test_a_seed_on_the_edge_or_slightly_off_the_ball_is_enough(searched, turn_deg):
     points, label = cast(np.random.default_rng(3), [BALL], mast=(MAST_TOP, 0.02), wall=20.6)
     angle = np.radians(turn_deg)
-    aside = np.array([np.cos(angle), 0.0, np.sin(angle)])
-    for seed in (CENTRE + 0.099 * aside, CENTRE + 0.14 * aside, front(BALL, gap=0.03), CENTRE):
+    direction = np.array([np.cos(angle), 0.0, np.sin(angle)])
+    for seed in (
+        CENTRE + 0.099 * direction,
+        CENTRE + 0.14 * direction,
+        front(BALL, gap=0.03),
+        CENTRE,
+    ):
         patch = find_sphere(points, seed, searched, SETTINGS)
         assert np.linalg.norm(patch.centre - CENTRE) < 0.003
         assert (label[patch.indices] == 0).mean() > 0.98
@@ -196,17 +201,17 @@ def test_a_search_without_points_gives_the_reason(points, seed, code, params):
 
 
 @pytest.mark.parametrize(
-    ("aside", "searched", "code"),
+    ("offset", "searched", "code"),
     [
         (0.9, RadiusRange.of_known_radius(0.1), "finder.sphere_few_nearby"),
         (0.0, RadiusRange(0.3, 0.5), "finder.sphere_of_radii"),
         (0.0, RadiusRange.of_known_radius(0.14), "finder.sphere_of_radius"),
     ],
 )
-def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, searched, code):
+def test_a_ball_elsewhere_or_of_another_radius_is_refused(offset, searched, code):
     points, _ = cast(np.random.default_rng(7), [BALL])
     with pytest.raises(SphereNotFound) as refused:
-        find_sphere(points, CENTRE + [aside, 0.0, 0.0], searched, SETTINGS)
+        find_sphere(points, CENTRE + [offset, 0.0, 0.0], searched, SETTINGS)
     message = refused.value.message
     parts = [each for each in message.params.values() if isinstance(each, Message)]
     assert code in codes([message, *parts])

@@ -101,12 +101,12 @@ def test_radius_of_real_balls_is_right_with_an_estimated_drift(vessel, name):
             moved, sphere = spheres(drift)
             return sphere.distances(moved)
 
-        answer = least_squares(residuals, np.zeros(3))
-        sphere = spheres(answer.x)[1]
-        rms = np.sqrt(np.mean(answer.fun**2))
+        solution = least_squares(residuals, np.zeros(3))
+        sphere = spheres(solution.x)[1]
+        rms = np.sqrt(np.mean(solution.fun**2))
         print(
             f"{name} {line}: radius {1000 * sphere.radius:.1f} mm and rms {1000 * rms:.1f} mm "
-            f"with a drift of {np.linalg.norm(answer.x):.2f} m/s"
+            f"with a drift of {np.linalg.norm(solution.x):.2f} m/s"
         )
         assert abs(sphere.radius - 0.1) < 0.01
         assert rms < 0.002

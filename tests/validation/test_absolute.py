@@ -29,7 +29,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.documents.report_schema import followed
 from tests.support.absolute_sample import (
     check_against_points,
@@ -245,12 +245,12 @@ def test_surveyed_points_and_planes(
     # Four points of 4 mm each determine a plane with 2 mm at their centroid.
     assert found["BOARD"].sigma == pytest.approx(0.002, rel=1e-6)
     assert found["A0"].sigma == 0.003
-    seen = [expected[line.line] for line in check.lines]
-    assert found["BOARD"].lines == len(seen)
-    assert found["BOARD"].after == pytest.approx(np.mean(seen) - 0.01, abs=0.001)
+    distances = [expected[line.line] for line in check.lines]
+    assert found["BOARD"].lines == len(distances)
+    assert found["BOARD"].after == pytest.approx(np.mean(distances) - 0.01, abs=0.001)
     for name in ("A0", "A1"):
-        assert 2 <= found[name].lines <= len(seen)
-        assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
+        assert 2 <= found[name].lines <= len(distances)
+        assert min(distances) - 0.012 <= found[name].after <= max(distances) - 0.008
     assert check.all_lines.before.distances.rms > 2 * check.all_lines.after.distances.rms
 
     content = sample_content(sample.with_absolute(check))
@@ -288,7 +288,7 @@ def test_a_scan_in_map_coordinates_without_times_is_compared(
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "said"),
+    ("name", "text", "code"),
     [
         ("p.csv", "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\n", "check.few_plane_points"),
         (
@@ -303,12 +303,12 @@ def test_a_scan_in_map_coordinates_without_times_is_compared(
     ],
 )
 def test_unusable_references_are_refused(
-    known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, said: str
+    known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, code: str
 ) -> None:
     (tmp_path / name).write_text(text)
     with pytest.raises(InputError) as raised:
         check_absolute(*known, tmp_path / name)
-    assert is_refusal(raised.value, said)
+    assert is_refusal(raised.value, code)
 
 
 def test_the_format_of_the_reference_does_not_matter(
@@ -376,9 +376,9 @@ def test_the_project_stores_the_check_and_the_report_shows_it(
     stored = json.loads(path.read_text())
     del stored["absolute"]
     path.write_text(json.dumps(stored))
-    older = read_project(project.folder)
-    assert older.absolute is None
-    titles = [s.title for s in report_document(sample_content(older), {}).sections]
+    without_check = read_project(project.folder)
+    assert without_check.absolute is None
+    titles = [s.title for s in report_document(sample_content(without_check), {}).sections]
     assert "Check against the reference" not in titles
 
 
@@ -389,7 +389,7 @@ def test_the_command(
     write_project(project)
     path = tmp_path / "s.xyz"
     np.savetxt(path, tripod_scan(("V5",)), fmt="%.5f")
-    found = answer(capsys, "check", project.folder, "--reference", path)
+    found = run_json(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
     assert found == json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))

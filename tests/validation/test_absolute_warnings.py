@@ -114,12 +114,12 @@ def test_page_one_has_one_sentence_or_warning_for_each_check(
     content = sample_content(sample_project(tmp_path).with_absolute(found))
     document = undrawn_document(content, {}, ReportOptions())
     first = message_text(AbsoluteCheckValues.of(found).messages[0])
-    said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
+    sentences = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [
         each for each in content.warnings if "nearer" in each.code or "farther" in each.code
     ]
     assert [each.code for each in warnings] == ([] if code is None else [code])
-    assert len(said) + len(warnings) == 1
+    assert len(sentences) + len(warnings) == 1
     for each in warnings:
         assert each.params["mean"] == abs(off)
         assert message_text(each) in document.warnings

@@ -154,10 +154,10 @@ def test_large_coordinates_lose_no_precision() -> None:
     compared, reference = tower(500, 1, 0.01), tower(2000, 2)
     shift = np.array([500_000.0, 5_040_000.0, 100.0])
     # Shifted coordinates have a precision of a nanometre; the distances must be as precise.
-    held, held_reference = (compared + shift) - shift, (reference + shift) - shift
+    rounded, rounded_reference = (compared + shift) - shift, (reference + shift) - shift
     np.testing.assert_allclose(
         cloud_to_cloud(compared + shift, reference + shift),
-        cloud_to_cloud(held, held_reference),
+        cloud_to_cloud(rounded, rounded_reference),
         atol=1e-8,
     )
 
@@ -206,16 +206,16 @@ def test_invalid_arrays_and_settings_are_refused() -> None:
 
 
 def test_the_computation_reports_progress_and_can_be_cancelled() -> None:
-    seen: list[float] = []
+    fractions: list[float] = []
 
     def listen(fraction: float, step: Step | None = None) -> None:
-        seen.append(fraction)
+        fractions.append(fraction)
 
     cloud = tower(110_000, 1)
     cloud_to_cloud(cloud, cloud, progress=listen)
-    assert seen == sorted(seen)
-    assert seen[-1] == pytest.approx(1.0)
-    assert len(seen) > 2
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == pytest.approx(1.0)
+    assert len(fractions) > 2
 
     def cancel(fraction: float, step: Step | None = None) -> None:
         if fraction > 0.3:

@@ -18,7 +18,7 @@ from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import FALSE_ALARM_PROBABILITY, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.checking.calibration_history import CalibratedSystem, read_histories
-from tests.cli.test_cli import answer, run
+from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.report_sample import sample_project, with_lines_of_its_own
 
@@ -82,7 +82,7 @@ def test_a_mounting_that_moved_begins_a_new_series() -> None:
     assert control_limits(chart[0]) is None
 
 
-def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
+def write_survey(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
     project = with_lines_of_its_own(sample_project(folder))
     result = project.result
     assert result is not None
@@ -96,13 +96,13 @@ def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nord
 
 
 def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    surveyed(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
-    surveyed(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")
-    surveyed(tmp_path / "autumn", "2025-09-30", pitch_deg=0.3, vessel="nordlys ")
-    surveyed(tmp_path / "other", "2025-07-01", vessel="Aurora")
-    surveyed(tmp_path / "undated", "last summer")
+    write_survey(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
+    write_survey(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")
+    write_survey(tmp_path / "autumn", "2025-09-30", pitch_deg=0.3, vessel="nordlys ")
+    write_survey(tmp_path / "other", "2025-07-01", vessel="Aurora")
+    write_survey(tmp_path / "undated", "last summer")
     picture = tmp_path / "chart.png"
-    found = answer(capsys, "history", tmp_path, "--picture", picture)
+    found = run_json(capsys, "history", tmp_path, "--picture", picture)
     first, other = found["systems"]
     assert first["system"]["vessel"] == "Nordlys"
     assert [each["day"] for each in first["calibrations"]] == [
@@ -114,15 +114,15 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     difference = first["calibrations"][2]["change"]["difference_deg"]
     assert difference["pitch"] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
-    assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
+    assert any("undated: its survey dates (last summer)" in text for text in found["messages"])
     # A copy of a survey does not count as another survey.
     copy = tmp_path / "a copy"
     shutil.copytree(tmp_path / "autumn", copy)
-    again = answer(capsys, "history", tmp_path)
+    again = run_json(capsys, "history", tmp_path)
     assert [each["day"] for each in again["systems"][0]["calibrations"]] == [
         "2024-05-02", "2025-05-02", "2025-09-30",
     ]  # fmt: skip
-    assert any("same lines as" in remark for remark in again["systems"][0]["messages"])
+    assert any("same lines as" in text for text in again["systems"][0]["messages"])
     shutil.rmtree(copy)
     assert picture.read_bytes().startswith(b"\x89PNG")
     code, out, error = run(capsys, "history", tmp_path, "--vessel", "AURORA")
@@ -141,18 +141,18 @@ def test_folders_without_a_history_are_refused(
     assert command_error("history", tmp_path / "gone").code == "history.no_folder"
     (tmp_path / "empty").mkdir()
     assert command_error("history", tmp_path / "empty").code == "history.no_project"
-    surveyed(tmp_path / "a", "2024-05-02")
+    write_survey(tmp_path / "a", "2024-05-02")
     assert command_error("history", tmp_path, "--vessel", "Fram").code == "history.none_of_vessel"
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
-    found = answer(capsys, "history", tmp_path)
+    found = run_json(capsys, "history", tmp_path)
     beginning, _ = message_text(note("history.excluded", reason="|")).split("|")
-    assert any("b" in remark and remark.startswith(beginning) for remark in found["messages"])
+    assert any("b" in text and text.startswith(beginning) for text in found["messages"])
 
 
 def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
-    surveyed(tmp_path / "a", "2024-05-02")
-    surveyed(tmp_path / "b", "2025-05-02")
+    write_survey(tmp_path / "a", "2024-05-02")
+    write_survey(tmp_path / "b", "2025-05-02")
     from lispac.io.project.project_file import read_project
 
     opened = read_project(tmp_path / "b")
@@ -183,15 +183,15 @@ def test_the_time_axis_has_a_small_margin(days: tuple[int, ...]) -> None:
 
 
 def test_projects_without_result_or_system_name_are_reported(tmp_path: Path) -> None:
-    surveyed(tmp_path / "a", "2024-05-02", vessel="")
+    write_survey(tmp_path / "a", "2024-05-02", vessel="")
     dated = sample_project(tmp_path / "b")
     write_project(
         replace(dated, result=None, cross_checks=None, identity=Identity(dates="2025-05-02"))
     )
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
-    found, remarks = read_histories([tmp_path])
-    assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
-    told = {history.calibrations[0].folder.name: history.messages for history in found}
-    assert note("history.unnamed_system") not in told["a"]  # its scanner is named
-    assert note("history.unnamed_system") in told["c"]
+    found, messages = read_histories([tmp_path])
+    assert messages == (note("history.excluded", reason=note("history.no_result", project="b")),)
+    messages_of = {history.calibrations[0].folder.name: history.messages for history in found}
+    assert note("history.unnamed_system") not in messages_of["a"]  # its scanner is named
+    assert note("history.unnamed_system") in messages_of["c"]

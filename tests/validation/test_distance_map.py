@@ -150,6 +150,6 @@ def test_the_tables_and_the_project_file_contain_the_cells(tmp_path: Path) -> No
     for plane in stored["validation"]:
         del plane["maps"]
     path.write_text(json.dumps(stored))
-    older: PlaneComparison = read_project(project.folder).validation[0]
-    assert older.maps == ()
-    assert "Run the validation again" in map_figure(older).axes[0].texts[0].get_text()
+    without_maps: PlaneComparison = read_project(project.folder).validation[0]
+    assert without_maps.maps == ()
+    assert "Run the validation again" in map_figure(without_maps).axes[0].texts[0].get_text()

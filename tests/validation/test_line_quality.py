@@ -13,7 +13,7 @@ from lispac.project import Project
 from lispac.validation.line_differences import compare_lines
 from lispac.workflow.checking.line_quality import DifferenceStatistics, line_quality
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
@@ -105,7 +105,7 @@ def test_the_quality_command_writes_map_and_table(
     project.folder.mkdir()
     write_project(project)
     picture, table = tmp_path / "map.png", tmp_path / "places.csv"
-    found = answer(capsys, "quality", project.folder, "--map", picture, "--csv", table)
+    found = run_json(capsys, "quality", project.folder, "--map", picture, "--csv", table)
     assert found["boresight"] == "prior"
     rows = {each["facing"]: each for each in found["differences"]}
     assert rows["all"]["first"], rows["all"]["second"] == [line.name for line in project.lines]
@@ -120,7 +120,7 @@ def test_the_quality_command_writes_map_and_table(
     assert code == 0
     assert "prior boresight, mm" in out
     assert "RMSD" in out
-    assert "have not been estimated" in refused(
+    assert "have not been estimated" in run_refused(
         capsys, "quality", project.folder, "--boresight", "estimated"
     )
     refusal = command_error("quality", project.folder, "--search-distance", "11")

@@ -38,7 +38,9 @@ def wall(
     return np.column_stack((along, 15.0 - off, height + 4.0))
 
 
-def measured(compared: Array, reference: Array, cores: Array, **how: float) -> NormalDistances:
+def distances_to_reference(
+    compared: Array, reference: Array, cores: Array, **how: float
+) -> NormalDistances:
     scales = {"normal_scale": 1.0, "diameter": 0.4, "depth": 0.3} | how
     return distances_along_normal(compared, reference, cores, facing=EAST, **scales)
 
@@ -46,11 +48,13 @@ def measured(compared: Array, reference: Array, cores: Array, **how: float) -> N
 @pytest.mark.parametrize("offset", OFFSETS_M)
 def test_a_known_offset_is_recovered_with_its_sign(offset: float) -> None:
     rng = np.random.default_rng(1)
-    found = measured(wall(rng, 3000, offset=offset), (ref := wall(rng, 3000)), ref[::30])
+    found = distances_to_reference(
+        wall(rng, 3000, offset=offset), (ref := wall(rng, 3000)), ref[::30]
+    )
     # The 100 places have few points in common.
     assert found.distance.mean() == pytest.approx(offset, abs=0.0004)
     assert np.median(found.half_width) == pytest.approx(1.97 * 0.003 * np.sqrt(2 / 63), rel=0.1)
-    back = measured(ref, wall(rng, 3000, offset=offset), ref[::30])
+    back = distances_to_reference(ref, wall(rng, 3000, offset=offset), ref[::30])
     assert back.distance.mean() == pytest.approx(-offset, abs=0.0004)
 
 
@@ -60,19 +64,19 @@ def test_intervals_have_the_stated_coverage(n: int, noise: tuple[float, float]) 
 
     The coverage must be 93 to 97 %; 1,000 draws at 95 % leave this range once in 270 times.
     """
-    rng, held = np.random.default_rng(7), []
+    rng, is_covered = np.random.default_rng(7), []
     core = np.array([[0.0, 15.0, 4.0]])
     for k in range(1000):
         offset = OFFSETS_M[k % len(OFFSETS_M)]
         moved, still = wall(rng, n, noise=noise[0], offset=offset), wall(rng, n, noise=noise[1])
         try:
-            found = measured(moved, still, core)
+            found = distances_to_reference(moved, still, core)
         except NotComparable:
             assert n == 400  # fewer than four points in the cylinder: no distance
             continue
-        held.append(abs(found.distance[0] - offset) <= found.half_width[0])
-    assert len(held) > 900
-    assert 0.93 <= np.mean(held) <= 0.97
+        is_covered.append(abs(found.distance[0] - offset) <= found.half_width[0])
+    assert len(is_covered) > 900
+    assert 0.93 <= np.mean(is_covered) <= 0.97
 
 
 def test_the_distance_is_along_the_normal_of_an_oblique_surface() -> None:
@@ -95,19 +99,19 @@ def test_places_without_points_have_no_distance_and_are_counted() -> None:
     rng = np.random.default_rng(4)
     ref, half = wall(rng, 3000), wall(rng, 3000)
     half = half[half[:, 0] < 0.0]
-    found = measured(half, ref, ref[::20])
+    found = distances_to_reference(half, ref, ref[::20])
     beyond = np.count_nonzero(ref[::20, 0] > 0.25)
     assert found.no_distance >= beyond
     assert len(found.distance) == len(ref[::20]) - found.no_distance
     with pytest.raises(
         NotComparable, check=has_code("validation.cylinder_too_narrow", needed=MIN_CYLINDER_POINTS)
     ):
-        measured(half + [0.0, 5.0, 0.0], ref, ref[::20])
+        distances_to_reference(half + [0.0, 5.0, 0.0], ref, ref[::20])
 
 
 def test_differences_of_points_without_noise_are_significant() -> None:
     rng = np.random.default_rng(5)
-    found = measured(
+    found = distances_to_reference(
         wall(rng, 500, noise=0.0, offset=0.01), (ref := wall(rng, 500, noise=0.0)), ref
     )
     np.testing.assert_allclose(found.distance, 0.01, atol=1e-9)
@@ -125,22 +129,22 @@ def test_differences_of_points_without_noise_are_significant() -> None:
 def test_a_size_of_zero_is_refused(name: str, code: str) -> None:
     cloud = wall(np.random.default_rng(0), 50)
     with pytest.raises(InputError, check=has_code(code, value=0.0)):
-        measured(cloud, cloud, cloud, **{name: 0.0})
+        distances_to_reference(cloud, cloud, cloud, **{name: 0.0})
 
 
 def test_intervals_of_plane_offsets_and_turns_have_the_stated_coverage() -> None:
     """The coverage of the three intervals is 93 to 97 % in 600 pairs of clouds."""
-    rng, held = np.random.default_rng(11), []
+    rng, is_covered = np.random.default_rng(11), []
     for offset, turn_deg in list(product(OFFSETS_M, TURNS_DEG)) * 50:
         angle = np.radians(turn_deg)
         moved = wall(rng, 500, offset=offset, tilt=angle, turn=-angle)
         found = plane_offset(moved, wall(rng, 700, noise=0.005), EAST)
-        held.append([
+        is_covered.append([
             abs(found.offset - offset) <= found.offset_95,
             abs(found.rotation_horizontal_axis - angle) <= found.rotation_horizontal_axis_95,
             abs(found.rotation_slope_axis + angle) <= found.rotation_slope_axis_95,
         ])  # fmt: skip
-    assert np.all(np.abs(np.mean(held, axis=0) - 0.95) <= 0.02)
+    assert np.all(np.abs(np.mean(is_covered, axis=0) - 0.95) <= 0.02)
 
 
 def test_the_angle_is_that_between_the_normals() -> None:

@@ -38,7 +38,7 @@ def test_places_with_large_distances_before_are_kept() -> None:
 
 def test_interval_at_a_surveyed_point_has_its_nominal_coverage() -> None:
     """93 to 97 % of 1,000 points that lie 1 to 20 mm in front of a noisy wall."""
-    rng, held = np.random.default_rng(5), []
+    rng, is_covered = np.random.default_rng(5), []
     place, facing = np.array([[0.02, 15.0, 4.0]]), np.array([[0.0, -15.0, -3.0]])
     for k in range(1000):
         offset = (0.001, 0.005, 0.02)[k % 3]
@@ -51,8 +51,8 @@ def test_interval_at_a_surveyed_point_has_its_nominal_coverage() -> None:
         )
         how = {"diameters": np.array([0.3]), "reach": 1.0, "roughest": 0.015}
         found = measure_to_points(wall, wall, place, facing=facing, **how).after
-        held.append(abs(found.distance[0] - offset) <= found.half_width[0])
-    assert abs(np.mean(held) - 0.95) <= 0.02
+        is_covered.append(abs(found.distance[0] - offset) <= found.half_width[0])
+    assert abs(np.mean(is_covered) - 0.95) <= 0.02
 
 
 WALL = np.array([(0.5, 15.0, 4.0), (1.0, 15.0, 4.0), (1.5, 15.0, 4.0)])
@@ -124,8 +124,8 @@ def test_derivatives_match_central_differences() -> None:
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
 
     def placed(k: int, x: np.ndarray) -> float:
-        pose, turn, seen, mounting = x[:3], x[3:6], x[6:9], x[9:15]
-        body = rotation_matrix(*mounting[:3]) @ seen + mounting[3:]
+        pose, turn, point, mounting = x[:3], x[3:6], x[6:9], x[9:15]
+        body = rotation_matrix(*mounting[:3]) @ point + mounting[3:]
         return float(normals[k] @ (pose + rotation_matrix(*turn) @ body))
 
     found = sensitivity(points, Poses(position, attitude), Mounting.of_values(values), normals)

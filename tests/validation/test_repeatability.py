@@ -16,7 +16,9 @@ COVARIANCE = np.outer(SIGMA, SIGMA) * CORRELATION
 TRUE_BORESIGHT = np.radians([0.27, -1.14, 0.36])
 
 
-def drawn(rng: np.random.Generator, name: str = "survey", off: Array | float = 0.0) -> Calibration:
+def random_calibration(
+    rng: np.random.Generator, name: str = "survey", off: Array | float = 0.0
+) -> Calibration:
     return Calibration(name, rng.multivariate_normal(TRUE_BORESIGHT + off, COVARIANCE), COVARIANCE)
 
 
@@ -40,7 +42,9 @@ def test_the_two_surveys_of_the_thesis() -> None:
 
 def test_false_alarm_rate_is_five_percent() -> None:
     rng = np.random.default_rng(3)
-    pairs = [compare_calibrations(drawn(rng), drawn(rng)) for _ in range(2000)]
+    pairs = [
+        compare_calibrations(random_calibration(rng), random_calibration(rng)) for _ in range(2000)
+    ]
     assert np.mean([pair.differ for pair in pairs]) == pytest.approx(0.05, abs=0.015)
     by_angle = np.mean([pair.significant for pair in pairs], axis=0)
     assert by_angle == pytest.approx(0.05, abs=0.015)
@@ -49,7 +53,10 @@ def test_false_alarm_rate_is_five_percent() -> None:
 def test_a_displaced_scanner_is_detected() -> None:
     rng = np.random.default_rng(4)
     bump = np.radians([0.0, 0.08, 0.0])
-    found = [compare_calibrations(drawn(rng), drawn(rng, off=bump)) for _ in range(200)]
+    found = [
+        compare_calibrations(random_calibration(rng), random_calibration(rng, off=bump))
+        for _ in range(200)
+    ]
     assert np.mean([pair.differ for pair in found]) > 0.99
     assert np.degrees(np.mean([pair.angles[1] for pair in found])) == pytest.approx(0.08, abs=0.005)
 
@@ -58,7 +65,10 @@ def test_displacement_is_that_of_rotated_points() -> None:
     from lispac.geometry.rotations import rotation_matrix
 
     rng = np.random.default_rng(5)
-    first, second = drawn(rng), drawn(rng, off=np.radians([0.3, -0.5, 1.0]))
+    first, second = (
+        random_calibration(rng),
+        random_calibration(rng, off=np.radians([0.3, -0.5, 1.0])),
+    )
     directions = rng.normal(size=(20_000, 3))
     points = 50.0 * directions / np.linalg.norm(directions, axis=1)[:, None]
     placed = [points @ rotation_matrix(*each.boresight).T for each in (first, second)]
@@ -78,7 +88,9 @@ def test_yaw_is_compared_modulo_a_full_turn() -> None:
 
 def test_sigma_of_a_combination_falls_with_the_root_of_its_number() -> None:
     rng = np.random.default_rng(6)
-    groups = [combine_calibrations([drawn(rng) for _ in range(4)]) for _ in range(1000)]
+    groups = [
+        combine_calibrations([random_calibration(rng) for _ in range(4)]) for _ in range(1000)
+    ]
     assert np.mean([group.differ for group in groups]) == pytest.approx(0.05, abs=0.02)
     np.testing.assert_allclose(groups[0].sigma, SIGMA / 2)
     off = np.array([group.boresight for group in groups]) - TRUE_BORESIGHT

@@ -24,13 +24,13 @@ OFF_DEG = [(0, 0, 0), (2, 2, 2), (-2, 2, -2), (2, -2, 2), (-2, -2, -2), (1, -2, 
 def lines_of(folder: Path) -> tuple[dict[str, Cloud], np.ndarray, np.ndarray]:
     """Clouds of a reference survey without boresight, its lever arm and the true angles."""
     survey = SharedSurvey(folder)
-    answer = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
+    truth_path = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
     mounting = Mounting(np.array(survey.site["lever_arm_m"]), np.zeros(3))
     clouds = {
         name: CloudInMemory.of(scan, survey.trajectory, mounting)
         for name, scan in survey.scans.items()
     }
-    return clouds, mounting.lever_arm, np.array(json.loads(answer.read_text())["boresight_deg"])
+    return clouds, mounting.lever_arm, np.array(json.loads(truth_path.read_text())["boresight_deg"])
 
 
 def off_deg(alignment: Alignment, truth: np.ndarray) -> np.ndarray:
@@ -97,24 +97,24 @@ SIMILAR_BOARDS = [
 def test_angles_that_one_wall_does_not_determine_stay_near_the_prior(
     off: tuple[float, float, float],
 ) -> None:
-    seen = quay_wall(*SIMILAR_BOARDS)
-    _, survey = seen.opened(off)
+    scene_site = quay_wall(*SIMILAR_BOARDS)
+    _, survey = scene_site.opened(off)
     found = survey.alignment
     assert found.matched_share > 0.9
     assert not found.determined
     assert not found.is_aligned
-    moved = np.degrees(found.mounting.boresight - seen.boresight) - off
+    moved = np.degrees(found.mounting.boresight - scene_site.boresight) - off
     # The wall determines roll; the noise does not move the other angles far.
     assert abs(moved[0] + off[0]) < 0.3
     assert np.abs(moved[1:]).max() < 1.0
 
 
 def test_a_second_solution_is_reported_where_the_scene_is_ambiguous() -> None:
-    seen = quay_wall(*SIMILAR_BOARDS)
-    project, survey = seen.opened((0.0, 0.0, 2.0))
-    clicked = survey.clouds["L1"][np.flatnonzero(seen.on("L1", "T1"))].mean(axis=0)
-    judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
-    for quality in judged.values():
+    scene_site = quay_wall(*SIMILAR_BOARDS)
+    project, survey = scene_site.opened((0.0, 0.0, 2.0))
+    clicked = survey.clouds["L1"][np.flatnonzero(scene_site.on("L1", "T1"))].mean(axis=0)
+    assessed = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
+    for quality in assessed.values():
         assert quality.rating == "doubtful"
         # A metre apart, as with a boresight that is off by two degrees.
         (mistakable,) = [r for r in quality.reasons if r.code == "quality.mistakable"]
@@ -122,8 +122,8 @@ def test_a_second_solution_is_reported_where_the_scene_is_ambiguous() -> None:
     alone = quay_wall(SIMILAR_BOARDS[0])
     project, survey = alone.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(alone.on("L1", "T1"))].mean(axis=0)
-    judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
-    assert [quality.rating for quality in judged.values()] == ["good", "good"]
+    assessed = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
+    assert [quality.rating for quality in assessed.values()] == ["good", "good"]
 
 
 def test_lines_without_common_surfaces_are_not_moved(calibrated: tuple) -> None:

@@ -145,9 +145,9 @@ def test_choices_can_be_given_at_the_command_line(
     chosen = ["--min-points", "50", "--max-tilt", "8", "--stop", "0.9", "--random-seed", "7"]
     seed = ["--seed", *(str(value) for value in SEED), "--name", "T1"]
     assert main(["pick", str(folder), *seed, *chosen, "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
-    assert (said["min_points"], said["stop"], said["random_seed"]) == (50, 0.9, 7)
-    assert said["max_tilt_deg"] == pytest.approx(8.0)
+    picked = json.loads(capsys.readouterr().out)
+    assert (picked["min_points"], picked["stop"], picked["random_seed"]) == (50, 0.9, 7)
+    assert picked["max_tilt_deg"] == pytest.approx(8.0)
     assert read_project(Path(folder)).target("T1").choices == CHOSEN
     for wrong in (
         ["--min-points", "2"], ["--min-points", "9.5"], ["--max-tilt", "0"], ["--max-tilt", "91"],

@@ -23,8 +23,8 @@ from tests.targets.test_finder_sites import scenery
 
 def test_flat_patches_agree_with_the_scene():
     """A board 5 cm before a wall is a separate patch of the size of the board."""
-    seen = scenery("5 cm proud")
-    cloud, board = seen.clouds()["L1"], seen.on("L1", "T1")
+    scene_site = scenery("5 cm proud")
+    cloud, board = scene_site.clouds()["L1"], scene_site.on("L1", "T1")
     found = find_flat_patches(cloud, 0.01)
     large = [patch for patch in found.patches if patch.area > 0.3]
     assert len(large) == 2
@@ -42,28 +42,30 @@ def test_points_without_flat_surface_have_no_patch():
 
 
 def test_both_similar_targets_are_detected_on_every_line_and_kept_apart():
-    seen = scenery("similar targets")
-    clouds = {line: cloud for line, cloud in seen.clouds((1, 1, 1)).items() if line < "L5"}
+    scene_site = scenery("similar targets")
+    clouds = {line: cloud for line, cloud in scene_site.clouds((1, 1, 1)).items() if line < "L5"}
     clouds["L9"] = np.empty((0, 3))
     planes = detect_planes(clouds, FinderSettings())
     for name in ("T1", "T2"):
         own = [
             plane
             for plane in planes
-            if seen.on(plane.line, name)[plane.found[plane.line].indices].mean() > 0.5
+            if scene_site.on(plane.line, name)[plane.found[plane.line].indices].mean() > 0.5
         ]
         assert len(own) == 1
         assert set(own[0].found) == {"L1", "L2", "L3", "L4"}
         assert "L9" in own[0].missing
         for line, patch in own[0].found.items():
-            assert min(precision_and_recall(patch.indices, seen.on(line, name))) > 0.95
+            assert min(precision_and_recall(patch.indices, scene_site.on(line, name))) > 0.95
 
 
 def test_pieces_of_one_surface_count_once_for_the_limit_of_surfaces():
     """A folded tarpaulin consists of pieces that are larger than the board beside it."""
     folds = rippled("sheet", (-0.6, WALL, 7.8), 3.2, 1.6, period=1.4, slope_deg=7.0)
-    seen = site([tilted_rectangle("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
-    clouds, settings = seen.clouds(), FinderSettings(threshold=0.06)
+    scene_site = site(
+        [tilted_rectangle("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2
+    )
+    clouds, settings = scene_site.clouds(), FinderSettings(threshold=0.06)
     voxel = voxel_side(settings.threshold, COARSE_VOXEL_SIDE)
     pieces = [
         patch
@@ -78,7 +80,7 @@ def test_pieces_of_one_surface_count_once_for_the_limit_of_surfaces():
             name
             for name in ("T1", "sheet")
             if all(
-                min(precision_and_recall(patch.indices, seen.on(line, name))) > 0.9
+                min(precision_and_recall(patch.indices, scene_site.on(line, name))) > 0.9
                 for line, patch in plane.found.items()
             )
         }

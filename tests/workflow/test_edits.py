@@ -21,16 +21,16 @@ def project(tmp_path: Path) -> Project:
     return sample_project(tmp_path)
 
 
-def unused(project: Project) -> set[tuple[str, str]]:
+def unused_sightings(project: Project) -> set[tuple[str, str]]:
     return {(t.name, s.line) for t in project.targets for s in t.sightings if not s.used}
 
 
 def test_excluding_a_line_affects_all_targets_and_no_validation_plane(project: Project) -> None:
     without = set_line_use(project, "L3", False)
-    assert unused(without) == {("T1", "L3"), ("T2", "L3")}
+    assert unused_sightings(without) == {("T1", "L3"), ("T2", "L3")}
     assert without.result is None
     again = set_line_use(without, "L3", True)
-    assert unused(again) == set()
+    assert unused_sightings(again) == set()
     assert [t.name for t in again.targets] == [t.name for t in project.targets]
 
 
@@ -39,9 +39,9 @@ def test_an_edit_without_change_keeps_the_result(project: Project) -> None:
     assert set_sighting_use(project, "T1", "L1", True) is project
     assert set_sighting_use(project, "T1", "no such line", False) is project
     assert set_line_use(project, "no such line", False) is project
-    left_out = set_target_use(project, "T1", False)
-    assert left_out.target("T1").used_sightings == ()
-    assert left_out.result is None
+    without_target = set_target_use(project, "T1", False)
+    assert without_target.target("T1").used_sightings == ()
+    assert without_target.result is None
 
 
 def test_a_renamed_target_keeps_its_position(project: Project) -> None:

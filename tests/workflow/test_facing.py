@@ -14,7 +14,7 @@ from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import picked
 
 
-def only(project: Project, *names: str) -> Project:
+def with_targets_only(project: Project, *names: str) -> Project:
     """The project with only these targets and without a result."""
     targets = tuple(replace(each, role="target") for each in project.targets if each.name in names)
     return replace(project, targets=targets, result=None, validation=())
@@ -24,30 +24,32 @@ def test_the_warning_agrees_with_the_refusal_of_the_estimate(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
-    told = {}
+    faces_one_way = {}
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
-        few = only(project, *names)
-        told[names] = do_targets_face_one_way(few, survey)
-        assert told[names] == (
+        few = with_targets_only(project, *names)
+        faces_one_way[names] = do_targets_face_one_way(few, survey)
+        assert faces_one_way[names] == (
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
         )
-        if told[names]:
+        if faces_one_way[names]:
             with pytest.raises(RankDeficient, match="same orientation"):
                 estimate(few, survey, cross_check=False)
         else:
             estimate(few, survey, cross_check=False)
-    assert set(told.values()) == {True, False}
+    assert set(faces_one_way.values()) == {True, False}
 
 
 def test_one_target_or_an_accepted_orientation_gives_no_warning(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
-    alike = only(project, "T1", "V1")
-    assert do_targets_face_one_way(alike, survey) != do_targets_face_one_way(
-        only(project, "T1"), survey
+    one_orientation = with_targets_only(project, "T1", "V1")
+    assert do_targets_face_one_way(one_orientation, survey) != do_targets_face_one_way(
+        with_targets_only(project, "T1"), survey
     )
-    accepted = alike.with_settings(replace(alike.settings, accept_single_orientation=True))
+    accepted = one_orientation.with_settings(
+        replace(one_orientation.settings, accept_single_orientation=True)
+    )
     assert not do_targets_face_one_way(accepted, survey)
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
@@ -56,14 +58,14 @@ def test_balls_and_missing_lines_give_no_warning() -> None:
     """Two parallel boards give a warning, except if other targets may have another orientation."""
     project, survey = picked()
     upright = project.target("T1")
-    alike = replace(project, targets=(upright, replace(upright, name="parallel")))
-    assert do_targets_face_one_way(alike, survey)
+    one_orientation = replace(project, targets=(upright, replace(upright, name="parallel")))
+    assert do_targets_face_one_way(one_orientation, survey)
     ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
-    assert not do_targets_face_one_way(alike.with_target(ball), survey)
-    assert not do_targets_face_one_way(alike.with_target(project.target("T2")), survey)
+    assert not do_targets_face_one_way(one_orientation.with_target(ball), survey)
+    assert not do_targets_face_one_way(one_orientation.with_target(project.target("T2")), survey)
     fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
-    gone = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
-    assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
+    remaining = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
+    assert not do_targets_face_one_way(one_orientation, replace(survey, clouds=remaining))
 
 
 def test_points_on_one_straight_line_have_no_orientation() -> None:

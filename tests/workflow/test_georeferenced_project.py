@@ -164,12 +164,15 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
     raw.write(tmp_path / "raw.laz")
     known = states()
     kept = (known.time < 400_020) | (known.time > 400_023)
-    torn = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
-                      known.height[kept], known.attitude[kept])  # fmt: skip
-    write_sbet(tmp_path / "sbet.out", torn)
+    with_gap = Trajectory(known.time[kept], known.latitude[kept], known.longitude[kept],
+                          known.height[kept], known.attitude[kept])  # fmt: skip
+    write_sbet(tmp_path / "sbet.out", with_gap)
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
     time = np.array(raw.gps_time)[60:] + 18.0 + MOUNTING.latency
-    holes = torn.time[torn.time < 400_020.01].max(), torn.time[torn.time > 400_022.99].min()
+    holes = (
+        with_gap.time[with_gap.time < 400_020.01].max(),
+        with_gap.time[with_gap.time > 400_022.99].min(),
+    )
     in_gap = np.count_nonzero((time > holes[0]) & (time < holes[1]))
     assert (done.outside, done.in_gaps) == (60, in_gap)
     assert in_gap > 0
@@ -178,10 +181,10 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
         note("import.excluded_outside", file=file, count=60, total=POINT_COUNT),
         note("export.excluded_in_gaps", file=file, count=in_gap, total=POINT_COUNT),
     )
-    left = laspy.read(done.path)
-    assert len(left) == done.points == POINT_COUNT - 60 - in_gap
+    written = laspy.read(done.path)
+    assert len(written) == done.points == POINT_COUNT - 60 - in_gap
     keep = (time <= holes[0]) | (time >= holes[1])
-    np.testing.assert_array_equal(left.intensity, np.array(raw.intensity)[60:][keep])
+    np.testing.assert_array_equal(written.intensity, np.array(raw.intensity)[60:][keep])
 
 
 def test_a_missing_or_unknown_system_or_line_is_refused(project: Project, tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ def options(**values: str) -> Reading:
     return Reading("", tuple(values.items()))
 
 
-def made(folder: Path, track: Path, line: Path, reading: Reading):
+def make_project(folder: Path, track: Path, line: Path, reading: Reading):
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
         settings=Settings(lever_arm=LEVER),
@@ -66,7 +66,7 @@ def test_map_coordinates_given_as_scanner_frame_are_refused(track, tmp_path) -> 
     line = on_map(tmp_path, UTM)
     too_far = has_code("survey.not_scanner_frame", limit=5000.0)
     with pytest.raises(InputError, check=too_far):
-        made(tmp_path / "p", track, line, options(frame="scanner"))
+        make_project(tmp_path / "p", track, line, options(frame="scanner"))
     input_files = import_files(
         import_files(InputFiles(), track, line).with_option(line, "frame", "scanner")
     )
@@ -101,7 +101,7 @@ def test_distant_points_are_excluded_and_the_line_is_accepted(track, tmp_path) -
     points = fan(3000)
     points[::3] += [0, 2 * MAX_PLAUSIBLE_RANGE_M, 0]
     line = write_line(tmp_path / "noise.las", START + np.linspace(5, 20, 3000), points)
-    _, survey = made(tmp_path / "p", track, line, options(frame="scanner"))
+    _, survey = make_project(tmp_path / "p", track, line, options(frame="scanner"))
     assert len(survey.scans["L"]) == 2000  # points beyond the largest range are excluded
 
 
@@ -120,7 +120,7 @@ def test_a_given_system_ends_the_request_for_one(track, tmp_path, capsys) -> Non
 
 def test_an_unused_system_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
-    _, survey = made(tmp_path / "p", track, line, options(crs=UTM))
+    _, survey = make_project(tmp_path / "p", track, line, options(crs=UTM))
     unused = warning(
         "points.unused_system", file="near.las", system=UTM, actions=(CHOOSE_FRAME_ACTION,)
     )

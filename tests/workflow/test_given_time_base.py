@@ -58,7 +58,7 @@ def messages_of(survey: Survey, code: str) -> list[Message]:
     return [each for each in survey.notes if each.code == code]
 
 
-def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading=Reading()):  # noqa: B008
+def make_project(folder: Path, track: Path, line: Path, reading=Reading(), track_reading=Reading()):  # noqa: B008
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
         settings=Settings(lever_arm=LEVER), trajectory_reading=track_reading,
@@ -67,7 +67,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading
 
 def test_a_line_given_in_utc_is_shifted_to_gps_time(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
-    project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+    project, survey = make_project(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     assert project.lines[0].reading.time_shift == pytest.approx(18)
     (follows,) = messages_of(survey, "import.shift_follows")
@@ -89,7 +89,7 @@ def test_lines_are_shifted_to_a_trajectory_given_in_utc(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)  # its header says seconds of the GPS week
     given = Reading("", (("time", "utc-week"),))
-    project, survey = made(tmp_path / "p", track, line, Reading(), given)
+    project, survey = make_project(tmp_path / "p", track, line, Reading(), given)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
     (follows,) = messages_of(survey, "import.shift_follows")
     assert (follows.params["file"], follows.params["shift"]) == ("gps.las", -18.0)
@@ -112,13 +112,15 @@ def test_every_base_is_converted_to_seconds_of_the_week(
     base: str, added: float, track, tmp_path
 ) -> None:
     line = write_points(tmp_path / "L.las", added)
-    _, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
+    _, survey = make_project(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
 
 
 def test_equal_bases_need_no_shift(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
-    project, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", "gps-week"),)))
+    project, survey = make_project(
+        tmp_path / "p", track, line, Reading("", (("time_base", "gps-week"),))
+    )
     assert project.lines[0].reading.time_shift == 0
     assert messages_of(survey, "import.shift_follows") == []
 
@@ -127,7 +129,7 @@ def test_equal_bases_need_no_shift(track, tmp_path) -> None:
 def test_an_impossible_time_base_is_refused(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
     with pytest.raises(InputError) as caught:
-        made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
+        make_project(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
     assert caught.value.code == "time_base.not_possible"
     assert str(caught.value).startswith(f"{line}: times from 486,030.000 to 486,060.000 s ")
     assert "gps-week or utc-week" in str(caught.value)
@@ -136,7 +138,7 @@ def test_an_impossible_time_base_is_refused(base: str, track, tmp_path) -> None:
 
 def test_a_given_shift_must_agree_with_the_given_base(track, tmp_path, capsys) -> None:
     line = write_points(tmp_path / "L.las", -18)
-    _, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, 18.0))
+    _, survey = make_project(tmp_path / "p", track, line, Reading("", UTC_WEEK, 18.0))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     command = ["new", str(tmp_path / "q"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "1", "--line-option", "time_base=utc-week"]
@@ -152,7 +154,7 @@ def test_a_given_shift_must_agree_with_the_given_base(track, tmp_path, capsys) -
 def test_a_base_without_overlap_with_the_trajectory_is_refused(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 50_000)
     with pytest.raises(InputError) as raised:
-        made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+        make_project(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert raised.value.code == "time_base.no_overlap"
 
 
@@ -207,19 +209,21 @@ def test_an_assumed_base_is_reported(tmp_path) -> None:
     rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
-    _, survey = made(tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),)))
+    _, survey = make_project(
+        tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),))
+    )
     (assumed,) = messages_of(survey, "import.base_assumed")
     assert assumed.params["file"] == "L.txt"
 
 
 def test_a_shift_that_covers_clearly_more_points_is_suggested(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)  # 51.9 % before the trajectory
-    project, survey = made(tmp_path / "p", track, line)
+    project, survey = make_project(tmp_path / "p", track, line)
     (possible,) = [each for each in survey.notes if each.code == "import.shift_possible"]
     assert (possible.params["shift"], possible.params["share"]) == (18.0, 1.0)
     assert possible in assumptions_of(import_lines(project)[0].stored)
     end = write_points(tmp_path / "end.las", 0, 70, 101)  # a shift would cover few more points
-    _, survey = made(tmp_path / "q", track, end)
+    _, survey = make_project(tmp_path / "q", track, end)
     assert "import.excluded_outside" in codes(survey.notes)
     assert "import.shift_possible" not in codes(survey.notes)
 
@@ -276,15 +280,15 @@ def test_the_dialogue_refuses_an_impossible_time_base(base: str, track, tmp_path
 def test_the_dialogue_proposes_the_shift_that_covers_more_points(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
     input_files = import_files(InputFiles(), track, line)
-    outside, offered = input_files.time_messages(named(input_files, "early.las"))
+    outside, proposed = input_files.time_messages(named(input_files, "early.las"))
     assert outside.code == "import.points_outside"
-    assert offered.code == "import.shift_offered"
-    assert (offered.params["shift"], offered.params["share"]) == (pytest.approx(18), 1.0)
-    assert offered.actions[0].params["shift"] == pytest.approx(18)
+    assert proposed.code == "import.shift_offered"
+    assert (proposed.params["shift"], proposed.params["share"]) == (pytest.approx(18), 1.0)
+    assert proposed.actions[0].params["shift"] == pytest.approx(18)
     assert [shift for _, shift in input_files.proposed_shifts] == [pytest.approx(18)]
-    mended = input_files.with_shift_for_all()
-    assert mended.proposed_shifts == ()
-    covered = mended.coverage(named(mended, "early.las"))
+    shifted = input_files.with_shift_for_all()
+    assert shifted.proposed_shifts == ()
+    covered = shifted.coverage(named(shifted, "early.las"))
     assert covered is not None
     assert covered.outside == 0
 
@@ -304,7 +308,7 @@ def test_a_given_base_of_one_line_does_not_shift_the_others(track, tmp_path) -> 
 def test_a_given_shift_is_used_if_the_bases_have_no_overlap(track, tmp_path) -> None:
     """The clock of the line was wrong, and the user knows by how much."""
     line = write_points(tmp_path / "L.las", 50_000)
-    project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, -50_000.0))
+    project, survey = make_project(tmp_path / "p", track, line, Reading("", UTC_WEEK, -50_000.0))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     assert project.lines[0].reading.time_shift == -50_000.0
 
@@ -315,6 +319,6 @@ def test_a_given_shift_has_no_warning_of_an_unknown_base(tmp_path) -> None:
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
     given = Reading("", (("time", "utc-week"),))
-    _, survey = made(tmp_path / "p", track, path, Reading("", (), -18.0), given)
+    _, survey = make_project(tmp_path / "p", track, path, Reading("", (), -18.0), given)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
     assert messages_of(survey, "import.base_assumed") == []

@@ -127,9 +127,9 @@ def test_georeferencer_agrees_with_georeference(survey: Survey, project: Project
     mounting = replace(
         project.mounting("prior"), range_offset=0.02, scan_angle_offset=0.01, latency=0.003
     )
-    wanted = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
+    expected = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
     found = Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time)
-    np.testing.assert_array_equal(found, wanted)
+    np.testing.assert_array_equal(found, expected)
     with pytest.raises(InputError, check=has_code("survey.outside_trajectory")):
         Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
 
@@ -172,9 +172,9 @@ def test_an_interrupted_command_explains_how_to_continue(
 
     monkeypatch.setattr(spool.Spool, "mark_complete", stop)
     assert main(["import", str(project.folder)]) == 1
-    told = capsys.readouterr().err
-    assert "Run lispac import again to continue." in told
-    assert "lispac: interrupted." in told
+    printed = capsys.readouterr().err
+    assert "Run lispac import again to continue." in printed
+    assert "lispac: interrupted." in printed
     monkeypatch.undo()
     assert main(["import", str(project.folder), "--check", "--json"]) == 0
     lines = json.loads(capsys.readouterr().out)["lines"]
@@ -213,15 +213,15 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
 
 def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, monkeypatch) -> None:
     monkeypatch.setattr("lispac.progress.MIN_RATE_TIME_S", 0.0)
-    told: list[tuple[float, str]] = []
+    steps: list[tuple[float, str]] = []
     import_line(
         project,
         project.lines[0],
         trajectory,
-        progress=lambda f, step=None: told.append((f, str(step))),
+        progress=lambda f, step=None: steps.append((f, str(step))),
     )
-    assert any("M points/s" in words and "left" in words for _, words in told)
-    fractions = [fraction for fraction, _ in told]
+    assert any("M points/s" in words and "left" in words for _, words in steps)
+    fractions = [fraction for fraction, _ in steps]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1.0
 

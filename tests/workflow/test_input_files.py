@@ -49,7 +49,7 @@ def whole(files: Path) -> InputFiles:
 
 
 def test_kinds_of_the_files_of_a_folder_are_detected(whole: InputFiles) -> None:
-    roles = {entry.path.name: entry.role for entry in whole.files}
+    roles = {input_file.path.name: input_file.role for input_file in whole.files}
     assert roles == {
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
         "L2.las": "points", "letter.md": None,
@@ -100,11 +100,11 @@ def test_a_second_trajectory_is_an_error_until_it_is_skipped(
     several = error("import.several_trajectories", file="pos.sbet")
     assert message_text(several) in input_files.import_problem("x")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
-    mended = input_files.with_action(second, leave_out)
-    assert mended.state_of_file(mended.file(second)) == "out"
-    assert mended.trajectory is not None
-    assert mended.trajectory.path == files / "pos.sbet"
-    assert mended.files_problem_text() == ""
+    resolved = input_files.with_action(second, leave_out)
+    assert resolved.state_of_file(resolved.file(second)) == "out"
+    assert resolved.trajectory is not None
+    assert resolved.trajectory.path == files / "pos.sbet"
+    assert resolved.files_problem_text() == ""
 
 
 def test_ambiguous_text_is_a_line_if_a_trajectory_exists(files: Path, tmp_path: Path) -> None:
@@ -152,17 +152,17 @@ def test_the_shift_that_fits_seconds_of_the_day_is_proposed(
     assert (message.level, message.code) == (Level.ERROR, "import.outside_with_shift")
     assert message.params["points"] == note("time_base.gps_day")
     assert message.actions[0].params["shift"] == pytest.approx(432_000)
-    assert [entry.path for entry, _ in input_files.proposed_shifts] == [late]
-    for mended in (
+    assert [input_file.path for input_file, _ in input_files.proposed_shifts] == [late]
+    for shifted in (
         input_files.with_action(late, message.actions[0]),
         input_files.with_shift_for_all(),
     ):
-        assert mended.files_problem_text() == ""
-        assert mended.proposed_shifts == ()
-        covered = mended.coverage(mended.file(late))
+        assert shifted.files_problem_text() == ""
+        assert shifted.proposed_shifts == ()
+        covered = shifted.coverage(shifted.file(late))
         assert covered is not None
         assert covered.usable == covered.count
-    request = mended.request(tmp_path / "made", Settings(lever_arm=LEVER))
+    request = shifted.request(tmp_path / "made", Settings(lever_arm=LEVER))
     project, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings, accuracy=request.accuracy,
@@ -180,12 +180,12 @@ def test_an_ambiguous_shift_is_a_warning(whole: InputFiles, tmp_path: Path) -> N
     input_files = import_files(whole, late)
     first = input_files.messages(input_files.file(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
-    mended = input_files.with_action(late, first.actions[0])
-    assert mended.state_of_file(mended.file(late)) == "warning"
-    rivals = mended.messages(mended.file(late))[0]
+    shifted = input_files.with_action(late, first.actions[0])
+    assert shifted.state_of_file(shifted.file(late)) == "warning"
+    rivals = shifted.messages(shifted.file(late))[0]
     assert rivals.code == "import.other_bases_fit"
     assert (
-        mended.with_action(late, rivals.actions[-1]).state_of_file(input_files.file(late))
+        shifted.with_action(late, rivals.actions[-1]).state_of_file(input_files.file(late))
         == "error"
     )
 
@@ -281,8 +281,8 @@ def test_the_reading_of_times_stops_at_a_time_limit(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(times_module, "TIME_LIMIT_S", -1.0)
-    entry = examine_file(files / "deeper" / "L9.txt")
-    assert entry.content is None  # the names of its columns are not given yet
+    input_file = examine_file(files / "deeper" / "L9.txt")
+    assert input_file.content is None  # the names of its columns are not given yet
     monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 500)
     cut = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not cut.reached_end

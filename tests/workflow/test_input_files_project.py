@@ -25,7 +25,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.importing import input_files as intake_module
+from lispac.workflow.importing import input_files as input_files_module
 from lispac.workflow.importing.input_columns import (
     column_meanings,
     missing_columns,
@@ -70,8 +70,8 @@ def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
 def opened(project: Project) -> InputFiles:
     """Return the input files of a project, examined, to add lines to."""
     input_files = InputFiles.of_project(project)
-    for entry in input_files.files:
-        input_files = input_files.with_changed_file(examine_project_file(entry))
+    for input_file in input_files.files:
+        input_files = input_files.with_changed_file(examine_project_file(input_file))
     return input_files
 
 
@@ -80,18 +80,18 @@ def opened(project: Project) -> InputFiles:
 
 def test_the_files_of_a_project_cannot_be_removed(project: Project, files: Path) -> None:
     input_files = opened(project)
-    assert [entry.role for entry in input_files.files] == ["trajectory", "accuracy"]
+    assert [input_file.role for input_file in input_files.files] == ["trajectory", "accuracy"]
     assert input_files.trajectory_content is not None
     assert input_files.accuracy_content is not None
     assert (
         input_files.files_problem_text()
         == "There is no line. Add the scan file of at least one line."
     )
-    for entry in input_files.files:
-        assert input_files.without_file(entry.path).files == input_files.files
-        assert input_files.with_role(entry.path, "points") is input_files
+    for input_file in input_files.files:
+        assert input_files.without_file(input_file.path).files == input_files.files
+        assert input_files.with_role(input_file.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
-    assert [entry.role for entry in without.files] == ["trajectory"]
+    assert [input_file.role for input_file in without.files] == ["trajectory"]
     more = import_files(input_files, files / "L2.las")
     assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
@@ -106,8 +106,8 @@ def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path
     assert (message.level, message.code) == (Level.ERROR, "import.already_in_project")
     assert message.params == {"file": "L1.laz", "line": "L1"}
     assert message_text(message) in input_files.files_problem_text()
-    left = input_files.with_action(files / "L1.laz", message.actions[0])
-    assert left.state_of_file(left.file(files / "L1.laz")) == "out"
+    skipped = input_files.with_action(files / "L1.laz", message.actions[0])
+    assert skipped.state_of_file(skipped.file(files / "L1.laz")) == "out"
 
 
 def test_bridging_gaps_is_proposed_only_for_a_new_project(
@@ -116,16 +116,16 @@ def test_bridging_gaps_is_proposed_only_for_a_new_project(
     """The longest gap is a setting of the project, which added lines do not change."""
     records = vessel(2000)
     time = records[:, 0] - START
-    torn = write_records(tmp_path / "torn.sbet", records[(time < 5) | (time > 8)])
+    with_gap = write_records(tmp_path / "torn.sbet", records[(time < 5) | (time > 8)])
     (new,) = (
         message
         for message in (lambda i: i.messages(named(i, "L1.laz")))(
-            import_files(InputFiles(), torn, files / "L1.laz")
+            import_files(InputFiles(), with_gap, files / "L1.laz")
         )
         if message.level is Level.WARNING
     )
     assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
-    here = replace(project, trajectory=torn, lines=(), accuracy=None)
+    here = replace(project, trajectory=with_gap, lines=(), accuracy=None)
     input_files = import_files(opened(here), files / "L1.laz")
     messages = input_files.messages(named(input_files, "L1.laz"))
     assert messages == (replace(new, actions=()),)
@@ -135,8 +135,8 @@ def test_bridging_a_wide_gap_is_not_proposed(files: Path, tmp_path: Path) -> Non
     """Half a minute of the trajectory is missing, more than ten times the default limit."""
     records = vessel(2000)
     time = records[:, 0] - START
-    torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
-    input_files = import_files(InputFiles(), torn, files / "L1.laz")
+    with_gap = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
+    input_files = import_files(InputFiles(), with_gap, files / "L1.laz")
     found = input_files.messages(named(input_files, "L1.laz"))
     (message,) = (each for each in found if each.level is Level.WARNING)
     assert message.actions == ()
@@ -147,9 +147,9 @@ def test_bridging_a_wide_gap_is_not_proposed(files: Path, tmp_path: Path) -> Non
 
 def test_times_are_not_checked_without_a_trajectory(files: Path) -> None:
     line = import_files(InputFiles(), files / "L1.laz")
-    entry = line.file(files / "L1.laz")
-    assert line.time_messages(entry) == ()
-    assert line.coverage(entry) is None
+    input_file = line.file(files / "L1.laz")
+    assert line.time_messages(input_file) == ()
+    assert line.coverage(input_file) is None
     assert line.proposed_shifts == ()
     assert line.time_base is None
     both = import_files(line, files / "pos.sbet")
@@ -161,9 +161,9 @@ def test_times_are_not_checked_without_a_trajectory(files: Path) -> None:
 
 def test_a_pending_file_has_no_messages(files: Path) -> None:
     waiting = InputFiles().with_files([files / "L1.laz"])
-    entry = waiting.files[0]
-    assert waiting.state_of_file(entry) == "pending"
-    assert waiting.messages(entry) == ()
+    input_file = waiting.files[0]
+    assert waiting.state_of_file(input_file) == "pending"
+    assert waiting.messages(input_file) == ()
 
 
 def test_setting_the_same_role_changes_nothing(files: Path) -> None:
@@ -196,7 +196,7 @@ def test_a_free_folder_is_proposed_for_the_project(
     assert proposed_folder(input_files) == home / f"{tmp_path.name}-boresight"
     (home / f"{tmp_path.name}-boresight").mkdir()
     assert proposed_folder(input_files) == tmp_path / "boresight-2"
-    monkeypatch.setattr(intake_module.os, "access", lambda *_: False)
+    monkeypatch.setattr(input_files_module.os, "access", lambda *_: False)
     assert folder_problem(str(tmp_path / "x")) == (
         f"{tmp_path}: cannot be written. Choose another folder."
     )
@@ -235,11 +235,11 @@ def test_missing_columns_of_a_trajectory_are_named(tokens: str, missing: str) ->
 
 def test_an_undecided_file_has_no_time_base() -> None:
     assert trajectory_time_base(None) == KnownTimeBase()
-    entry = InputFile(Path("a.sbet"), role="trajectory")
-    assert trajectory_time_base(entry) == KnownTimeBase()
+    input_file = InputFile(Path("a.sbet"), role="trajectory")
+    assert trajectory_time_base(input_file) == KnownTimeBase()
     assert line_time_base(InputFile(Path("a.las"), role="points")).base is None
-    assert entry.options == {}
-    assert reexamine_file(entry).pending is False
+    assert input_file.options == {}
+    assert reexamine_file(input_file).pending is False
 
 
 def test_a_line_is_matched_in_all_bases_if_the_given_one_does_not_fit() -> None:
@@ -286,7 +286,7 @@ _OPTIONS_OF_WARNINGS = [
 ]  # fmt: skip
 
 
-def entry_with(key: str, message: Message) -> InputFile:
+def input_file_with(key: str, message: Message) -> InputFile:
     """Return an input file of a format, with a warning of its reader."""
     format = format_of(key)
     radians = {a.params["name"]: "radians" for a in message.actions if a.code == "use_degrees"}
@@ -298,13 +298,15 @@ def entry_with(key: str, message: Message) -> InputFile:
 def test_a_warning_proposes_options_of_its_format(
     key: str, message: Message, options: list[tuple[str, str]]
 ) -> None:
-    entry = entry_with(key, message)
-    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == message.code)
+    input_file = input_file_with(key, message)
+    (shown,) = (
+        each for each in file_messages(input_file, None, 1, 1, 1.5) if each.code == message.code
+    )
     assert shown == message
     assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
-    assert all(action.params["name"] in entry.options for action in shown.actions)
+    assert all(action.params["name"] in input_file.options for action in shown.actions)
     for name, value in options:  # not proposed if set already
-        set_already = replace(entry, given_options={name: value})
+        set_already = replace(input_file, given_options={name: value})
         (again,) = file_messages(set_already, None, 1, 1, 1.5)
         assert (name, value) not in [(a.params["name"], a.params["value"]) for a in again.actions]
 
@@ -330,7 +332,7 @@ def test_warnings_about_the_frame_propose_to_choose_it(
     (message,) = (each for each in of_points(xyz, crs) if each.code == code)
     (shown,) = (
         each
-        for each in file_messages(entry_with("las", message), None, 1, 1, 1.5)
+        for each in file_messages(input_file_with("las", message), None, 1, 1, 1.5)
         if each.code == code
     )
     assert [(each.code, option_to_choose(each)) for each in shown.actions] == [
@@ -338,7 +340,7 @@ def test_warnings_about_the_frame_propose_to_choose_it(
     ]
     assert action_text(shown.actions[0]) == "Choose the frame"
     # A trajectory has no such option.
-    (other,) = file_messages(entry_with("sbet", message), None, 1, 1, 1.5)
+    (other,) = file_messages(input_file_with("sbet", message), None, 1, 1, 1.5)
     assert other.actions == ()
 
 
@@ -355,10 +357,12 @@ def test_warnings_about_the_frame_propose_to_choose_it(
 def test_a_warning_has_an_action_to_choose_its_option(
     key: str, message: Message, option: str
 ) -> None:
-    entry = entry_with(key, message)
-    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == message.code)
+    input_file = input_file_with(key, message)
+    (shown,) = (
+        each for each in file_messages(input_file, None, 1, 1, 1.5) if each.code == message.code
+    )
     assert [option_to_choose(action) for action in shown.actions] == [option]
-    assert option in entry.options
+    assert option in input_file.options
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -381,11 +385,11 @@ def test_a_partly_read_file_is_reported() -> None:
     times = LineTimes(
         sample, sample[0], sample[-1], None, whole=False, reached_end=False, place=np.zeros(3)
     )
-    entry = InputFile(
+    input_file = InputFile(
         Path("a.txt"), role="points", format=format_of("text"), finding=FilePreview({}),
         content=times, pending=False,
     )  # fmt: skip
-    assert file_messages(entry, None, 1, 1, 1.5) == (
+    assert file_messages(input_file, None, 1, 1, 1.5) == (
         note("import.first_times", file="a.txt", count=1500),
     )
 

@@ -129,10 +129,10 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
         input_files = import_files(InputFiles(), path)
-    entry = input_files.file(path)
-    assert entry.error is not None
-    assert entry.error.code == "trajectory.no_system"
-    errors = [each for each in input_files.messages(entry) if each.level is Level.ERROR]
+    input_file = input_files.file(path)
+    assert input_file.error is not None
+    assert input_file.error.code == "trajectory.no_system"
+    errors = [each for each in input_files.messages(input_file) if each.level is Level.ERROR]
     assert [option_to_choose(each.actions[0]) for each in errors] == ["crs"]
 
 
@@ -146,19 +146,19 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     local = georeference(fan(1500), times, LocalTrajectory.of(raw, frame), mounting)
     points = coordinate_system("EPSG:32618").from_local(local, frame)
 
-    stated = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
-    input_files = import_files(whole, stated)
-    place = input_files.file(stated).place
+    with_system = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
+    input_files = import_files(whole, with_system)
+    place = input_files.file(with_system).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
-    assert input_files.state_of_file(input_files.file(stated)) == "fine", message_texts(
+    assert input_files.state_of_file(input_files.file(with_system)) == "fine", message_texts(
         input_files, "stated.laz"
     )
 
     bare = write_line(tmp_path / "bare.laz", times, points)
     input_files = import_files(whole, bare)
-    remark = input_files.messages(input_files.file(bare))[0]
-    assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
+    message = input_files.messages(input_files.file(bare))[0]
+    assert (message.level, option_to_choose(message.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.file(bare)) is not None
     wrong = import_files(input_files.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in message_texts(wrong, "bare.laz")

@@ -66,7 +66,7 @@ while True:
 """
 
 
-def killed(code: str, argument: Path, seconds: float | None) -> float:
+def run_and_kill(code: str, argument: Path, seconds: float | None) -> float:
     """Run code in a process of its own and kill it a given time after it is ready.
 
     Parameters
@@ -101,14 +101,14 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     line = Line(POINT_COUNT)
-    took = killed(IMPORT_SCRIPT, tmp_path / "whole", None)
+    took = run_and_kill(IMPORT_SCRIPT, tmp_path / "whole", None)
     whole = open_store(tmp_path / "whole", "L1").manifest
     moments = random.Random(7)
     counts = {"complete": 0, "interrupted while reading": 0, "while ordering": 0, "not imported": 0}
     for k in range(times):
         folder = tmp_path / f"L{k}"
         # The moments are spread over the whole import and shortly after it.
-        killed(IMPORT_SCRIPT, folder, 1.1 * took * (k + moments.random()) / times)
+        run_and_kill(IMPORT_SCRIPT, folder, 1.1 * took * (k + moments.random()) / times)
         ordering = bool(list(folder.glob("columns-*")))
         try:
             stored = open_store(folder, "L1")
@@ -167,8 +167,8 @@ def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int)
         stored = open_store(project.folder / "lines" / "L1", "L1")
         stored.require_sound()
         assert [c.checksum for c in stored.manifest.files] == [c.checksum for c in whole.files]
-        left = {path.name for path in (project.folder / "lines" / "L1").iterdir()}
-        assert left == {"store.json", stored.manifest.folder}
+        remaining = {path.name for path in (project.folder / "lines" / "L1").iterdir()}
+        assert remaining == {"store.json", stored.manifest.folder}
         assert not list(project.folder.rglob(".*"))
     print(f"\n{times} imports of {points:,} points, {took:.1f} s each, killed: {found}")
     assert found["incomplete"] > 0
@@ -180,7 +180,7 @@ def test_kill_during_a_repeated_import(tmp_path: Path, monkeypatch) -> None:
         monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     folder = tmp_path / "L1"
     write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)
-    killed(IMPORT_SCRIPT, folder, 0.3)
+    run_and_kill(IMPORT_SCRIPT, folder, 0.3)
     stored = open_store(folder, "L1")
     assert len(stored) in (30_000, POINT_COUNT)
     stored.require_sound()
@@ -210,16 +210,16 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
     shutil.copytree(project_in(tmp_path / "project").folder, tmp_path / "pristine")
     indices = project_in(tmp_path / "project").targets[0].sightings[0].indices
     moments = random.Random(3)
-    seen = []
+    outcomes = []
     for _ in range(times):
-        killed(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
+        run_and_kill(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
         found = read_project(tmp_path / "project").target("T1").sightings[0]
         half = found.rms == 0.002
         np.testing.assert_array_equal(found.indices, indices[:: 2 if half else 1])
-        seen.append(half)
-    print(f"\n{times} times killed while saving; {sum(seen)} times the one state was left")
+        outcomes.append(half)
+    print(f"\n{times} times killed while saving; {sum(outcomes)} times the one state was left")
     if times > 10:
-        assert len(set(seen)) == 2
+        assert len(set(outcomes)) == 2
 
 
 COMMAND_SCRIPT = """
@@ -231,7 +231,7 @@ main(sys.argv[1:])
 
 
 def command_killed(words: list[str], seconds: float | None) -> float:
-    """Run a command in a process of its own and kill it after a time; see `killed`."""
+    """Run a command in a process of its own and kill it after a time; see `run_and_kill`."""
     with subprocess.Popen(
         [sys.executable, "-c", COMMAND_SCRIPT, *words],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=CHECKOUT,
@@ -277,6 +277,6 @@ def test_kill_during_a_command(copy: Project, tmp_path: Path, name: str, times: 
         command_killed(words, took * chance.random())
         read_project(copy.folder)
         assert main(words) == 0
-        left = [path for place in (copy.folder, out) for path in place.rglob(".*")]
-        assert left == []
+        remaining = [path for place in (copy.folder, out) for path in place.rglob(".*")]
+        assert remaining == []
         assert {path.name for path in out.glob("*")} == complete

@@ -65,7 +65,7 @@ WRITERS = {"L1.laz": las, "L1.csv": text, "L1.ply": ply}
 every_format = pytest.mark.parametrize("name", WRITERS)
 
 
-def opened(folder: Path, *paths: Path, options: tuple[tuple[str, str], ...] = ()) -> Survey:
+def open_lines(folder: Path, *paths: Path, options: tuple[tuple[str, str], ...] = ()) -> Survey:
     sources = [LineSource(path.stem, path, (), Reading("", options)) for path in paths]
     place = folder.parent / "project"
     _, survey = new_project(
@@ -85,7 +85,7 @@ def by_code(survey: Survey) -> dict[str, Message]:
 
 @every_format
 def test_a_valid_line_has_no_message(folder: Path, name: str) -> None:
-    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(POINT_COUNT)))
+    survey = open_lines(folder, WRITERS[name](folder / name, TIMES, fan(POINT_COUNT)))
     assert survey.messages == ()
     assert len(survey.scans["L1"]) == POINT_COUNT
 
@@ -99,7 +99,7 @@ def test_rounded_times_are_reported_with_their_effect(folder: Path, name: str, s
     dense = START + np.arange(2, 12, 5e-5)
     times = np.round(dense / step) * step
     points = fan(len(times)) + np.linspace(0, 1, len(times))[:, None]
-    survey = opened(folder, WRITERS[name](folder / name, times, points))
+    survey = open_lines(folder, WRITERS[name](folder / name, times, points))
     message = by_code(survey)["audit.time_resolution"]
     assert message.level is Level.WARNING
     assert message.params["step"] == pytest.approx(step, rel=1e-3)
@@ -115,7 +115,7 @@ def test_the_time_resolution_of_points_in_short_bursts(folder: Path, step: float
     turns = START + 2 + 0.053 * np.arange(180)
     times = (turns[:, None] + np.linspace(0, 0.002, 20)).ravel()
     rounded = np.round(times / step) * step
-    survey = opened(folder, las(folder / "L1.laz", rounded, fan(len(times))))
+    survey = open_lines(folder, las(folder / "L1.laz", rounded, fan(len(times))))
     assert by_code(survey)["audit.time_resolution"].params["step"] == pytest.approx(step)
 
 
@@ -129,7 +129,7 @@ def test_simultaneous_returns_and_lasers_are_not_reported_as_coarse_times(folder
     lasers = np.repeat(START + np.arange(2, 12, 5e-5 * 32), 32)[:60_000]
     spin = fan(len(lasers)) + 0.01 * (np.arange(len(lasers)) % 32)[:, None]
     fast = las(folder / "L2.laz", START + 2 + (lasers - START - 2) / 32, spin)
-    assert opened(folder, path, fast).messages == ()
+    assert open_lines(folder, path, fast).messages == ()
 
 
 # -- duplicate points and lines -------------------------------------------------------------------
@@ -144,7 +144,7 @@ def test_duplicate_points_are_excluded_and_counted(folder: Path, name: str, how:
         "packet again": np.concatenate([np.arange(2000), np.arange(1500, POINT_COUNT)]),
     }[how]
     points = fan(POINT_COUNT)
-    survey = opened(folder, WRITERS[name](folder / name, TIMES[order], points[order]))
+    survey = open_lines(folder, WRITERS[name](folder / name, TIMES[order], points[order]))
     assert by_code(survey)["audit.duplicates"].params["count"] == len(order) - POINT_COUNT
     points_lidar, times = survey.scans["L1"].take(np.arange(POINT_COUNT))
     np.testing.assert_allclose(times, TIMES, atol=1e-6)
@@ -157,7 +157,7 @@ def test_distant_duplicates_are_excluded(folder: Path) -> None:
     times = START + np.linspace(2, 12, count)
     points = fan(count) + np.arange(count)[:, None] * 1e-4
     path = las(folder / "L1.las", np.tile(times, 2), np.tile(points, (2, 1)))
-    survey = opened(folder, path)
+    survey = open_lines(folder, path)
     assert by_code(survey)["audit.duplicates"].params["count"] == count
     assert len(survey.scans["L1"]) == count
     stored = stored_survey(folder)
@@ -178,7 +178,7 @@ def test_lines_with_points_in_common_are_named(folder: Path) -> None:
     copy = text(folder / "copy.csv", TIMES[: POINT_COUNT // 2], points[: POINT_COUNT // 2])
     same = las(folder / "same.laz", TIMES, points)
     half = las(folder / "half.laz", TIMES[: POINT_COUNT // 3], points[: POINT_COUNT // 3])
-    survey = opened(folder, one, same, half)
+    survey = open_lines(folder, one, same, half)
     found = [each.params for each in survey.messages if each.code == "audit.shared_points"]
     pairs = {frozenset((str(each["line"]), str(each["other"]))) for each in found}
     assert pairs == {
@@ -198,7 +198,7 @@ def test_lines_that_overlap_in_time_are_named(folder: Path, name: str) -> None:
         folder / name, TIMES[1000:] + 1e-6, np.round(points[1000:], 2)
     )
     after = las(folder / "after.laz", TIMES + 10.001, points)
-    survey = opened(folder, one, copy, after)
+    survey = open_lines(folder, one, copy, after)
     found = [each for each in survey.messages if each.code == "audit.same_time"]
     assert [(each.params["line"], each.params["other"]) for each in found] == [("copy", "one")]
     assert found[0].params["seconds"] == pytest.approx(TIMES[-1] - TIMES[1000], abs=2)
@@ -209,7 +209,7 @@ def test_lines_that_overlap_in_time_are_named(folder: Path, name: str) -> None:
 def test_lines_split_by_scanner_overlap_in_time(folder: Path) -> None:
     values = (np.arange(POINT_COUNT) % 2).astype(np.uint8)
     path = las(folder / "L1.laz", TIMES, fan(POINT_COUNT), point_source_id=values)
-    assert "audit.same_time" in by_code(split(folder, path, "point_source_id"))
+    assert "audit.same_time" in by_code(import_split(folder, path, "point_source_id"))
 
 
 def test_the_estimated_fraction_of_shared_points_is_accurate() -> None:
@@ -239,7 +239,7 @@ def test_points_without_range_not_finite_or_too_far_are_excluded(folder: Path, n
     if name != "L1.laz":  # LAS cannot store such coordinates
         points[5, 1], points[6, 2] = np.nan, np.inf
         expected["not_finite"] = 2
-    survey = opened(folder, WRITERS[name](folder / name, TIMES, points))
+    survey = open_lines(folder, WRITERS[name](folder / name, TIMES, points))
     found = by_code(survey)
     assert {code.removeprefix("audit.") for code in found} == set(expected)
     for code, count in expected.items():
@@ -261,14 +261,14 @@ def test_points_with_one_value_for_all_coordinates_are_excluded(
     assert check.finding is not None
     assert check.finding.choice["frame"] == "scanner"
     assert not check.finding.file_warnings
-    survey = opened(folder, path)
+    survey = open_lines(folder, path)
     found = by_code(survey)
     assert set(found) == {"audit.no_range"}
     assert found["audit.no_range"].params["count"] == len(points[::14])
 
 
 def test_distant_points_on_the_map_are_excluded(folder: Path) -> None:
-    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT)))
+    survey = open_lines(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT)))
     project = open_project(folder.parent / "project")
     (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
     cloud = laspy.read(written.path)
@@ -291,7 +291,7 @@ def test_distant_points_on_the_map_are_excluded(folder: Path) -> None:
 def test_points_without_range_are_excluded_with_a_range_offset(folder: Path) -> None:
     points = fan(POINT_COUNT)
     points[::10] = 0.0
-    opened(folder, las(folder / "L1.laz", TIMES, points))
+    open_lines(folder, las(folder / "L1.laz", TIMES, points))
     project = open_project(folder.parent / "project")
     project = project.with_settings(replace(project.settings, range_offset=0.03))
     (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
@@ -305,7 +305,7 @@ def test_points_without_range_are_excluded_with_a_range_offset(folder: Path) -> 
 def test_withheld_points_are_excluded_unless_they_are_kept(folder: Path) -> None:
     withheld = (np.arange(POINT_COUNT) % 5 == 0).astype(np.uint8)
     path = las(folder / "L1.laz", TIMES, fan(POINT_COUNT), withheld=withheld)
-    survey = opened(folder, path)
+    survey = open_lines(folder, path)
     assert by_code(survey)["audit.withheld"].params["count"] == withheld.sum()
     assert len(survey.scans["L1"]) == POINT_COUNT - withheld.sum()
     kept = load_survey(with_options(folder, ("withheld", "keep")))
@@ -325,7 +325,9 @@ def with_options(folder: Path, *options: tuple[str, str]) -> Project:
 def test_noise_classes_are_a_warning_and_can_be_excluded(folder: Path) -> None:
     classes = np.where(np.arange(POINT_COUNT) % 100 == 0, 7, 2).astype(np.uint8)
     classes[:10] = 18
-    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), classification=classes))
+    survey = open_lines(
+        folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), classification=classes)
+    )
     message = by_code(survey)["audit.noise_classes"]
     noise = np.isin(classes, (7, 18))
     assert message.level is Level.WARNING
@@ -344,7 +346,7 @@ def test_points_are_selected_by_attribute_and_time(folder: Path, name: str) -> N
     path = WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{key: ring})
     middle = START + 7
     only = f"{key}=1:2 time={middle!r}:1e9"
-    survey = opened(folder, path, options=(("only", only),))
+    survey = open_lines(folder, path, options=(("only", only),))
     chosen = np.isin(ring, (1, 2)) & (middle <= TIMES)
     assert len(survey.scans["L1"]) == chosen.sum()
     assert by_code(survey)["audit.not_selected"].params["count"] == POINT_COUNT - chosen.sum()
@@ -367,7 +369,7 @@ def test_several_scanners_in_one_file_are_named(
     folder: Path, name: str, attribute: str, code: str
 ) -> None:
     values = (np.arange(POINT_COUNT) % 2).astype(np.uint8)
-    survey = opened(
+    survey = open_lines(
         folder, WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{attribute: values})
     )
     message = by_code(survey)[f"audit.{code}"]
@@ -379,7 +381,9 @@ def test_several_scanners_in_one_file_are_named(
 def test_rings_are_not_reported_as_several_scanners(folder: Path) -> None:
     rings = (np.arange(POINT_COUNT) % 32).astype(np.uint8)
     assert (
-        opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), user_data=rings)).messages
+        open_lines(
+            folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), user_data=rings)
+        ).messages
         == ()
     )
 
@@ -391,7 +395,7 @@ def test_imported_lines_have_the_same_messages(folder: Path) -> None:
     path = las(
         folder / "L1.laz", np.round(TIMES, 1), points, scanner_channel=channel, user_data=channel
     )
-    survey = opened(folder, path)
+    survey = open_lines(folder, path)
     stored = stored_survey(folder)
     assert stored.messages == survey.messages
     assert {m.code for m in stored.messages} == {
@@ -411,7 +415,7 @@ def test_imported_lines_have_the_same_messages(folder: Path) -> None:
 def test_a_file_is_split_into_lines_by_an_attribute(folder: Path, name: str, by: str) -> None:
     values = np.where(TIMES < START + 7, 1, 2).astype(np.uint8)
     path = WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{by: values})
-    survey = split(folder, path, by)
+    survey = import_split(folder, path, by)
     assert survey.lines == ("L1_1", "L1_2")
     assert [len(survey.scans[line]) for line in survey.lines] == [
         np.count_nonzero(values == value) for value in (1, 2)
@@ -420,7 +424,7 @@ def test_a_file_is_split_into_lines_by_an_attribute(folder: Path, name: str, by:
     assert survey.scans["L1_1"].last_time < survey.scans["L1_2"].first_time
 
 
-def split(folder: Path, path: Path, by: str) -> Survey:
+def import_split(folder: Path, path: Path, by: str) -> Survey:
     _, survey = new_project(
         folder.parent / "project", trajectory=folder / "pos.sbet",
         accuracy=folder / "smrmsg.out", lines=[LineSource("L1", path)], settings=Settings(LEVER),
@@ -433,7 +437,7 @@ def split(folder: Path, path: Path, by: str) -> Survey:
 def test_a_file_is_split_into_lines_at_pauses(folder: Path, name: str) -> None:
     times = np.concatenate([START + np.linspace(2, 8, 1000), START + np.linspace(20, 30, 1500)])
     path = WRITERS[name](folder / name, times, fan(len(times)))
-    survey = split(folder, path, "gap")
+    survey = import_split(folder, path, "gap")
     assert survey.lines == ("L1_1", "L1_2")
     assert [len(survey.scans[line]) for line in survey.lines] == [1000, 1500]
     stored = stored_survey(folder)
@@ -461,7 +465,7 @@ def test_several_passes_with_a_turn_between_them_are_reported(folder: Path) -> N
     records[turned, 9] += np.pi * np.minimum(1, (records[turned, 0] - START - 15) / 3)
     records.tofile(folder / "pos.sbet")
     times = np.concatenate([START + np.linspace(2, 8, 1000), START + np.linspace(20, 30, 1500)])
-    survey = opened(folder, las(folder / "L1.laz", times, fan(len(times))))
+    survey = open_lines(folder, las(folder / "L1.laz", times, fan(len(times))))
     assert by_code(survey)["audit.several_passes"].params["count"] == 2
 
 

@@ -19,7 +19,7 @@ from lispac.project import Project, Settings
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import answer, refused, run
+from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.report_sample import sample_project
 
 
@@ -152,7 +152,7 @@ def test_compare_command(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> 
     assert err.count("note: not run yet: ") == 3
     project = project.with_alternative_result(alternative(project, "targetless", (0.3, 0.0, 0.0)))
     write_project(project)
-    found = answer(capsys, "compare", tmp_path / "p")
+    found = run_json(capsys, "compare", tmp_path / "p")
     assert [each["method"] for each in found["methods"]] == ["targets", "targetless"]
     assert found["methods"][0]["difference_deg"] is None
     assert found["methods"][1]["difference_deg"] == pytest.approx(
@@ -166,7 +166,7 @@ def test_compare_command(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> 
     write_project(
         replace(project, result=None, alternative_results=(), validation=(), absolute=None)
     )
-    assert "(lispac estimate p, or --compute)" in refused(capsys, "compare", tmp_path / "p")
+    assert "(lispac estimate p, or --compute)" in run_refused(capsys, "compare", tmp_path / "p")
 
 
 def test_compare_with_compute_runs_and_saves_the_methods(
@@ -182,13 +182,13 @@ def test_compare_with_compute_runs_and_saves_the_methods(
         **(targetless.targetless.__kwdefaults__ or {}), "count": 12,
     })  # fmt: skip
     monkeypatch.setitem(patch_test.propose_objects.__kwdefaults__, "count", 8)
-    found = answer(capsys, "compare", project.folder, "--compute")
+    found = run_json(capsys, "compare", project.folder, "--compute")
     assert [each["method"] for each in found["methods"]] == ["targetless", "patch test"]
     assert "two validation planes" in found["refused"]["natural planes"]
     kept = read_project(project.folder).alternative_results
     assert [each.method for each in kept] == ["targetless", "patch test"]
-    for one, told in zip(kept, found["methods"], strict=True):
-        assert np.degrees(one.boresight) == pytest.approx([*told["boresight_deg"].values()])
+    for one, printed in zip(kept, found["methods"], strict=True):
+        assert np.degrees(one.boresight) == pytest.approx([*printed["boresight_deg"].values()])
     code, out, err = run(capsys, "compare", project.folder, project.folder, "--compute")
     assert (code, out) == (2, "")
     assert "give one project" in err

@@ -33,7 +33,7 @@ from tests.support.command_errors import command_error
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def survey_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with files in ``survey`` and their project in ``projects/quay``."""
     root = tmp_path_factory.mktemp("made")
     simulated = demo.make_demo(root / "simulated", points_per_second=4000.0)
@@ -59,8 +59,8 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def disk(made: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(made, tmp_path / "disk"))
+def disk(survey_folder: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(survey_folder, tmp_path / "disk"))
 
 
 def files(project: Project) -> set[Path]:

@@ -27,7 +27,7 @@ from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, picked_and_estimated
 
 
-def only(survey: Survey, *lines: str) -> Survey:
+def with_lines_only(survey: Survey, *lines: str) -> Survey:
     """Return the survey with some of its lines."""
     return replace(
         survey,
@@ -56,7 +56,7 @@ def test_a_new_pick_on_one_line_keeps_the_other_lines_of_a_target() -> None:
 def test_the_smallest_radius_is_used_if_no_second_line_has_points() -> None:
     """Radii of 4, 10 and 20 m are tried for a validation plane."""
     project, survey = picked()
-    alone = only(survey, "L1")
+    alone = with_lines_only(survey, "L1")
     place = on_board("T1", 0.0, 0.0)
     found = find_target(replace(project, targets=()), alone, place, name="V1", role="validation")
     assert found.radius == 4.0
@@ -88,7 +88,7 @@ def test_planes_on_single_lines_are_refused_by_name() -> None:
 def test_objects_of_a_single_line_are_refused() -> None:
     project, survey = picked()
     with pytest.raises(AdjustmentError) as caught:
-        propose_objects(project, only(survey, "L2"))
+        propose_objects(project, with_lines_only(survey, "L2"))
     assert caught.value.code == "patch_test.single_line"
 
 
@@ -136,13 +136,13 @@ def test_picked_targets_are_not_proposed_again() -> None:
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = remove_picked_surfaces(project, proposal)
-    assert (left.targets, left.picked) == ((), ("T1",))
+    remaining = remove_picked_surfaces(project, proposal)
+    assert (remaining.targets, remaining.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = remove_picked_surfaces(bare, proposal)
-    assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
-    assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
-    accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])
+    remaining = remove_picked_surfaces(bare, proposal)
+    assert [(each.name, each.role) for each in remaining.targets] == [("V1", "validation")]
+    assert remaining.reasons == {"V1": note("propose.target_needed", lines=3)}
+    accepted, names = with_accepted_targets(bare, remaining, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]
 
@@ -167,7 +167,7 @@ def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledP
     project, survey = picked_and_estimated()
     one = project.target("T1")
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
-    found = compare_with_plan(few, only(survey, "L1", "L2"), planned)
+    found = compare_with_plan(few, with_lines_only(survey, "L1", "L2"), planned)
     assert found.surveyed_sigma_deg is None
     assert "does not determine" in found.summary_texts[0]
     assert found.missing_targets == ("T2",)

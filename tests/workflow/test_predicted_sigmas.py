@@ -52,8 +52,8 @@ def test_sigmas_that_differ_by_a_fifth_are_named(
             text = english_text(message)
             assert tuple(angle for angle in ANGLES if f"{angle} 0." in text) == named
             for k in map(ANGLES.index, named):
-                stated = np.degrees(project.result.sigma[k])
-                assert f"{stated:.4f} instead of {stated / factors[k]:.4f} deg" in text
+                sigma_deg = np.degrees(project.result.sigma[k])
+                assert f"{sigma_deg:.4f} instead of {sigma_deg / factors[k]:.4f} deg" in text
 
 
 def test_edits_of_targets_or_settings_discard_the_prediction(

@@ -41,8 +41,8 @@ def detected(monkeypatch: pytest.MonkeyPatch) -> list[DetectedPlane]:
     found: list[DetectedPlane] = []
     usual = proposals.detect_planes
 
-    def kept(*given: object, **also: object) -> tuple[DetectedPlane, ...]:
-        planes = usual(*given, **also)  # type: ignore[arg-type]
+    def kept(*arguments: object, **also: object) -> tuple[DetectedPlane, ...]:
+        planes = usual(*arguments, **also)  # type: ignore[arg-type]
         found.extend(planes)
         return planes
 
@@ -119,11 +119,11 @@ def test_a_plane_of_poor_quality_on_most_lines_is_not_proposed(
     detected: list[DetectedPlane], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The deck is flat, but the angle of incidence is 78 to 81 deg."""
-    judged: list[Mapping[tuple[str, str], SightingQuality]] = []
+    qualities: list[Mapping[tuple[str, str], SightingQuality]] = []
 
     def kept(project: Project, survey: Survey) -> Mapping[tuple[str, str], SightingQuality]:
-        judged.append(sighting_qualities(project, survey))
-        return judged[-1]
+        qualities.append(sighting_qualities(project, survey))
+        return qualities[-1]
 
     monkeypatch.setattr(proposals, "sighting_qualities", kept)
     scene_site = with_deck()
@@ -136,8 +136,8 @@ def test_a_plane_of_poor_quality_on_most_lines_is_not_proposed(
             scene_site, "deck", {line: patch.indices for line, patch in plane.found.items()}
         )
     ]
-    ratings = [each.rating for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
-    flat = [each.flatness for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
+    ratings = [each.rating for (name, _), each in qualities[0].items() if name == f"P{deck + 1}"]
+    flat = [each.flatness for (name, _), each in qualities[0].items() if name == f"P{deck + 1}"]
     assert ratings.count("poor") >= len(ratings) / 2
     assert "poor" not in flat
     assert len(proposal.targets) == 3
@@ -160,10 +160,10 @@ def test_use_of_a_plane_by_its_quality(poor: int, rough: int, use: str) -> None:
         )
         for k in range(4)
     }
-    judged = proposals._assess_plane(lines)
-    assert judged.use == use
-    assert judged.poor == tuple(lines)[:poor]
-    assert judged.reason == ("The beams meet it aslant." if poor else "")
+    plane_use = proposals._assess_plane(lines)
+    assert plane_use.use == use
+    assert plane_use.poor == tuple(lines)[:poor]
+    assert plane_use.reason == ("The beams meet it aslant." if poor else "")
 
 
 def test_a_site_with_a_rippled_sheet_only_is_refused_with_its_reason() -> None:
@@ -186,7 +186,7 @@ def adjusted_with(
     return result
 
 
-def apart(first: AdjustmentResult, second: AdjustmentResult) -> np.ndarray:
+def normalised_differences(first: AdjustmentResult, second: AdjustmentResult) -> np.ndarray:
     """Return differences of roll, pitch, yaw over their combined sigmas."""
     return np.abs(first.boresight - second.boresight) / np.hypot(first.sigma, second.sigma)
 
@@ -323,7 +323,7 @@ def test_natural_planes_give_the_same_result_as_boards(
     for targets in (chosen, proposal.targets):
         result = adjusted_with(project, bare, targets)
         print(len(targets), np.degrees(result.boresight - truth), np.degrees(result.sigma))
-        assert (apart(result, project.result) < 2.5).all()
+        assert (normalised_differences(result, project.result) < 2.5).all()
         assert (np.abs(result.boresight - truth) < 3 * result.sigma).all()
 
 
@@ -347,9 +347,9 @@ def test_planes_of_a_drone_survey_are_proposed(
     survey = load_survey(project)
     targets, validation = project.targets_of_role("target"), project.targets_of_role("validation")
     assert len(targets) >= 3
-    judged = sighting_qualities(project, survey)
+    qualities = sighting_qualities(project, survey)
     for target in project.targets:
-        uneven = [judged[target.name, s.line].flatness != "good" for s in target.sightings]
+        uneven = [qualities[target.name, s.line].flatness != "good" for s in target.sightings]
         assert np.mean(uneven) < proposals.MAX_POOR_SHARE, target.name
     for one, other in combinations(targets, 2):
         assert np.linalg.norm(np.subtract(one.seed, other.seed)) > 1.5

@@ -123,33 +123,33 @@ def test_lines_in_another_time_base_are_refused_with_a_suggested_shift(
     las.gps_time = np.asarray(las.gps_time) - 86_400 * 2
     las.write(tmp_path / "early.laz")
     line = LineSource(name, tmp_path / "early.laz")
-    given = {
+    options = {
         "trajectory": project.trajectory,
         "settings": Settings(lever_arm=project.settings.lever_arm),
     }
     with pytest.raises(InputError, check=has_code("import.outside_with_shifts", shift=172_800.0)):
-        new_project(tmp_path / "no", lines=[line], **given)
+        new_project(tmp_path / "no", lines=[line], **options)
     assert not (tmp_path / "no").exists()
     shifted = LineSource(name, line.path, reading=Reading(time_shift=86_400 * 2))
-    _, read = new_project(tmp_path / "yes", lines=[shifted], **given)
+    _, read = new_project(tmp_path / "yes", lines=[shifted], **options)
     np.testing.assert_allclose(read.scans[name].time, survey.scans[name].time, atol=1e-6)
 
 
 def test_inspect_reports_the_format_of_a_file(calibrated, clouds, capsys) -> None:
     project, _ = calibrated
     assert main(["inspect", str(clouds[0].path)]) == 0
-    said = capsys.readouterr().out
-    assert "certainly LAS or LAZ" in said
-    assert "crs=EPSG:32619" in said
+    printed = capsys.readouterr().out
+    assert "certainly LAS or LAZ" in printed
+    assert "crs=EPSG:32619" in printed
     assert main(["inspect", str(project.trajectory), "--json"]) == 0
     formats = json.loads(capsys.readouterr().out)["formats"]
     assert formats[0]["format"] == "sbet"
     assert formats[0]["options"]["pitch"] == "bow-up"
-    assert any("ellipsoidal" in said for said in formats[0]["assumptions"])
+    assert any("ellipsoidal" in printed for printed in formats[0]["assumptions"])
 
 
 @pytest.mark.parametrize(
-    ("options", "said"),
+    ("options", "refusal"),
     [
         (["--line-option", "frame=moon"], "formats.invalid_choice"),
         (["--line-format", "fax"], "formats.unknown"),
@@ -157,26 +157,26 @@ def test_inspect_reports_the_format_of_a_file(calibrated, clouds, capsys) -> Non
         (["--trajectory-option", "colour=red"], "formats.unknown_option"),
     ],
 )
-def test_invalid_import_options_are_refused(calibrated, tmp_path, options, said) -> None:
+def test_invalid_import_options_are_refused(calibrated, tmp_path, options, refusal) -> None:
     project, _ = calibrated
     line = str(project.lines[0].path)
     command = ["new", str(tmp_path / "p"), line, "--trajectory", str(project.trajectory)]
-    assert is_refusal(command_error(*command, "--lever-arm", "0", "0", "1", *options), said)
+    assert is_refusal(command_error(*command, "--lever-arm", "0", "0", "1", *options), refusal)
     assert not (tmp_path / "p").exists()
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "refusal"),
     [
         ("", "file is empty."),
         ("x y z\n1 2 3\n4 5 6\n", "import.points_without_time"),
         ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "import.points_without_time"),
     ],
 )
-def test_reason_why_a_file_is_not_a_line_is_reported(tmp_path, content, said) -> None:
+def test_reason_why_a_file_is_not_a_line_is_reported(tmp_path, content, refusal) -> None:
     path = tmp_path / "quay.txt"
     path.write_text(content)
-    assert is_refusal(command_error("inspect", path), said)
+    assert is_refusal(command_error("inspect", path), refusal)
 
 
 def test_a_file_of_unknown_format_is_refused(tmp_path) -> None:

@@ -38,15 +38,15 @@ def test_a_surveyed_point_away_from_its_plane_is_reported(
     found = read_reference(
         corners(tmp_path / "b.csv", off), *known, sigma=0.005, search_distance=1.0
     )
-    told = [each for each in found.notes if each.code.startswith("reference.")]
+    notes = [each for each in found.notes if each.code.startswith("reference.")]
     if off:
-        assert [(each.code, each.params["plane"]) for each in told] == [
+        assert [(each.code, each.params["plane"]) for each in notes] == [
             ("reference.plane_off", "T2")
         ]
-        assert told[0].params["distance"] == pytest.approx(0.016, abs=5e-5)
-        assert told[0].params["sigma"] == 0.002
+        assert notes[0].params["distance"] == pytest.approx(0.016, abs=5e-5)
+        assert notes[0].params["sigma"] == 0.002
     else:
-        assert told == []
+        assert notes == []
     (plane,) = found.planes
     assert abs(plane.plane.distances(on_board("T2", 0, 0)[None])[0]) == pytest.approx(
         off / 5, abs=2e-5

@@ -27,7 +27,7 @@ from lispac.workflow.checking.validation import validate
 from lispac.workflow.importing.file_reading import detect_reading
 from lispac.workflow.project.projects import create_project, open_project, save_project
 from lispac.workflow.project.survey import load_survey
-from tests.cli.test_cli import answer
+from tests.cli.test_cli import run_json
 from tests.validation.test_truth import beside_truth
 from tests.workflow.test_reading import write_cloud
 
@@ -35,7 +35,7 @@ from tests.workflow.test_reading import write_cloud
 def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: object) -> Any:
     site = json.loads((data / "site.json").read_text())
     lines = sorted(data.glob("*.laz"))
-    answer(
+    run_json(
         capsys, "new", project, "--trajectory", data / "trajectory.sbet",
         "--lever-arm", *site["lever_arm_m"], "--origin", *site["origin_deg_m"], *extra, *lines,
     )  # fmt: skip
@@ -48,7 +48,7 @@ def picked(
     """Pick all targets from one list, so that the lines are read only once."""
     path = project.parent / "seeds.txt"
     path.write_text("".join(f"{name} {x} {y} {z}\n" for name, (x, y, z) in seeds.items()))
-    found = answer(capsys, "pick", project, "--seeds", path, "--role", "target")["seeds"]
+    found = run_json(capsys, "pick", project, "--seeds", path, "--role", "target")["seeds"]
     assert [each["name"] for each in found] == list(seeds)
     return found
 
@@ -66,17 +66,21 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     for found in picked(capsys, project, {k: t["centre"] for k, t in site["targets_nwu"].items()}):
         assert len(found["lines"]) == 6, found
     assert open_project(project).settings.pos_errors == "correlated"  # the default
-    thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
-    honest = answer(capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks")
-    error = angles(honest, "boresight_deg") - truth
-    said = (
-        f"truth {truth}, uncorrelated POS errors {angles(thesis, 'boresight_deg')}, "
-        f"correlated {angles(honest, 'boresight_deg')} +- {angles(honest, 'sigma_deg')}"
+    uncorrelated = run_json(
+        capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks"
     )
-    assert honest["pos_errors"] == "correlated"
-    assert (np.abs(error) < 3 * angles(honest, "sigma_deg")).all(), said
-    assert angles(honest, "sigma_deg")[1] <= 0.025, said
-    assert np.abs(angles(thesis, "boresight_deg") - truth).max() < 0.25, said
+    correlated = run_json(
+        capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks"
+    )
+    error = angles(correlated, "boresight_deg") - truth
+    comparison = (
+        f"truth {truth}, uncorrelated POS errors {angles(uncorrelated, 'boresight_deg')}, "
+        f"correlated {angles(correlated, 'boresight_deg')} +- {angles(correlated, 'sigma_deg')}"
+    )
+    assert correlated["pos_errors"] == "correlated"
+    assert (np.abs(error) < 3 * angles(correlated, "sigma_deg")).all(), comparison
+    assert angles(correlated, "sigma_deg")[1] <= 0.025, comparison
+    assert np.abs(angles(uncorrelated, "boresight_deg") - truth).max() < 0.25, comparison
     opened = open_project(project)
     survey = load_survey(opened)
     for name, plane in site["validation_nwu"].items():
@@ -110,7 +114,7 @@ def test_drone(
         if len(target.sightings) < 2:  # the tent's smallest plane, P5
             assert target.missing["line2"].code == "finder.other_tilt"
             save_project(opened.without_target(target.name))
-    numbers = answer(capsys, "estimate", project)
+    numbers = run_json(capsys, "estimate", project)
     error = np.abs(angles(numbers, "boresight_deg") - reference["boresight_deg"])
     assert (error < (0.1 if name == "lanl_truck" else [0.1, 0.3, 0.3])).all(), error
     assert "surfaces_differ" in {each["former_code"] for each in numbers["warnings"]}
@@ -189,19 +193,19 @@ def test_georeferenced_drone_clouds_give_the_result_of_the_raw_lines(
         lines.append(
             LineSource(path.stem, cloud, reading=detect_reading(cloud, "points", Reading())[0])
         )
-    brought, start = labelled(data, tmp_path, lines, wrong)
-    assert np.abs(brought.points_lidar - raw.points_lidar).max() < 2e-4
+    converted, start = labelled(data, tmp_path, lines, wrong)
+    assert np.abs(converted.points_lidar - raw.points_lidar).max() < 2e-4
     start = start.with_boresight(prior.boresight)
-    answers = [
+    boresights = [
         adjust(
             average_points_in_cells(observations, start, 0.10),
             start,
             StochasticModel(loss="tukey"),
             diagnostics=False,
         ).boresight
-        for observations in (raw, brought)
+        for observations in (raw, converted)
     ]
-    assert np.degrees(np.abs(answers[0] - answers[1])).max() < 0.001
+    assert np.degrees(np.abs(boresights[0] - boresights[1])).max() < 0.001
 
 
 def labelled(

@@ -66,8 +66,8 @@ def test_a_target_on_only_one_line_is_not_used(
     assert without.result is not None
     np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
     assert "T1" not in {each.target for each in found.result.targets}
-    for told in (all_warnings(found), all_warnings(replace(single, result=None))):
-        (message,) = (each for each in told if each.code == "targets.single_line_targets")
+    for warnings in (all_warnings(found), all_warnings(replace(single, result=None))):
+        (message,) = (each for each in warnings if each.code == "targets.single_line_targets")
         assert message.subject == Cause.of_target("T1")
     assert not any(each.code == "targets.single_line_targets" for each in all_warnings(without))
     report = report_content(
@@ -259,10 +259,13 @@ def test_points_in_a_gap_of_the_trajectory_are_skipped_and_reported(copy: Projec
     middle = float(np.median(scan.time))
     records = records[np.abs(records[:, 0] - middle) > 3]
     records.tofile(copy.trajectory)
-    left, right = records[records[:, 0] < middle, 0].max(), records[records[:, 0] > middle, 0].min()
+    last_before, first_after = (
+        records[records[:, 0] < middle, 0].max(),
+        records[records[:, 0] > middle, 0].min(),
+    )
     survey = load_survey(replace(copy, targets=()))
     kept = survey.scans[copy.lines[0].name]
-    assert len(kept) == np.count_nonzero((scan.time <= left) | (scan.time > right))
+    assert len(kept) == np.count_nonzero((scan.time <= last_before) | (scan.time > first_after))
     assert "import.excluded_in_gaps" in codes(survey.notes)
 
 

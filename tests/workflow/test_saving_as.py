@@ -114,7 +114,7 @@ def test_complete_stores_are_not_overwritten(project: Project, tmp_path: Path) -
     assert names(there) == before
 
 
-def again(project: Project) -> Progress:
+def import_during_copy(project: Project) -> Progress:
     """Return a progress function that imports a line again during its copy, like another window."""
     done: list[str] = []
 
@@ -136,7 +136,7 @@ def test_a_line_imported_again_meanwhile_is_reported(
     with pytest.raises(ProjectError) as refused:
         save_project_as(
             project, survey, tmp_path / "office",
-            progress=again(project) if meanwhile else lambda fraction, words="": None,
+            progress=import_during_copy(project) if meanwhile else lambda fraction, words="": None,
         )  # fmt: skip
     assert refused.value.code == "store.imported_again"
     assert not (tmp_path / "office").exists()

@@ -65,7 +65,7 @@ def quay(demo_project: Project) -> lispac.OpenProject:
     return lispac.open(demo_project.folder)
 
 
-def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
+def seed_targets(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
     for name in names:
         role, place = demo_seeds()[name]
         quay.seed(name, place, role=role)
@@ -74,7 +74,7 @@ def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
 
 @pytest.fixture(scope="module")
 def estimated(demo_project: Project) -> Project:
-    quay = seeded(lispac.open(demo_project.folder), "T1", "T2")
+    quay = seed_targets(lispac.open(demo_project.folder), "T1", "T2")
     quay.estimate(cross_check=False)
     return quay.project
 
@@ -86,7 +86,7 @@ def estimated_quay(quay: lispac.OpenProject, estimated: Project) -> lispac.OpenP
     return quay
 
 
-def made(quay: lispac.OpenProject) -> Script:
+def project_script(quay: lispac.OpenProject) -> Script:
     return script_of(quay.project, quay.survey)
 
 
@@ -99,7 +99,7 @@ def same_numbers(quay: lispac.OpenProject, script: Script, folder: Path) -> lisp
 
 
 def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path: Path) -> None:
-    seeded(quay, "T1", "V2")
+    seed_targets(quay, "T1", "V2")
     usual = demo_seeds()
     quay.seed(
         "Board 'two' \"", usual["T2"][1], radius=1.5, threshold=0.012,
@@ -114,10 +114,10 @@ def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path:
     quay.reject("T1", "L3_045")
 
     target = quay.project.target("T1")
-    cut, lost = without_points(
+    cut, removed_count = without_points(
         target, quay.survey.clouds, lambda points: points[:, 2] > points[:, 2].mean() + 0.3
     )
-    assert lost > 100
+    assert removed_count > 100
     quay.project = quay.project.with_target(cut)
     quay.identity(remarks='It\'s "new"\nand \\ odd', vessel="Léonie")
     quay.change(
@@ -126,7 +126,7 @@ def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path:
     quay.estimate(cross_check=False)
     quay.validate("quadric", neighbours=15)
 
-    script = made(quay)
+    script = project_script(quay)
     assert script.messages == ()
     assert "its points were edited manually" in script.text
     # A target with one seed per line cannot be written as a single seed.
@@ -148,11 +148,11 @@ def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path:
 def test_points_of_proposed_targets_and_of_another_prior_are_kept(
     quay: lispac.OpenProject, tmp_path: Path
 ) -> None:
-    seeded(quay, "T1", "T2")
+    seed_targets(quay, "T1", "T2")
     quay.accept(quay.propose(), ["V1"])
     quay.change(boresight_deg=(0.3, -1.1, 0.4))
     quay.estimate(cross_check=False)
-    script = made(quay)
+    script = project_script(quay)
     assert "project.put(" in script.text
     assert "boresight_deg=(0.3, -1.1, 0.4)" in script.text
     same_numbers(quay, script, tmp_path)
@@ -160,9 +160,9 @@ def test_points_of_proposed_targets_and_of_another_prior_are_kept(
 
 def test_script_has_no_steps_that_were_not_done(quay: lispac.OpenProject, tmp_path: Path) -> None:
     before = quay.project
-    seeded(quay, "T1")
+    seed_targets(quay, "T1")
     quay.project = before
-    script = made(quay)
+    script = project_script(quay)
     for step in ("seed", "put", "estimate", "validate", "check", "identity", "import_lines"):
         assert f"project.{step}(" not in script.text
     same_numbers(quay, script, tmp_path)
@@ -175,8 +175,8 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
         trajectory=raw / "trajectory.sbet", lidar_sigma=0.0017,
     )  # fmt: skip
     quay.import_lines(["L2_180"])
-    seeded(quay, "T1", "T2")
-    script = made(quay)
+    seed_targets(quay, "T1", "T2")
+    script = project_script(quay)
     assert "project.import_lines(['L2_180'])" in script.text
     assert "project.put(" not in script.text
     same_numbers(quay, script, tmp_path)
@@ -194,10 +194,10 @@ def test_notes_of_the_import_are_reported_where_the_project_has_them(
     )  # fmt: skip
     again = lispac.open(quay.project.folder)
     assert len(quay.notes) > len(again.notes)
-    assert "resolved=True" not in made(quay).text
-    same_numbers(quay, made(quay), tmp_path / "made")
-    assert "resolved=True" in made(again).text
-    same_numbers(again, made(again), tmp_path / "opened")
+    assert "resolved=True" not in project_script(quay).text
+    same_numbers(quay, project_script(quay), tmp_path / "made")
+    assert "resolved=True" in project_script(again).text
+    same_numbers(again, project_script(again), tmp_path / "opened")
 
 
 def test_missing_raw_files_are_reported(demo_project: Project, tmp_path: Path) -> None:
@@ -209,8 +209,8 @@ def test_missing_raw_files_are_reported(demo_project: Project, tmp_path: Path) -
     quay.import_lines()
     (raw / "L2_180.laz").unlink()
     quay.survey  # noqa: B018  imported lines no longer need their files
-    (remark,) = made(quay).messages
-    assert remark == note("script.missing_files", files=[str(raw / "L2_180.laz")])
+    (message,) = project_script(quay).messages
+    assert message == note("script.missing_files", files=[str(raw / "L2_180.laz")])
 
 
 def reference(folder: Path) -> Path:
@@ -234,13 +234,13 @@ def test_a_check_is_repeated_if_its_reference_exists(
     quay.check(reference(elsewhere), search_distance=0.8)
     if beside:
         quay.save_as(elsewhere / "quay")
-        assert not made(quay).messages
-        same_numbers(quay, made(quay), tmp_path)
+        assert not project_script(quay).messages
+        same_numbers(quay, project_script(quay), tmp_path)
         reference(elsewhere).write_text("another list")
-    script = made(quay)
+    script = project_script(quay)
     assert "# project.check('board.csv', search_distance=0.8)" in script.text
-    (remark,) = script.messages
-    assert remark == note("script.no_reference", file="board.csv")
+    (message,) = script.messages
+    assert message == note("script.no_reference", file="board.csv")
 
 
 def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
@@ -250,9 +250,9 @@ def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
     found = quay.check(reference(tmp_path))
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
-    (remark,) = made(quay).messages
-    assert remark.code == "script.other_check"
-    assert remark.params["system"] == "a system of one's own"
+    (message,) = project_script(quay).messages
+    assert message.code == "script.other_check"
+    assert message.params["system"] == "a system of one's own"
 
 
 def test_a_result_that_the_steps_do_not_reproduce_is_reported(
@@ -261,16 +261,16 @@ def test_a_result_that_the_steps_do_not_reproduce_is_reported(
     quay, result = estimated_quay, estimated_quay.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
-    (remark,) = made(quay).messages
-    assert remark.code == "script.other_angles"
-    assert remark.params["angle"] == note("quantity.pitch")
-    assert english_text(remark).split(":")[0] in made(quay).text.replace("\n# ", " ")
+    (message,) = project_script(quay).messages
+    assert message.code == "script.other_angles"
+    assert message.params["angle"] == note("quantity.pitch")
+    assert english_text(message).split(":")[0] in project_script(quay).text.replace("\n# ", " ")
 
 
 def test_names_cannot_inject_code(quay: lispac.OpenProject, tmp_path: Path) -> None:
     """The name of the folder is written into comments and strings of the script."""
     quay.save_as(tmp_path / "a'b\"\nimport nothing_of_the_kind\n#")
-    run(made(quay).text, tmp_path / "again")
+    run(project_script(quay).text, tmp_path / "again")
 
 
 def test_the_command_prints_and_writes_the_script(

@@ -90,14 +90,14 @@ def test_script_gives_the_reading_of_each_line(tmp_path: Path) -> None:
         project, trajectory=data / "pos.txt", lines=lines, targets=(), trajectory_reading=text
     )
     script = script_of(read, survey)
-    given: dict[str, object] = {}
+    arguments: dict[str, object] = {}
 
     class Recorder:
         LineSource, Reading = LineSource, Reading
 
         @staticmethod
         def new(folder: Path, **named: object) -> "Recorder":
-            given.update(named)
+            arguments.update(named)
             return Recorder()
 
         def save(self) -> None: ...
@@ -106,17 +106,17 @@ def test_script_gives_the_reading_of_each_line(tmp_path: Path) -> None:
 
     steps = script.text.replace("import lispac\n", "")
     exec(steps, {"lispac": Recorder})
-    assert given["trajectory"] == data / "pos.txt"
-    assert given["trajectory_reading"] == text
-    assert "accuracy_reading" not in given
-    assert given["resolved"] is True
-    stated = given["lines"]
-    assert isinstance(stated, list)
-    assert stated[0] == data / "L1.laz"  # default name and reading
-    assert stated[1:] == list(lines[1:])
-    (remark,) = script.messages
-    assert remark.code == "script.missing_files"
-    assert str(data / "L3.txt") in remark.params["files"]
+    assert arguments["trajectory"] == data / "pos.txt"
+    assert arguments["trajectory_reading"] == text
+    assert "accuracy_reading" not in arguments
+    assert arguments["resolved"] is True
+    lines_of_call = arguments["lines"]
+    assert isinstance(lines_of_call, list)
+    assert lines_of_call[0] == data / "L1.laz"  # default name and reading
+    assert lines_of_call[1:] == list(lines[1:])
+    (message,) = script.messages
+    assert message.code == "script.missing_files"
+    assert str(data / "L3.txt") in message.params["files"]
 
 
 @pytest.fixture
@@ -147,7 +147,7 @@ def test_a_check_is_repeated_with_the_original_file(
     (project.trajectory.parent / "board.csv").write_text(other)
     script = script_of(project, survey)
     assert call_text("project.check", path, search_distance=0.8) in script.text
-    assert not any(remark.params.get("file") == "board.csv" for remark in script.messages)
+    assert not any(message.params.get("file") == "board.csv" for message in script.messages)
 
 
 def test_a_check_is_not_repeated_with_a_changed_list(

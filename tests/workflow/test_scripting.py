@@ -38,7 +38,7 @@ def quay(demo_project: Project, tmp_path: Path) -> lispac.OpenProject:
     )
 
 
-def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
+def seed_targets(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
     for name in names:
         role, place = demo_seeds()[name]
         quay.seed(name, place, role=role)
@@ -48,11 +48,11 @@ def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
 def test_every_public_name_exists_and_is_typed() -> None:
     tree = ast.parse((CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8"))
     (typed,) = (node for node in tree.body if isinstance(node, ast.If))
-    stated = {
+    typed_names = {
         alias.asname or alias.name: node.module
         for node in ast.walk(typed) if isinstance(node, ast.ImportFrom) for alias in node.names
     }  # fmt: skip
-    assert stated == lispac._MODULE_OF_NAME
+    assert typed_names == lispac._MODULE_OF_NAME
     for name in lispac.__all__:
         assert getattr(lispac, name) is not None
         assert name in dir(lispac)
@@ -74,7 +74,7 @@ def test_steps_give_the_results_of_the_command_line(
     capsys.readouterr()
     typed = lispac.open(folder)
 
-    seeded(quay, "T1", "T2", "V1")
+    seed_targets(quay, "T1", "T2", "V1")
     quay.estimate()
     (plane,) = quay.validate()
 
@@ -86,7 +86,7 @@ def test_steps_give_the_results_of_the_command_line(
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    ("language", "told_as"),
+    ("language", "pattern"),
     [
         ("en", r"(?:roll|pitch|yaw) +(\S+) deg, 1 sigma (\S+)"),
         pytest.param(
@@ -95,7 +95,7 @@ def test_steps_give_the_results_of_the_command_line(
     ],
     ids=["en", "fr"],
 )
-def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: Path) -> None:
+def test_the_example_of_the_manual_runs(language: str, pattern: str, tmp_path: Path) -> None:
     text = (MANUAL / language / "scripts.md").read_text(encoding="utf-8")
     example, other = re.findall(r"```python\n(.*?)```", text, re.S)
     ast.parse(other)
@@ -111,8 +111,8 @@ def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: P
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("points") == 6
-    told = re.findall(told_as, done.stdout)
-    for (value, sigma), truth in zip(told, TRUTH, strict=True):
+    printed = re.findall(pattern, done.stdout)
+    for (value, sigma), truth in zip(printed, TRUTH, strict=True):
         assert abs(float(value) - truth) < 3 * float(sigma) + 1e-4
     report = json.loads((tmp_path / "quay.json").read_text(encoding="utf-8"))
     assert report["identity"]["vessel"] == "Saucier"
@@ -121,7 +121,7 @@ def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: P
 
 
 def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Path) -> None:
-    seeded(quay, "T1", "V1")
+    seed_targets(quay, "T1", "V1")
     before = quay.project
     quay.reject("T1", "L1_000")
     assert quay.project.target("T1").used_sightings[0].line == "L2_180"
@@ -152,7 +152,7 @@ def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Pa
 
 
 def test_a_point_of_a_line_can_be_a_seed(quay: lispac.OpenProject) -> None:
-    target = seeded(quay, "T1").project.target("T1")
+    target = seed_targets(quay, "T1").project.target("T1")
     sighting = target.sighting("L2_180")
     number = int(sighting.indices[len(sighting.indices) // 2])
     clicked = quay.seed("T1", point=("L2_180", number))
@@ -169,7 +169,7 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
 
 
 @pytest.mark.parametrize(
-    ("step", "said"),
+    ("step", "code"),
     [
         (lambda quay: quay.seed("T9", (500.0, 500.0, 500.0)), "finder.no_plane_in_lines"),
         (lambda quay: quay.seed("T9"), "script.place_or_point"),
@@ -188,11 +188,11 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
         (lambda quay: quay.boresight_deg, "project.not_estimated"),
     ],
 )
-def test_refused_steps_change_nothing(opened, step, said: str) -> None:
+def test_refused_steps_change_nothing(opened, step, code: str) -> None:
     before = opened.project
     with pytest.raises(lispac.LispacError) as raised:
         step(opened)
-    assert is_refusal(raised.value, said)
+    assert is_refusal(raised.value, code)
     assert opened.project is before
 
 
@@ -213,14 +213,14 @@ def test_points_are_put_only_on_the_line_they_belong_to(opened: lispac.OpenProje
         return lispac.Target("T2", "target", (0.0, 0.0, 0.0), 0.01, 2.0, (put,))
 
     before = opened.project
-    for wrong, said in (
+    for wrong, code in (
         (target("L9", "0+40", ""), "project_line.not_found"),
         (target("L1_000", "999999999+40", ""), "pick.no_such_point"),
         (target("L1_000", "0+40", "another"), "pick.points_changed"),
     ):
         with pytest.raises(lispac.LispacError) as raised:
             opened.put(wrong)
-        assert raised.value.code == said
+        assert raised.value.code == code
     assert opened.project is before
     opened.put(target("L1_000", "0+40", sighting.fingerprint))
     assert len(opened.project.target("T2").sightings[0].indices) == 40

@@ -45,7 +45,7 @@ def rows(*names: str, offset: float = 0.0) -> str:
     )
 
 
-def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
+def run_refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
     """Pick from a list that must be refused: exit 1, one line, and an unchanged project."""
     path = folder.parent / "targets.txt"
     path.write_text(text)
@@ -65,10 +65,10 @@ def test_picking_from_a_list_equals_single_picks(
     path.write_text("# quay wall\nname;x;y;z\n" + rows("T1", "T2", "V1") + "Lost;20;4;3\n")
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
     assert code == 1
-    lost = error(
+    not_found = error(
         "pick.some_not_found", file=str(path), count=1, total=4, seeds=("Lost",), rows=("6",)
     )
-    assert err.splitlines()[-1] == f"lispac: {message_text(lost)}"
+    assert err.splitlines()[-1] == f"lispac: {message_text(not_found)}"
     named = note("assumed.columns_as_named", columns=("name", "north", "west", "up"))
     assert f"note: {message_text(named)}" in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
@@ -119,14 +119,16 @@ def test_a_list_with_errors_is_refused_as_a_whole(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     good = rows("T1")
-    assert "row 2: the row has 2 columns" in refused(capsys, folder, good + "T2;1\n")
-    assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
-    far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
+    assert "row 2: the row has 2 columns" in run_refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: the name T1 is already in row 1" in run_refused(
+        capsys, folder, good + "T1;1;2;3\n"
+    )
+    far = run_refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
     assert "km from the trajectory" in far
-    assert "columns are missing: z" in refused(capsys, folder, good, "--columns", "name,x,y")
-    none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
+    assert "columns are missing: z" in run_refused(capsys, folder, good, "--columns", "name,x,y")
+    none = run_refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
     assert "at any of the 2 seeds. A (row 1): " in none
 
 
@@ -137,8 +139,10 @@ def test_an_existing_name_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    taken = error("pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1")
-    assert message_text(taken) in refused(capsys, folder, again)
+    name_error = error(
+        "pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1"
+    )
+    assert message_text(name_error) in run_refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)
@@ -196,17 +200,17 @@ def test_cancelled_lists_and_seeds_that_cannot_be_searched(
     path = tmp_path / "targets.txt"
     path.write_text(rows("T1", "T2"))
     read = read_seeds(path, demo_project, survey.trajectory)
-    told: list[tuple[float, str]] = []
+    steps: list[tuple[float, str]] = []
 
     def stop(fraction: float, step: Step | None = None) -> None:
-        told.append((fraction, str(step)))
+        steps.append((fraction, str(step)))
         if "T2" in str(step):
             raise Cancelled
 
     with pytest.raises(Cancelled):
         pick_seeds(demo_project, survey, read.seeds, {}, progress=stop)
-    assert told[0] == (0.0, "Searching for T1 (1 of 2)")
-    assert told[-1] == (0.5, "Searching for T2 (2 of 2)")
+    assert steps[0] == (0.0, "Searching for T1 (1 of 2)")
+    assert steps[-1] == (0.5, "Searching for T2 (2 of 2)")
     assert demo_project.targets == ()
     with pytest.raises(InputError, match="threshold"):
         pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})

@@ -161,11 +161,11 @@ def test_named_columns_apply_to_text_files_only(folder: Path) -> None:
 
 def test_displayed_clouds_are_the_georeferenced_clouds(project: Project) -> None:
     survey = load_survey(project)
-    told: list[Step | None] = []
+    steps: list[Step | None] = []
     shown = survey.displayed_clouds(
-        project, "prior", progress=lambda _share, step=None: told.append(step)
+        project, "prior", progress=lambda _share, step=None: steps.append(step)
     )
-    assert list(map(str, told)) == ["Computing the point positions of L1"]
+    assert list(map(str, steps)) == ["Computing the point positions of L1"]
     assert dict(shown) == dict(survey.clouds)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         survey.displayed_clouds(project, "estimated")

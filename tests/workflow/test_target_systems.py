@@ -34,13 +34,13 @@ def flat_geoid(path: Path, height: float) -> Path:
     return path
 
 
-def on_map(**given: str) -> Reading:
+def on_map(**changes: str) -> Reading:
     """Return the reading of a georeferenced cloud."""
-    said = {
+    options = {
         "frame": "georeferenced", "unit": "metre", "crs": NAD83, "height": "", "height_unit": "",
         "trajectory_datum": "", "epoch": "", "time_base": "gps-week",
     }  # fmt: skip
-    return Reading("las", tuple({**said, **given}.items()))
+    return Reading("las", tuple({**options, **changes}.items()))
 
 
 @pytest.fixture
@@ -68,16 +68,18 @@ def raw(tmp_path: Path) -> Project:
 def cloud(raw: Project, tmp_path: Path) -> Callable[..., LineSource]:
     """Return a function that georeferences the line and returns it as an input line."""
 
-    def made(name: str, epoch: float | None = None, code: str = NAD83, **given: str) -> LineSource:
+    def made(
+        name: str, epoch: float | None = None, code: str = NAD83, **options: str
+    ) -> LineSource:
         (done,) = georeference_project(
-            raw, tmp_path / "made", "prior", system=code, height=given.get("height", ""),
+            raw, tmp_path / "made", "prior", system=code, height=options.get("height", ""),
             trajectory_datum="" if epoch is None else ITRF, epoch=epoch, ending="las",
         )  # fmt: skip
         path = tmp_path / f"{name}.las"
         shutil.copy(done.path, path)
         if epoch is not None:
-            given |= {"trajectory_datum": ITRF, "epoch": str(epoch)}
-        return LineSource(name, path, (), on_map(crs=code, **given))
+            options |= {"trajectory_datum": ITRF, "epoch": str(epoch)}
+        return LineSource(name, path, (), on_map(crs=code, **options))
 
     return made
 
@@ -88,7 +90,7 @@ def dated(raw: Project, cloud: Callable[..., LineSource], tmp_path: Path) -> Pro
     return replace(raw, folder=tmp_path / "dated", lines=(cloud("one", 2023.5),))
 
 
-def apart(one: Path, two: Path) -> float:
+def largest_difference(one: Path, two: Path) -> float:
     """Return the largest difference of two clouds in metres."""
     return float(np.abs(laspy.read(one).xyz - laspy.read(two).xyz).max())
 
@@ -119,7 +121,7 @@ def test_lines_with_different_systems_are_not_exported_together(
         (done,) = georeference_project(
             project, tmp_path / "alone", "prior", lines=[line.name], ending="las"
         )
-        assert apart(done.path, line.path) < 2e-4
+        assert largest_difference(done.path, line.path) < 2e-4
 
 
 def test_an_epoch_without_effect_is_no_difference(
@@ -141,14 +143,14 @@ def test_a_code_is_exported_with_the_datum_of_the_lines(dated: Project, tmp_path
     for system in ("", NAD83):
         request = ExportRequest("lines", tmp_path / f"out{system[-4:]}", "prior", "las", system)
         (path,), notes = export(dated, survey, request)
-        assert apart(path, source) < 2e-4
+        assert largest_difference(path, source) < 2e-4
         assert any(each.params.get("datum") == "ITRF2014" for each in notes)
     found = output_system_of(dated, survey.trajectory, NAD83)  # the same for targets
     assert found is not None
     assert any(each.params.get("datum") == "ITRF2014" for each in found.assumptions)
     request = ExportRequest("lines", tmp_path / "none", "prior", "las", NAD83, trajectory_datum="")
     (path,), notes = export(dated, survey, request)  # an empty datum requests no transformation
-    assert apart(path, source) > 1.0
+    assert largest_difference(path, source) > 1.0
     assert "assumed.datum" in {each.code for each in notes}
 
 
@@ -164,7 +166,7 @@ def test_lines_of_two_datums_need_a_given_one(
         project, tmp_path / "out", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2023.5,
         ending="las",
     )  # fmt: skip
-    assert apart(done[0].path, lines[0].path) < 2e-4
+    assert largest_difference(done[0].path, lines[0].path) < 2e-4
 
 
 def test_an_epoch_is_used_or_refused(
@@ -175,8 +177,8 @@ def test_an_epoch_is_used_or_refused(
         dated, tmp_path / "p", "prior", system=NAD83, trajectory_datum=ITRF, epoch=2010.0,
         ending="las",
     )  # fmt: skip
-    assert apart(moved.path, other.path) == 0
-    assert 0.1 < apart(moved.path, dated.lines[0].path) < 0.5
+    assert largest_difference(moved.path, other.path) == 0
+    assert 0.1 < largest_difference(moved.path, dated.lines[0].path) < 0.5
     trajectory, _ = local_trajectory(raw)
     for system, epoch, code in (
         (UTM, 2020.5, "export.epoch_without_datum"),
@@ -189,6 +191,6 @@ def test_an_epoch_is_used_or_refused(
         assert raised.value.code == code
     raw.folder.mkdir()
     write_project(raw)
-    given = [str(raw.folder), "--output", str(tmp_path / "q"), "--boresight", "prior"]
-    refusal = command_error("georeference", *given, "--crs", UTM, "--epoch", "2020.5")
+    arguments = [str(raw.folder), "--output", str(tmp_path / "q"), "--boresight", "prior"]
+    refusal = command_error("georeference", *arguments, "--crs", UTM, "--epoch", "2020.5")
     assert refusal.code == "export.epoch_without_datum"

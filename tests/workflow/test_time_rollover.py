@@ -46,7 +46,7 @@ def survey_about(folder: Path, period: float, order: str = "sorted") -> tuple[Pa
     return folder / "pos.sbet", write_line(folder / "L.las", times)
 
 
-def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B008
+def make_project(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B008
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
         settings=Settings(lever_arm=LEVER),
@@ -57,9 +57,9 @@ def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B00
 @pytest.mark.parametrize("period", [DAY, WEEK])
 def test_no_point_is_lost_in_import_and_export(period: float, order: str, tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, period, order)
-    project, survey = made(tmp_path / "p", track, line)
-    held = np.sort(survey.scans["L"].time)
-    assert held == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
+    project, survey = make_project(tmp_path / "p", track, line)
+    times = np.sort(survey.scans["L"].time)
+    assert times == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
     assert ("import.times_restart", period) in [
         (each.code, each.params.get("period")) for each in survey.notes
     ]
@@ -71,7 +71,7 @@ def test_no_point_is_lost_in_import_and_export(period: float, order: str, tmp_pa
     assert (direct.points, direct.outside) == (3000, 0)
     assert (np.sort(laspy.read(direct.path).gps_time) == written).all()
     stored = import_lines(again)[0].stored
-    assert np.sort(stored.time) == pytest.approx(held)
+    assert np.sort(stored.time) == pytest.approx(times)
     line.unlink()
     kept = georeference_project(again, tmp_path / "kept", "prior", **local)[0]
     assert np.sort(laspy.read(kept.path).gps_time) == pytest.approx(written, abs=1e-9)
@@ -104,7 +104,9 @@ def test_a_rollover_is_found_from_two_times() -> None:
 
 def test_an_option_sets_or_disables_the_rollover(tmp_path: Path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    _, survey = made(tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),)))
+    _, survey = make_project(
+        tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),))
+    )
     assert survey.scans["L"].time.max() < WEEK
     assert len(survey.scans["L"]) < 2000
     later = write_line(tmp_path / "later.las", np.linspace(1, 15, 3000))
@@ -122,9 +124,9 @@ def test_rollovers_are_resolved_in_text_and_with_given_time_bases(tmp_path: Path
     rows = "\n".join(f"{t:.6f} 0 10 {k % 7}" for k, t in enumerate(utc))
     (tmp_path / "L.txt").write_text("time x y z\n" + rows)
     in_utc = Reading("", (("time_base", "utc-day"),))
-    track_stated = Reading("sbet", (("time", "gps-day"),))
+    track_reading = Reading("sbet", (("time", "gps-day"),))
     project, survey = new_project(
-        tmp_path / "p", trajectory=track, trajectory_reading=track_stated,
+        tmp_path / "p", trajectory=track, trajectory_reading=track_reading,
         lines=[LineSource("L", tmp_path / "L.txt", reading=in_utc)],
         settings=Settings(lever_arm=LEVER),
     )  # fmt: skip
@@ -136,16 +138,16 @@ def test_rollovers_are_resolved_in_text_and_with_given_time_bases(tmp_path: Path
 def test_the_import_dialog_resolves_and_reports_a_rollover(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
     input_files = import_files(InputFiles(), track, line)
-    entry = named(input_files, "L.las")
-    assert input_files.state_of_file(entry) == "fine"
-    (restart,) = (m for m in input_files.messages(entry) if m.code == "import.times_restart")
-    assert restart.params["place"] == note("rollover.week_end")
-    assert restart.params["last"] == pytest.approx(WEEK, abs=0.1)
-    covered = input_files.coverage(entry)
+    input_file = named(input_files, "L.las")
+    assert input_files.state_of_file(input_file) == "fine"
+    (rollover,) = (m for m in input_files.messages(input_file) if m.code == "import.times_restart")
+    assert rollover.params["place"] == note("rollover.week_end")
+    assert rollover.params["last"] == pytest.approx(WEEK, abs=0.1)
+    covered = input_files.coverage(input_file)
     assert covered is not None
     assert covered.outside == 0
-    assert entry.content.end == pytest.approx(WEEK + 18)
-    (ignore,) = restart.actions
+    assert input_file.content.end == pytest.approx(WEEK + 18)
+    (ignore,) = rollover.actions
     back = import_files(input_files.with_action(line, ignore))
     assert "import.points_outside" in codes_about(back, "L.las")
 
@@ -210,22 +212,22 @@ def test_a_resolved_rollover_is_reported(
 def test_an_sbet_with_a_rollover_needs_no_options(tmp_path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
     main(["inspect", str(track)])
-    told = capsys.readouterr().out
-    assert "40.0 s" in told
-    assert "-6047" not in told
+    printed = capsys.readouterr().out
+    assert "40.0 s" in printed
+    assert "-6047" not in printed
     main(["inspect", str(line)])
     assert "earlier than the preceding" not in capsys.readouterr().out
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
-    told = "".join(capsys.readouterr())
-    assert is_shown("assumed.time_rollover", told)
+    printed = "".join(capsys.readouterr())
+    assert is_shown("assumed.time_rollover", printed)
 
 
 def test_a_sorted_trajectory_needs_a_line_without_resolved_rollover(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, DAY)
     records = np.fromfile(track).reshape(-1, 17)
     write_records(track, records[np.argsort(records[:, 0])])
-    _, survey = made(tmp_path / "p", track, line)
+    _, survey = make_project(tmp_path / "p", track, line)
     assert "import.restart_not_needed" in codes(survey.notes)
-    _, survey = made(tmp_path / "q", track, line, Reading("", (("time_rollover", "none"),)))
+    _, survey = make_project(tmp_path / "q", track, line, Reading("", (("time_rollover", "none"),)))
     assert len(survey.scans["L"]) > 2990

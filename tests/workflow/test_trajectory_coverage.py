@@ -20,7 +20,7 @@ from tests.support.trajectory_files import vessel, write_records
 SYSTEM = "EPSG:32619"
 
 
-def made(folder: Path, track: Path, line: Path, reading=Reading(), **more):  # noqa: B008
+def make_project(folder: Path, track: Path, line: Path, reading=Reading(), **more):  # noqa: B008
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
         settings=Settings(lever_arm=LEVER), **more,
@@ -35,7 +35,7 @@ def test_gaps_and_ends_are_distinguished_for_georeferenced_lines(tmp_path: Path)
     place = system.from_geodetic(*(records[:1, k] for k in (1, 2, 3)))[0]
     times = START + np.linspace(5, 45, 4001)
     line = write_line(tmp_path / "utm.las", times, place + fan(4001), SYSTEM)
-    _, survey = made(tmp_path / "p", tmp_path / "gap.sbet", line)
+    _, survey = make_project(tmp_path / "p", tmp_path / "gap.sbet", line)
     found = {each.code: each.params for each in survey.notes}
     outside, in_gaps = found["import.excluded_outside"], found["import.excluded_in_gaps"]
     end = float(records[-1, 0])
@@ -58,14 +58,14 @@ def test_accuracies_that_cover_half_the_trajectory_are_reported(tmp_path: Path) 
     write_records(tmp_path / "whole.out", accuracy)
     line = write_line(tmp_path / "L.las", START + np.linspace(5, 30, 3000))
     track = tmp_path / "pos.sbet"
-    _, survey = made(tmp_path / "p", track, line, accuracy=tmp_path / "half.out")
+    _, survey = make_project(tmp_path / "p", track, line, accuracy=tmp_path / "half.out")
     (too_short,) = too_short_of(survey)
     assert too_short.params["file"] == "half.out"
     assert (too_short.params["first"], too_short.params["last"]) == (START, START + 20)
     assert too_short in (
         input_files := import_files(InputFiles(), track, tmp_path / "half.out")
     ).messages(named(input_files, "half.out"))
-    _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
+    _, survey = make_project(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
     assert too_short_of(survey) == []
 
 
@@ -75,15 +75,15 @@ def test_a_time_base_derived_from_the_values_is_reported_as_such(tmp_path: Path)
     records[:, 0] = gps - 18 + GPS_EPOCH
     write_records(tmp_path / "unix.sbet", records)
     line = write_line(tmp_path / "L.las", gps[0] - 1e9 + np.linspace(5, 30, 3000))
-    stated = Reading("", (("time_base", "gps-adjusted"),))
+    reading = Reading("", (("time_base", "gps-adjusted"),))
     with pytest.raises(InputError) as caught:
-        made(tmp_path / "p", tmp_path / "unix.sbet", line, stated)
-    told = str(caught.value)
-    assert "GPS seconds since 1980-01-06 (as its values suggest)" in told
+        make_project(tmp_path / "p", tmp_path / "unix.sbet", line, reading)
+    text = str(caught.value)
+    assert "GPS seconds since 1980-01-06 (as its values suggest)" in text
     assert "time_base.other_trajectory_base" in codes_of(caught.value)
-    assert "--trajectory-option time=unix" in told
-    _, survey = made(
-        tmp_path / "p", tmp_path / "unix.sbet", line, stated,
+    assert "--trajectory-option time=unix" in text
+    _, survey = make_project(
+        tmp_path / "p", tmp_path / "unix.sbet", line, reading,
         trajectory_reading=Reading("", (("time", "unix"),)),
     )  # fmt: skip
     assert len(survey.scans["L"]) == 3000

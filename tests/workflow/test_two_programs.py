@@ -83,16 +83,16 @@ def test_random_pairs_of_commands_lose_no_change(
 
 
 def test_a_project_written_meanwhile_is_not_overwritten(folder: Path) -> None:
-    mine, other = lispac.open(folder), lispac.open(folder)
-    other.identity(vessel="Other")
-    other.save()
-    mine.identity(site="Mine")
+    first, second = lispac.open(folder), lispac.open(folder)
+    second.identity(vessel="Other")
+    second.save()
+    first.identity(site="Mine")
     with pytest.raises(ProjectChanged):
-        mine.save()
+        first.save()
     saved = read_project(folder)
     assert (saved.identity.vessel, saved.identity.site) == ("Other", "")
-    other.identity(site="Again")
-    other.save()
+    second.identity(site="Again")
+    second.save()
     assert read_project(folder).identity.site == "Again", "its own save is no news"
 
 
@@ -139,25 +139,25 @@ def test_a_reader_gets_a_consistent_state(folder: Path) -> None:
 def test_a_project_locked_by_another_program_is_waited_for_or_refused(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    held, end = threading.Event(), threading.Event()
+    is_locked, end = threading.Event(), threading.Event()
 
     def hold() -> None:
         with project_lock(folder):
-            held.set()
+            is_locked.set()
             end.wait(60)
 
     other = threading.Thread(target=hold)
     other.start()
-    held.wait(60)
+    is_locked.wait(60)
     before = (folder / PROJECT_FILE_NAME).read_bytes()
     with pytest.raises(ProjectError) as refused, project_lock(folder, wait=0.1):
         pass
     assert refused.value.code == "project.locked"
     monkeypatch.setattr(locking, "SAVE_WAIT_S", 0.1)
-    told: list[str] = []
+    calls: list[str] = []
     threading.Timer(0.3, end.set).start()
-    with project_lock(folder, wait=60.0, waiting=lambda: told.append("waits")):
-        assert told == ["waits"]
+    with project_lock(folder, wait=60.0, waiting=lambda: calls.append("waits")):
+        assert calls == ["waits"]
     other.join()
     assert (folder / PROJECT_FILE_NAME).read_bytes() == before
     assert not (folder / LOCK_NAME).exists()
@@ -170,19 +170,19 @@ def test_a_lock_is_reentrant(folder: Path) -> None:
     assert not (folder / LOCK_NAME).exists()
 
 
-def hold_for_ever(folder: Path, held: "multiprocessing.synchronize.Event") -> None:
+def hold_lock(folder: Path, is_locked: "multiprocessing.synchronize.Event") -> None:
     with project_lock(folder):
-        held.set()
+        is_locked.set()
         time.sleep(600)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
 def test_the_lock_of_a_killed_program_is_released(folder: Path) -> None:
     context = multiprocessing.get_context("spawn")
-    held = context.Event()
-    holder = context.Process(target=hold_for_ever, args=(folder, held))
+    is_locked = context.Event()
+    holder = context.Process(target=hold_lock, args=(folder, is_locked))
     holder.start()
-    assert held.wait(60)
+    assert is_locked.wait(60)
     with pytest.raises(ProjectError), project_lock(folder, wait=0.0):
         pass
     os.kill(holder.pid, signal.SIGKILL)

@@ -25,7 +25,7 @@ from tests.support.few_lines import picked
 from tests.support.report_sample import sample_content, sample_project
 
 
-def coded(project: Project, **named) -> dict[str, Message]:
+def messages_by_code(project: Project, **named) -> dict[str, Message]:
     """Return the last message of each code."""
     return {each.code: each for each in warnings_of(project, None, **named)}
 
@@ -88,8 +88,8 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
 
 def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
-    told = coded(sample_project(tmp_path), refused_since=reason)
-    assert told["adjustment.refused_since"] == outdated_result_warning(reason)
+    by_code = messages_by_code(sample_project(tmp_path), refused_since=reason)
+    assert by_code["adjustment.refused_since"] == outdated_result_warning(reason)
     assert outdated_result_warning(reason).level is Level.WARNING
     assert outdated_result_warning(reason).subject == Cause("result")
     assert f"was not possible: {reason} The angles" in message_text(outdated_result_warning(reason))
@@ -104,7 +104,7 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
         sightings=tuple(s for s in target.sightings if s.line != line),
         missing={line: error("finder.line_no_points", radius=4.5)},
     )
-    assert coded(project.with_target(without))["project.not_found_on_line"] == note(
+    assert messages_by_code(project.with_target(without))["project.not_found_on_line"] == note(
         "project.not_found_on_line",
         target=target.name, line=line, reason=error("finder.line_no_points", radius=4.5),
         subject=Cause.of_sighting(target.name, line),
@@ -124,7 +124,7 @@ def test_duplicate_points_have_the_place_as_cause(tmp_path: Path) -> None:
     edited = replace(project, targets=())
     for each in duplicates:
         edited = edited.with_target(each)
-    found = coded(edited)["targets.counted_twice"]
+    found = messages_by_code(edited)["targets.counted_twice"]
     assert found.subject == Cause.of_sighting("A", project.lines[1].name)
 
 
@@ -134,26 +134,28 @@ def test_warnings_about_saving_come_first(tmp_path: Path) -> None:
     assert first == warning("project.storage", reason=words, subject=Cause.of_step("Data"))
 
 
-@pytest.mark.parametrize(("stale", "estimated"), [(True, False), (False, False), (True, True)])
+@pytest.mark.parametrize(
+    ("is_outdated", "estimated"), [(True, False), (False, False), (True, True)]
+)
 def test_a_result_dropped_by_an_edit_is_reported(
-    tmp_path: Path, stale: bool, estimated: bool
+    tmp_path: Path, is_outdated: bool, estimated: bool
 ) -> None:
     """Only after there was a result, and until there is another."""
     project = sample_project(tmp_path)
     project = project if estimated else replace(project, result=None, validation=())
-    found = coded(project, outdated=stale).get("project.out_of_date")
+    found = messages_by_code(project, outdated=is_outdated).get("project.out_of_date")
     expected = note("project.out_of_date", subject=Cause.of_step("Adjust"))
-    assert found == (expected if stale and not estimated else None)
+    assert found == (expected if is_outdated and not estimated else None)
 
 
 def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> None:
     project = replace(sample_project(tmp_path), result=None, validation=())
     code = "project.single_target"
-    assert code not in coded(project)
+    assert code not in messages_by_code(project)
     alone = replace(
         project, targets=(replace(project.targets[0], used=False), *project.targets[1:])
     )
-    assert coded(alone)[code] == note(code, subject=Cause.of_target("T2"))
+    assert messages_by_code(alone)[code] == note(code, subject=Cause.of_target("T2"))
 
 
 def test_planes_that_could_not_be_compared_are_reported_with_the_reason(
@@ -171,14 +173,14 @@ def test_gaps_of_the_trajectory_that_are_not_bridged_are_reported() -> None:
     project, survey = picked()
     time = survey.trajectory.time.copy()
     time[len(time) // 2 :] += 7.0
-    torn = replace(survey, trajectory=replace(survey.trajectory, time=time))
+    with_gap = replace(survey, trajectory=replace(survey.trajectory, time=time))
     code = "project.trajectory_gaps"
-    (gap,) = [each for each in warnings_of(project, torn) if each.code == code]
+    (gap,) = [each for each in warnings_of(project, with_gap) if each.code == code]
     assert (gap.level, gap.subject) == (Level.NOTE, Cause.of_step("Data"))
     assert (gap.params["count"], gap.params["limit"]) == (1, 1.5)
     assert gap.params["longest"] == pytest.approx(7.0, abs=0.1)
-    patient = project.with_settings(replace(project.settings, longest_gap=10.0))
-    assert code not in [each.code for each in warnings_of(patient, torn)]
+    bridging = project.with_settings(replace(project.settings, longest_gap=10.0))
+    assert code not in [each.code for each in warnings_of(bridging, with_gap)]
 
 
 def test_a_sighting_that_is_not_good_has_its_place_as_cause() -> None:
@@ -190,9 +192,9 @@ def test_a_sighting_that_is_not_good_has_its_place_as_cause() -> None:
         found[where], rating="poor", reasons=(note("quality.oblique", angle=1.41),)
     )
     code = "project.poor_sighting"
-    (told,) = [each for each in warnings_of(project, survey, found) if each.code == code]
-    assert told.params["reasons"] == found[where].reasons
-    assert told.subject == Cause.of_sighting(*where)
+    (message,) = [each for each in warnings_of(project, survey, found) if each.code == code]
+    assert message.params["reasons"] == found[where].reasons
+    assert message.subject == Cause.of_sighting(*where)
 
 
 @pytest.mark.parametrize(
@@ -226,13 +228,13 @@ def test_the_command_prints_the_list(
     printed = capsys.readouterr().out.splitlines()
     assert printed == [f"{each.level}: {to_plain_text(message_text(each))}" for each in found]
     assert main(["warnings", str(demo_project.folder), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)["warnings"]
+    values = json.loads(capsys.readouterr().out)["warnings"]
     subjects = [each.subject for each in found]
-    assert [each["subject"] and each["subject"]["kind"] for each in told] == [
+    assert [each["subject"] and each["subject"]["kind"] for each in values] == [
         each and each.kind for each in subjects
     ]
-    assert [each["code"] for each in told] == [each.code for each in found]
-    assert [each["level"] for each in told] == [each.level for each in found]
+    assert [each["code"] for each in values] == [each.code for each in found]
+    assert [each["level"] for each in values] == [each.level for each in found]
     assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
@@ -240,9 +242,9 @@ def test_json_report_has_code_severity_text_and_parameters(tmp_path: Path) -> No
     """Texts are always in English, and the schema has no causes."""
     content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
-        told = json.loads(json_text(content))["warnings"]
-    assert told
-    for each, message in zip(told, content.warnings, strict=True):
+        warnings = json.loads(json_text(content))["warnings"]
+    assert warnings
+    for each, message in zip(warnings, content.warnings, strict=True):
         assert each == {
             "code": message.code,
             "former_code": former_code(message),

@@ -113,8 +113,8 @@ def test_edits_discard_dependent_results(calibrated: tuple[Project, Survey]) -> 
     assert project.without_target("T1").result is None
     assert project.with_target(replace(project.target("T1"), used=False)).result is None
     assert project.with_settings(replace(project.settings, lidar_sigma=0.01)).result is None
-    promoted = replace(project.target("V1"), role="target")
-    assert project.with_target(promoted).result is None
+    as_target = replace(project.target("V1"), role="target")
+    assert project.with_target(as_target).result is None
 
 
 @pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
@@ -156,7 +156,7 @@ def test_a_line_can_have_its_own_seed(calibrated: tuple[Project, Survey]) -> Non
     project, survey = calibrated
     line = survey.lines[2]
     target = project.target("T1")
-    lost = replace(
+    without_sighting = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != line),
         missing={line: note("finder.not_alike")},
@@ -164,12 +164,14 @@ def test_a_line_can_have_its_own_seed(calibrated: tuple[Project, Survey]) -> Non
     own = target.sighting(line)
     assert own is not None
     seed = survey.clouds[line][own.indices].mean(axis=0)
-    found = picking.find_target(project.with_target(lost), survey, seed, name="T1", line=line)
+    found = picking.find_target(
+        project.with_target(without_sighting), survey, seed, name="T1", line=line
+    )
     assert [s.line for s in found.sightings] == list(survey.lines)
     assert found.missing == {}
-    regained = found.sighting(line)
-    assert regained is not None
-    shared = np.intersect1d(regained.indices, own.indices)
+    sighting = found.sighting(line)
+    assert sighting is not None
+    shared = np.intersect1d(sighting.indices, own.indices)
     assert len(shared) > 0.95 * len(own.indices)
 
 
@@ -178,14 +180,14 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
 ) -> None:
     project, survey = calibrated
     plane = project.target("V1")
-    lonely = replace(plane, sightings=plane.sightings[:1])
-    validated = validate(project.with_target(lonely), survey)
+    on_one_line = replace(plane, sightings=plane.sightings[:1])
+    validated = validate(project.with_target(on_one_line), survey)
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
     reason = validated.not_compared["V1"]
     assert reason.code == "validation.plane_in_one_line"
     found = export.report_content_of(validated, survey).warnings
-    said = [each.params["reason"] for each in found if each.code == "report.not_compared"]
-    assert said == [reason]
+    reasons = [each.params["reason"] for each in found if each.code == "report.not_compared"]
+    assert reasons == [reason]
 
 
 def test_georeferenced_files_have_the_positions_of_the_project(

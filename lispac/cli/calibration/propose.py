@@ -6,9 +6,8 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, opened_project, print_json
-from lispac.cli.messages import print_messages
+from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
-from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.present.json_values import json_values
 
@@ -33,7 +32,6 @@ def run(arguments: Namespace) -> None:
     import numpy as np
 
     from lispac.adjustment.result import ANGLES
-    from lispac.language import to_plain_text
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
@@ -71,6 +69,6 @@ def run(arguments: Namespace) -> None:
     for target in proposal.targets:
         north, west, up = target.seed
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
-        print(f"     {to_plain_text(message_text(proposal.reasons[target.name]))}")
+        print(f"     {console_text(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     print_messages(proposal.warnings, sys.stdout)

@@ -6,9 +6,9 @@ from typing import Any
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.cli.console import print_table
+from lispac.cli.messages import console_text
 from lispac.duplicate_targets import project_warnings
-from lispac.language import number_with_noun, to_plain_text
-from lispac.message_texts import message_text
+from lispac.language import number_with_noun
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
 from lispac.present.angles import SIGMAS_TABLE, angles
@@ -63,7 +63,7 @@ def print_result(
         print_table(PARAMETERS_TABLE, values.parameters)
     for parameter in values.parameters:
         if parameter.reason:
-            print(to_plain_text(message_text(parameter.reason)))
+            print(console_text(parameter.reason))
     outliers = (
         f" ({number_with_noun(result.excluded_outliers, 'outlier')} excluded)"
         if result.excluded_outliers
@@ -87,12 +87,12 @@ def print_result(
     if values.components:
         print_table(VARIANCE_COMPONENTS_TABLE, values.components)
     for each in result.observability.messages if result.observability else ():
-        print(to_plain_text(message_text(each)))
+        print(console_text(each))
     found = result_warnings(result, checks, also)
     if found:
         print("\nWarnings and notes:")
     for message in found:
-        print(f"- {to_plain_text(message_text(message))}")
+        print(f"- {console_text(message)}")
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 from lispac.present.json_values import json_values
 
 
@@ -17,7 +17,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print the list, warnings before notes."""
-    from lispac.language import to_plain_text
     from lispac.progress import sub_progress
     from lispac.workflow.calibration.sighting_assessment import sighting_qualities
     from lispac.workflow.checking.warnings import warnings_of
@@ -35,4 +34,4 @@ def run(arguments: Namespace) -> None:
     if not found:
         print("No warnings.")
     for each in found:
-        print(f"{each.level}: {to_plain_text(message_text(each))}")
+        print(f"{each.level}: {console_text(each)}")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.language import to_plain_text
+from lispac.cli.messages import console_text
 from lispac.message_texts import fact_text, message_text
 from lispac.present.json_values import json_values
 
@@ -70,19 +70,19 @@ def _print_check(item: FileCheck) -> None:
     option = f"--{OPTION_PREFIX[item.format.kind]}-format {values['format']}"
     print(f"\n{sure} {values['name']} ({option})")
     if item.finding is None:
-        print(f"  cannot be read: {to_plain_text(values['error']['text'])}")
+        print(f"  cannot be read: {console_text(item.error)}")
         return
     for name, value in values["facts"].items():
         print(f"  {name:20s} {value}")
     for each in item.format.options:
         among = f" ({', '.join(c for c in each.choices if c)})" if each.choices else ""
         print(f"  option {each.name}={values['options'][each.name]}{among}: {each.meaning}")
-    for assumption in values["assumptions"]:
-        print(f"  assumed: {to_plain_text(assumption['text'])}")
+    for assumption in item.finding.assumptions:
+        print(f"  assumed: {console_text(assumption)}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
-    for message in values["messages"]:
-        print(f"  {message['level']}: {to_plain_text(message['text'])}")
+    for message in (*item.finding.file_warnings, *item.finding.messages):
+        print(f"  {message.level}: {console_text(message)}")
 
 
 def _check_values(item: FileCheck) -> dict[str, Any]:
