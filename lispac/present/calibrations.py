@@ -215,7 +215,7 @@ DIFFER_COLUMN = Column[Any](
 )
 _NAME_COLUMN = Column[Any]("name", N_("Calibration"), tip=N_("Name of the calibration project"))
 CALIBRATIONS_TABLE = Table[CalibrationValues](
-    "Boresight of each calibration", (_NAME_COLUMN, *ESTIMATE_COLUMNS)
+    N_("Boresight of each calibration"), (_NAME_COLUMN, *ESTIMATE_COLUMNS)
 )
 
 
@@ -279,7 +279,7 @@ DATED_CALIBRATIONS_TABLE = Table[DatedCalibration](
     CALIBRATIONS_TABLE.title, (_DATE_COLUMN, _NAME_COLUMN, *ESTIMATE_COLUMNS)
 )
 CHANGES_TABLE = Table[DatedCalibration](
-    "Change since the earlier calibrations", (_DATE_COLUMN, _NAME_COLUMN, *_CHANGE_COLUMNS)
+    N_("Change since the earlier calibrations"), (_DATE_COLUMN, _NAME_COLUMN, *_CHANGE_COLUMNS)
 )
 """Tables of the command line, side by side in `HISTORY_TABLE`."""
 HISTORY_TABLE = Table[DatedCalibration]("", (*DATED_CALIBRATIONS_TABLE.columns, *_CHANGE_COLUMNS))

@@ -1,7 +1,7 @@
 """Conversion of results to plain values for JSON."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -60,7 +60,7 @@ class JsonMessage:
 def json_values(value: Any) -> Any:
     """Convert to values that `json` writes: dataclasses to dicts, texts to English."""
     if isinstance(value, Message):
-        return asdict(JsonMessage.of(value))
+        return json_values(JsonMessage.of(value))
     if isinstance(value, LazyText):
         return in_english(value)
     if isinstance(value, date | Path):

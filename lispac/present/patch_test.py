@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
+from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.patchtest.bootstrap_precision import ObjectAgreement
 from lispac.patchtest.patch_test_result import PatchTestResult
@@ -112,13 +113,13 @@ def _if_tested(field: str) -> Callable[[PatchObjectValues], Any]:
 
 
 PATCH_TEST_TABLES = (
-    Table[PatchTestValues]("LiDAR patch test", ESTIMATE_COLUMNS),
+    Table[PatchTestValues](N_("LiDAR patch test"), ESTIMATE_COLUMNS),
     Table[PatchTestValues](
-        "Angles estimated one after another",
+        N_("Angles estimated one after another"),
         angle_columns("separate_boresight_deg", DEGREES.signed),
     ),
     Table[PatchTestValues](
-        f"Misalignment of the lines by {EFFECT_ANGLE_DEG} deg",
+        gettext_lazy("Misalignment of the lines by {angle:x} deg", angle=EFFECT_ANGLE_DEG),
         angle_columns("misalignment_m", MILLIMETRES),
     ),
 )

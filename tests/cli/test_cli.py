@@ -173,7 +173,7 @@ def test_one_plane_file_is_refused_unless_accepted(
     assert "--accept-single-orientation" in run_refused(capsys, *words)
     assert "adjustment.only_plane" in codes_of(command_error(*words))
     numbers = run_json(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
-    assert "is the only target" in numbers["observability"]["messages"][-1]
+    assert numbers["observability"]["messages"][-1]["code"] == "adjustment.one_target"
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,8 @@ import pytest
 
 from lispac.adjustment.result import ANGLES
 from lispac.io.project.project_file import write_project
-from lispac.message_texts import english_text
 from lispac.messages import note
+from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.workflow.checking.repeated_surveys import comparability_notes
 from lispac.workflow.project.shared_lines import shared_lines
@@ -71,19 +71,19 @@ def test_shared_lines_and_lever_arms_are_reported(
     (tmp_path / "b").mkdir()
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
-    texts = run_json(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
+    messages = run_json(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
     for found in (
         note("repeat.same_lines", name="b", other="a"),
         note("repeat.lever_arm", name="b", other="a"),
     ):
-        assert english_text(found) in texts
+        assert json_values(found) in messages
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
-    texts = run_json(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
+    messages = run_json(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
     found = note("repeat.shared_lines", name="c", other="a", count=1)
-    assert english_text(found) in texts
+    assert json_values(found) in messages
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

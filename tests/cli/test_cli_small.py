@@ -24,6 +24,7 @@ from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.picked_targets import PickedSighting, Target
+from lispac.present.json_values import json_values
 from lispac.present.patch_test import PatchTestValues
 from lispac.project import LineSource, Project
 from lispac.targets.sighting_quality import undetermined_quality
@@ -223,7 +224,8 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     assert numbers["accepted"] is True
     assert numbers["sigma_deg"] == pytest.approx({"roll": 0.01, "pitch": 0.02, "yaw": 0.03})
     assert numbers["targets"][0] == {
-        "name": "T1", "role": "target", "seed_m": [1.25, -15.0, 5.0], "reason": needed,
+        "name": "T1", "role": "target", "seed_m": [1.25, -15.0, 5.0],
+        "reason": json_values(reasons["T1"]),
         "lines": {line: {"points": 50, "rms_m": 0.003} for line in ("L1_000", "L2_180")},
     }  # fmt: skip
     kept = read_project(project.folder).targets
@@ -251,8 +253,8 @@ def test_the_result_of_the_scene_is_printed_and_saved_on_request(
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
-    assert numbers["messages"] == texts
-    expected = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
+    assert numbers["messages"] == json_values(found.messages)
+    expected = {"matching_iterations": 3, "converged": False, "candidates": 40, "given_targets": 0}
     assert {key: numbers[key] for key in expected} == expected
     assert numbers["disagreeing_lines"] == ["L6"]
     kept = read_project(project.folder).alternative_result("targetless")
@@ -304,10 +306,11 @@ def test_a_script_reports_a_missing_file(
     printed_by(capsys, "import", project.folder, "--lines", "L1_000")
     line.unlink()
     out, err = printed_by(capsys, "script", project.folder)
-    assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
+    missing = note("script.missing_files", files=(str(line),))
+    assert err == f"note: {english_text(missing)}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = run_json(capsys, "script", project.folder)
-    assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
+    assert numbers == {"script": out, "messages": json_values([missing])}
 
 
 def test_a_line_with_a_damaged_store_is_imported_again(
@@ -351,14 +354,14 @@ def test_a_seed_without_a_target_has_a_reason_in_json(
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")
     assert code == 1
     good, none = json.loads(out)["seeds"]
-    assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
+    assert (good["name"], good["found"], good["reason"]) == ("T1", True, None)
     assert set(good["lines"]) == {"L1_000", "L2_180"}
-    assert good["lines"]["L1_000"]["quality"]["reasons"] == [
-        english_text(note("quality.few_points", count=50))
-    ]
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == json_values(
+        [note("quality.few_points", count=50)]
+    )
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
-        "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
+        "reason": json_values(note("finder.not_alike")), "lines": {}, "missing": {},
     }  # fmt: skip
     assert "AIR" in err
     assert [target.name for target in read_project(project.folder).targets] == ["T1"]
