@@ -86,10 +86,15 @@ def without_targets(seed: int) -> ResultAndChecks:
         return targetless(project, survey, count=16).result, None
 
 
+def spinning_boresight_deg(seed: int) -> np.ndarray:
+    """True boresight of a survey with a spinning scanner, shape (3,), degrees."""
+    return np.random.default_rng([37, seed]).normal(0, 1, 3)
+
+
 def spinning(seed: int) -> ResultAndChecks:
     made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
-        errors={"boresight_deg": tuple(np.random.default_rng([37, seed]).normal(0, 1, 3))},
+        errors={"boresight_deg": tuple(spinning_boresight_deg(seed))},
     )  # fmt: skip
     with TemporaryDirectory() as folder:
         project, _ = simulate(Path(folder) / "survey", made, seed=seed)

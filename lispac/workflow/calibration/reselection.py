@@ -12,7 +12,9 @@ from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
 from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
-from lispac.targets.sighting_agreement import PlacementAccuracy
+from lispac.targets.plane_finder import PlanePatch
+from lispac.targets.sighting_agreement import PlacementAccuracy, split_by_agreement
+from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, TargetSearch
 from lispac.workflow.project.survey import Survey
 
@@ -33,8 +35,9 @@ def reselect_targets(
 ) -> Project:
     """Search every used target again, in lines placed with the estimated boresight.
 
-    Sightings that are not found again or that were edited by hand keep their points. No sighting is
-    added, because the user chooses the lines in which a target is used.
+    Sightings that are not found again, that show another surface than before, or that were edited
+    by hand keep their points. No sighting is added, because the user chooses the lines in which a
+    target is used.
     """
     clouds = survey.placed(project, "estimated")
     used = [target for target in project.targets_of_role("target") if target.used_sightings]
@@ -72,8 +75,9 @@ def reselect_target(
         threshold=factor * target.threshold, radius=target.radius, max_shift=ALIGNED_MAX_SHIFT
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
+    search = TargetSearch.for_target(target)
     try:
-        found, _ = TargetSearch.for_target(target).find_in_lines(
+        found, _ = search.find_in_lines(
             lines, seed, settings, first_line=line, accuracy=ESTIMATED_ACCURACY
         )
     except TargetNotFound:
@@ -88,11 +92,34 @@ def reselect_target(
                 s.used,
                 one_in=found[s.line].one_in,
             )
-            if s.line in found and not s.by_hand
+            if s.line in found
+            and not s.by_hand
+            and _is_same_surface(search, after[s.line], s, found[s.line], target.radius)
             else s
             for s in target.sightings
         ),
     )
+
+
+def _is_same_surface(
+    search: TargetSearch,
+    cloud: Cloud,
+    former: PickedSighting,
+    patch: PlanePatch | SpherePatch,
+    radius: float,
+) -> bool:
+    """Whether a patch is the surface of the points selected before, placed as in ``cloud``.
+
+    Behind a small board, a wall has more points than the board, and would replace it.
+    """
+    try:
+        before = search.patch_of_points(cloud, former.indices)
+    except TargetNotFound:
+        return True
+    patches = {"before": before, "again": patch}
+    clouds = dict.fromkeys(patches, cloud)
+    _, rejected = split_by_agreement(patches, clouds, ESTIMATED_ACCURACY, radius, "before")
+    return not rejected
 
 
 def _moved_seed(
