@@ -276,7 +276,7 @@ def test_a_file_cut_while_it_is_read_is_refused(
         las.gps_time = time
         las.write(path)
     for module in ("points.ply", "las.las_chunks"):
-        monkeypatch.setattr(f"lispac.io.{module}.CHUNK", 10_000)
+        monkeypatch.setattr(f"lispac.io.{module}.POINTS_PER_CHUNK", 10_000)
     chunks = FORMATS[files.VALID_FILES[name][0]].read(path, {})
     next(chunks)
     os.truncate(path, path.stat().st_size // 3)
