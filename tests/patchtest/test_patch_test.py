@@ -10,7 +10,6 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import AdjustmentError, InputError
-from lispac.message_texts import english_text
 from lispac.patchtest.block_equations import linearise_blocks
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum, pair_blocks
 from lispac.patchtest.line_pairs import pair_kind, pairs_of_lines
@@ -18,6 +17,7 @@ from lispac.patchtest.mismatch_minimisation import minimise_mismatch
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject, object_of_box
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.cloud import CloudInMemory
@@ -320,7 +320,7 @@ def test_the_patchtest_command_gives_the_same_result(
     np.testing.assert_allclose(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
-    assert numbers["messages"] == list(map(english_text, clean.messages))
+    assert numbers["messages"] == json_values(clean.messages)
     assert open_project(folder).alternative_results == ()
     # An object of five numbers is not a box.
     assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2
@@ -346,7 +346,7 @@ def test_a_result_with_sigmas_is_saved(
     np.testing.assert_allclose(np.degrees(kept.boresight), angles(numbers, "boresight_deg"))
     np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
     assert kept.surfaces == len(numbers["objects"])
-    assert list(map(english_text, kept.messages)) == numbers["messages"]
+    assert json_values(kept.messages) == numbers["messages"]
     few = find_boresight(
         *thinned, placed_objects.select_objects({each.name for each in placed_objects.objects[:4]})
     )
