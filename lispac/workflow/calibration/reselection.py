@@ -29,15 +29,18 @@ THRESHOLD_FACTOR = 2 / 3
 sigmas instead of three. It applies only to planes, because the profiles of a sphere are displaced
 by the motion of the vessel, which remains."""
 
+THRESHOLD_SIGMAS = 3.0
+"""Threshold of the pick in standard deviations of the LiDAR noise."""
+
 
 def reselect_targets(
     project: Project, survey: Survey, *, progress: Progress = no_progress
 ) -> Project:
     """Search every used target again, in lines placed with the estimated boresight.
 
-    Sightings that are not found again, that show another surface than before, or that were edited
-    by hand keep their points. No sighting is added, because the user chooses the lines in which a
-    target is used.
+    Sightings that are not found again or that were edited by hand keep their points, and so do all
+    of a target if another surface is found on most lines. No sighting is added, because the user
+    chooses the lines in which a target is used.
     """
     clouds = survey.placed(project, "estimated")
     used = [target for target in project.targets_of_role("target") if target.used_sightings]
@@ -82,6 +85,8 @@ def reselect_target(
         )
     except TargetNotFound:
         return target
+    if not _is_same_target(search, target, found, after):
+        return target
     return replace(
         target,
         sightings=tuple(
@@ -92,34 +97,42 @@ def reselect_target(
                 s.used,
                 one_in=found[s.line].one_in,
             )
-            if s.line in found
-            and not s.by_hand
-            and _is_same_surface(search, after[s.line], s, found[s.line], target.radius)
+            if s.line in found and not s.by_hand
             else s
             for s in target.sightings
         ),
     )
 
 
-def _is_same_surface(
+def _is_same_target(
     search: TargetSearch,
-    cloud: Cloud,
-    former: PickedSighting,
-    patch: PlanePatch | SpherePatch,
-    radius: float,
+    target: Target,
+    found: Mapping[str, PlanePatch | SpherePatch],
+    after: Mapping[str, Cloud],
 ) -> bool:
-    """Whether a patch is the surface of the points selected before, placed as in ``cloud``.
+    """Whether the surface found again is that of most sightings before.
 
-    Behind a small board, a wall has more points than the board, and would replace it.
+    Behind a small board, a wall has more points than the board, and would replace it on all lines.
+    A single sighting that was on another surface than the others is corrected.
     """
-    try:
-        before = search.patch_of_points(cloud, former.indices)
-    except TargetNotFound:
-        return True
-    patches = {"before": before, "again": patch}
-    clouds = dict.fromkeys(patches, cloud)
-    _, rejected = split_by_agreement(patches, clouds, ESTIMATED_ACCURACY, radius, "before")
-    return not rejected
+    # Both selections are of one line: boresight and POS do not move one against the other.
+    accuracy = PlacementAccuracy(boresight=0.0, offset=target.threshold / THRESHOLD_SIGMAS)
+    other_surface = []
+    for sighting in target.used_sightings:
+        cloud = after[sighting.line]
+        if sighting.line not in found:
+            continue
+        try:
+            before = search.patch_of_points(cloud, sighting.indices)
+        except TargetNotFound:
+            continue
+        patches: dict[str, PlanePatch | SpherePatch] = {
+            "before": before, "again": found[sighting.line],
+        }  # fmt: skip
+        clouds = dict.fromkeys(patches, cloud)
+        _, rejected = split_by_agreement(patches, clouds, accuracy, target.radius, "before")
+        other_surface.append(bool(rejected))
+    return 2 * sum(other_surface) <= len(other_surface)
 
 
 def _moved_seed(
