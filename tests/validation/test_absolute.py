@@ -396,8 +396,8 @@ def test_the_command(
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err
-    for sentence in found["messages"]:
-        assert sentence in out
+    for message in found["messages"]:
+        assert message["text"] in out
     assert read_project(project.folder).absolute == check
     none = tmp_path / "none.laz"
     words = ("check", project.folder, "--reference", none)

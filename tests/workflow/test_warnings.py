@@ -1,7 +1,7 @@
 """Tests of the list of all warnings of a project and their causes."""
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -239,7 +239,7 @@ def test_the_command_prints_the_list(
 
 
 def test_json_report_has_code_severity_text_and_parameters(tmp_path: Path) -> None:
-    """Texts are always in English, and the schema has no causes."""
+    """Texts are always in English."""
     content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
         warnings = json.loads(json_text(content))["warnings"]
@@ -251,4 +251,6 @@ def test_json_report_has_code_severity_text_and_parameters(tmp_path: Path) -> No
             "level": message.level,
             "text": message_text(message),
             "params": plain_params(message),
+            "subject": None if message.subject is None else asdict(message.subject),
+            "actions": [asdict(action) for action in message.actions],
         }
