@@ -10,6 +10,8 @@ TEXTS: Mapping[str, Template] = {
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",
     ),
+    "cli.no_memory": N_("There is not enough memory. Use shorter lines."),
+    "cli.file_failed": N_("{file}: {reason}."),
     "cli.no_folder": N_("{folder}: the folder does not exist. Check the path."),
     "cli.files_not_found": Plural(
         "{folder}: this folder does not contain {count:n} of the missing files: {names:names}. "

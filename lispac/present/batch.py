@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 from lispac.former_names import accept_script_names
+from lispac.messages import Message
 from lispac.present.angles import Angles
 from lispac.present.calibrations import ESTIMATE_COLUMNS
 from lispac.present.tables import MILLIMETRES, Column, Table, ratio
@@ -25,7 +26,7 @@ class BatchRow:
     verdict : {"good", "notes", "warnings", "refused"}
         Highest level of the messages in the report; ``warnings`` also stands for errors. A project
         that cannot be calibrated is refused.
-    messages : tuple of str
+    messages : tuple of Message
         Messages of the report, after the reason why a validation was not possible; for a refused
         project, the reason.
     boresight_deg, sigma_deg : Angles or None
@@ -40,7 +41,7 @@ class BatchRow:
     folder: Path
     name: str
     verdict: Verdict
-    messages: tuple[str, ...]
+    messages: tuple[Message, ...]
     vessel: str = ""
     dates: str = ""
     boresight_deg: Angles | None = None

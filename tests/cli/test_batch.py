@@ -13,7 +13,7 @@ import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.message_texts import message_text
-from lispac.messages import error
+from lispac.messages import as_message, error
 from lispac.present.batch import BatchRow
 from lispac.project import Project
 from lispac.workflow.checking.batch import COLUMN_NAMES, write_table
@@ -122,14 +122,13 @@ def test_results_are_saved_on_request(
 
 
 def test_table_cells_keep_commas_quotes_and_newlines(tmp_path: Path) -> None:
-    row = BatchRow(
-        Path("a,b"), 'the "first"', "refused", ("one\ntwo", "three"), vessel="Léonie, II"
-    )
+    messages = tuple(map(as_message, ("one, two", "three")))
+    row = BatchRow(Path("a,b"), 'the "first"', "refused", messages, vessel="Léonie,\nII")
     write_table([row], tmp_path / "table.csv")
     (read,) = table(tmp_path / "table.csv").values()
     assert read["project"] == 'the "first"'
-    assert read["messages"] == "one\ntwo | three"
-    assert read["vessel"] == "Léonie, II"
+    assert read["messages"] == "one, two | three"
+    assert read["vessel"] == "Léonie,\nII"
 
 
 def test_wrong_folders_and_formats_are_refused_before_the_work(

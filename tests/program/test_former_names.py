@@ -15,6 +15,7 @@ from lispac.former_names import NEW_SCRIPT_NAMES
 from lispac.io.config.plan_file import read_site
 from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
+from lispac.messages import error
 from lispac.present.batch import BatchRow
 from lispac.project import Settings
 from lispac.survey.store import layout
@@ -129,7 +130,11 @@ def test_former_attributes_of_results_are_accepted(tmp_path: Path) -> None:
     assert result is not None
     rejected = replace(result.reliability[0], rejected=True, outliers=3)
     result = replace(result, reliability=(rejected,), excluded_outliers=7)
-    holders = result, rejected, BatchRow(tmp_path, "p", "refused", ("No targets.",))
+    holders = (
+        result,
+        rejected,
+        BatchRow(tmp_path, "p", "refused", (error("estimate.no_target", project="p"),)),
+    )
     for holder in holders:
         names = {each.name for each in fields(holder)}  # type: ignore[arg-type]
         former = [old for old, new in NEW_SCRIPT_NAMES.items() if new in names]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, print_json, print_table
+from lispac.cli.messages import console_text
 from lispac.errors import ProjectError
 from lispac.messages import error
 
@@ -85,7 +86,7 @@ def run(arguments: Namespace) -> None:
         print_table(BATCH_TABLE, rows)
         for row in rows:
             for message in row.messages:
-                print(f"{row.name}: {message}")
+                print(f"{row.name}: {console_text(message)}")
     sys.stdout.flush()
     refused = [row.name for row in rows if row.verdict == "refused"]
     if refused:

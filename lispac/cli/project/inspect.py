@@ -70,6 +70,7 @@ def _print_check(item: FileCheck) -> None:
     option = f"--{OPTION_PREFIX[item.format.kind]}-format {values['format']}"
     print(f"\n{sure} {values['name']} ({option})")
     if item.finding is None:
+        assert item.error is not None
         print(f"  cannot be read: {console_text(item.error)}")
         return
     for name, value in values["facts"].items():

@@ -90,20 +90,18 @@ class Computations(QObject):
         if self._runner.busy or self._document.awaits_result:
             return  # counted later, when the runner is idle
 
-        def work(_progress: Progress) -> int | str:
+        def work(_progress: Progress) -> PointCount:
             from lispac.workflow.calibration.estimation import count_points
 
             try:
-                return count_points(project, survey, replace(project.settings, subsample=subsample))
+                settings = replace(project.settings, subsample=subsample)
+                return PointCount(count_points(project, survey, settings), total, len(sightings))
             except AdjustmentError as error:
-                return str(error)
+                return PointCount(None, total, len(sightings), str(error))
 
-        def done(kept: int | str) -> None:
+        def done(count: PointCount) -> None:
             self._outdated_count = False
-            if isinstance(kept, str):
-                self.counted.emit(PointCount(None, total, len(sightings), kept))
-            else:
-                self.counted.emit(PointCount(kept, total, len(sightings)))
+            self.counted.emit(count)
 
         title = gettext("Counting points")
         self._counting = self._runner.run(title, work, done, quiet=True, key="count")

@@ -9,11 +9,11 @@ from io import StringIO
 from pathlib import Path
 
 from lispac.adjustment.result import ANGLES
-from lispac.errors import InputError, LispacError, NotComparable
+from lispac.errors import InputError, LispacError, NotComparable, system_reason
 from lispac.io.files import atomic_write
-from lispac.language import gettext_lazy, to_plain_text
-from lispac.message_texts import english_text, message_text
-from lispac.messages import error
+from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
+from lispac.messages import Message, as_message, error
 from lispac.present.angles import degrees
 from lispac.present.batch import BatchRow
 from lispac.progress import Progress, no_progress, sub_progress
@@ -104,7 +104,7 @@ def calibrate_each(
         yield _calibrate_folder(folder, save, report, options, step)
     for message in unreadable:
         folder = Path(str(message.params["folder"]))
-        yield BatchRow(folder, folder.name, "refused", (english_text(message),))
+        yield BatchRow(folder, folder.name, "refused", (message,))
     progress(1.0)
 
 
@@ -119,12 +119,13 @@ def _calibrate_folder(
                 dates=project.identity.dates or survey_dates(project),
             )  # fmt: skip
             return _calibrate_project(known, project, save, report, options, progress)
-    except LispacError as error:
-        return replace(known, messages=(str(error),))
-    except OSError as error:
-        return replace(known, messages=(f"{error.filename or folder}: {error.strerror or error}.",))
+    except LispacError as failure:
+        return replace(known, messages=(as_message(failure.reason),))
+    except OSError as failure:
+        file, reason = str(failure.filename or folder), system_reason(failure)
+        return replace(known, messages=(error("cli.file_failed", file=file, reason=reason),))
     except MemoryError:
-        return replace(known, messages=("There is not enough memory; use shorter lines.",))
+        return replace(known, messages=(error("cli.no_memory"),))
 
 
 def _calibrate_project(
@@ -137,12 +138,12 @@ def _calibrate_project(
 ) -> BatchRow:
     survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
     project = estimate(project, survey, progress=sub_progress(progress, 0.3, 0.7))
-    failures: tuple[str, ...] = ()
+    failures: tuple[Message, ...] = ()
     if any(plane.used for plane in project.targets_of_role("validation")):
         try:
             project = validate(project, survey, progress=sub_progress(progress, 0.7, 0.9))
-        except NotComparable as error:
-            failures = (str(error),)
+        except NotComparable as failure:
+            failures = (as_message(failure.reason),)
     if save:
         save_project(project)
     if report is not None:
@@ -158,7 +159,7 @@ def _calibrate_project(
     return replace(
         known,
         verdict="warnings" if serious else "notes" if warnings or failures else "good",
-        messages=(*failures, *(to_plain_text(message_text(message)) for message in warnings)),
+        messages=(*failures, *warnings),
         boresight_deg=degrees(result.angles),
         sigma_deg=degrees(result.sigma),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
@@ -211,7 +212,7 @@ def write_table(rows: Sequence[BatchRow], path: Path) -> None:
             row.folder, row.name, row.vessel, row.dates, row.verdict,
             *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
             None if row.chi_square_passed is None else "yes" if row.chi_square_passed else "no",
-            row.rms_before_m, row.rms_after_m, " | ".join(row.messages),
+            row.rms_before_m, row.rms_after_m, " | ".join(map(english_text, row.messages)),
         )  # fmt: skip
         writer.writerow(map(as_csv_cell, cells))
     with atomic_write(path) as temporary:
