@@ -11,7 +11,9 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   ``deg``: an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of
   bytes in megabytes; ``x``: a number without a unit. Without a number of decimals, three
   significant digits are written, or all digits before the decimal sign if there are more; ``+``
-  always writes the sign. The unit itself is part of the text.
+  always writes the sign. The unit itself is part of the text. The window may show ``m``, ``mm``
+  and, with two or more decimals, ``deg`` in another unit (`use_units`); the sign after the number
+  is then replaced. Headings and inclinations have fewer decimals and remain in degrees.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
@@ -19,6 +21,7 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
 """
 
 import gettext as gnu
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -45,8 +48,53 @@ _MIN_PLAIN_NUMBER, _MAX_PLAIN_NUMBER = 1e-9, 1e15
 """Limits of the absolute value of numbers written without an exponent; the lower one applies only
 if no number of decimals is given."""
 
+_UNIT_SIGNS: Mapping[str, re.Pattern[str]] = {
+    "m": re.compile("[ \u00a0\u202f]?(?:m|metres|mètres)(?![\\w²³/])"),
+    "mm": re.compile("[ \u00a0\u202f]?(?:mm|millimetres|millimètres)(?![\\w²³/])"),
+    "deg": re.compile("[ \u00a0\u202f]?(?:deg\\b|°)"),
+}
+"""Sign of a unit after a number in a template, by the unit of the specification."""
+_MIN_ANGLE_DECIMALS = 2
+"""Smallest number of decimals of an angle that is shown in the unit of the user."""
+_SHOWN = "shown "
+"""Beginning of the specification of a number that is shown in the unit of the user."""
+
 _program_language = "en"
 _block_language: ContextVar[str | None] = ContextVar("language", default=None)
+
+
+@dataclass(frozen=True)
+class ShownUnit:
+    """Unit that is shown in texts instead of a standard unit.
+
+    Attributes
+    ----------
+    sign : symbol written after a number
+    factor : number of these units in one standard unit
+    finer : number of decimals in addition to those in the standard unit
+    """
+
+    sign: str
+    factor: float
+    finer: int = 0
+
+
+_shown_units: Mapping[str, ShownUnit] = {}
+
+
+def use_units(shown_units: Mapping[str, ShownUnit]) -> None:
+    """Set the units of lengths and angles in the texts of the program.
+
+    Texts in a block of `in_language` (reports, JSON) always have standard units.
+
+    Parameters
+    ----------
+    shown_units : mapping of {"m", "mm", "deg"} to ShownUnit
+        Units that are not the standard ones.
+    """
+    global _shown_units
+    _shown_units = dict(shown_units)
+    _with_shown_units.cache_clear()
 
 
 @dataclass(frozen=True)
@@ -153,7 +201,11 @@ def format_text(template: Template, params: Mapping[str, Any]) -> str:
         text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
     else:
         text = catalogue.gettext(template) if template else ""
-    return _FORMATTER.vformat(text, (), params) if params else text
+    if not params:
+        return text
+    if _shown_units and _block_language.get() is None:
+        text = _with_shown_units(text)
+    return _FORMATTER.vformat(text, (), params)
 
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
@@ -253,17 +305,70 @@ class TextFormatter(Formatter):
             return gettext(str(value))
         if format_spec == "n":
             return number(int(value), 0)
-        bare = format_spec.removesuffix("+")
-        unit, _, digits = bare.partition(".")
+        is_shown = format_spec.startswith(_SHOWN)
+        unit, _, digits = format_spec.removeprefix(_SHOWN).removesuffix("+").partition(".")
         if unit in _UNIT_FACTORS:
-            scaled = float(value) * _UNIT_FACTORS[unit]
-            return number(scaled, int(digits) if digits else None, sign=format_spec.endswith("+"))
+            scaled, decimals = float(value) * _UNIT_FACTORS[unit], int(digits) if digits else None
+            if is_shown:
+                shown = _shown_units[unit]
+                scaled *= shown.factor
+                decimals = None if decimals is None else max(0, decimals + shown.finer)
+            return number(scaled, decimals, sign=format_spec.endswith("+"))
         if format_spec:
             raise ValueError(f"no format specification {format_spec!r}")
         return str(value)
 
 
 _FORMATTER = TextFormatter()
+
+
+@lru_cache
+def _with_shown_units(template: str) -> str:
+    """Template with the units of `use_units`: the specifications and the signs after the numbers.
+
+    A number is converted if the sign of its unit follows, at once or after other numbers in the
+    same unit: ``{low:m} to {high:m} m``.
+    """
+    literals, fields, specs = [], [], []
+    for literal, name, spec, _ in _FORMATTER.parse(template):
+        literals.append(literal.replace("{", "{{").replace("}", "}}"))
+        fields.append(name)
+        specs.append(spec or "")
+    waiting: list[int] = []  # numbers in one unit whose sign has not been found yet
+    for k, literal in enumerate(literals):
+        if waiting and (sign := _UNIT_SIGNS[_unit_of(specs[waiting[0]])].match(literal)):
+            shown = _shown_units[_unit_of(specs[waiting[0]])]
+            space = "" if shown.sign in "°′″" else "\N{NO-BREAK SPACE}"
+            literals[k] = f"{space}{shown.sign}{literal[sign.end() :]}"
+            for number_index in waiting:
+                specs[number_index] = f"{_SHOWN}{specs[number_index]}"
+            waiting = []
+        if not _is_convertible(specs[k]):
+            waiting = []
+        elif waiting and _unit_of(specs[k]) != _unit_of(specs[waiting[0]]):
+            waiting = [k]
+        else:
+            waiting.append(k)
+    return "".join(
+        literal
+        if name is None
+        else f"{literal}{{{name}:{spec}}}"
+        if spec
+        else f"{literal}{{{name}}}"
+        for literal, name, spec in zip(literals, fields, specs, strict=True)
+    )
+
+
+def _unit_of(spec: str) -> str:
+    return spec.removesuffix("+").partition(".")[0]
+
+
+def _is_convertible(spec: str) -> bool:
+    """Whether a number with this specification may be shown in another unit."""
+    unit, _, digits = spec.removesuffix("+").partition(".")
+    if unit not in _shown_units:
+        return False
+    return unit != "deg" or (digits.isdigit() and int(digits) >= _MIN_ANGLE_DECIMALS)
 
 
 @lru_cache

@@ -266,7 +266,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.documents.screens", description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("project", type=Path, nargs="?", help="an estimated, validated project")
-    parser.add_argument("--looks", nargs="+", default=THEMES, choices=THEMES)
+    parser.add_argument("--themes", nargs="+", default=THEMES, choices=THEMES)
     parser.add_argument("--languages", nargs="+", default=LANGUAGES, choices=LANGUAGES)
     parser.add_argument("--sizes", nargs="+", default=SIZES, metavar="WIDTHxHEIGHT")
     parser.add_argument("--angles", default="degrees", choices=ANGLE_UNITS)
@@ -291,7 +291,7 @@ def main() -> None:
             (arguments.angles, arguments.lengths),
         )  # fmt: skip
         try:
-            photographer.everything(arguments.looks, arguments.languages)
+            photographer.everything(arguments.themes, arguments.languages)
         finally:
             photographer.leave()
 

@@ -253,7 +253,7 @@ def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: Q
     former.rebuild_window()
     qtbot.wait(200)
     assert session.window is former
-    assert "used when it has ended" in former.log.toPlainText()
+    assert "takes effect when it has ended" in former.log.toPlainText()
     goes_on.set()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     assert ended == [None]

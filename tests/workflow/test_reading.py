@@ -145,7 +145,7 @@ def test_inspect_reports_the_format_of_a_file(calibrated, clouds, capsys) -> Non
     formats = json.loads(capsys.readouterr().out)["formats"]
     assert formats[0]["format"] == "sbet"
     assert formats[0]["options"]["pitch"] == "bow-up"
-    assert any("ellipsoidal" in printed for printed in formats[0]["assumptions"])
+    assert any("ellipsoidal" in each["text"] for each in formats[0]["assumptions"])
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from math import floor, log10, radians
 from types import MappingProxyType
 from typing import Literal
 
-from lispac.language import number
+from lispac.language import ShownUnit, number, use_units
 
 Base = Literal["m", "mm", "°", "m°"]
 
@@ -75,6 +75,7 @@ _FORMAT_PATTERN = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
 def set_units(angles: str, lengths: str) -> None:
     """Set the units, given by their keys, for the next window that is created."""
     _shown_units.update({**ANGLE_UNITS[angles], **LENGTH_UNITS[lengths]})
+    _use_units_in_texts()
 
 
 @contextmanager
@@ -86,6 +87,18 @@ def standard_units() -> Iterator[None]:
         yield
     finally:
         _shown_units.update(former)
+        _use_units_in_texts()
+
+
+def _use_units_in_texts() -> None:
+    specifications: Mapping[str, Base] = {"m": "m", "mm": "mm", "deg": "°"}
+    use_units(
+        {
+            name: ShownUnit(shown.sign, shown.factor, shown.finer)
+            for name, base in specifications.items()
+            if (shown := _shown_units[base]).factor != 1.0
+        }
+    )
 
 
 def shown_unit(base: Base) -> Unit:
