@@ -12,7 +12,7 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   bytes in megabytes; ``x``: a number without a unit. Without a number of decimals, three
   significant digits are written, or all digits before the decimal sign if there are more; ``+``
   always writes the sign. The unit itself is part of the text. The window may show ``m``, ``mm``
-  and, with two or more decimals, ``deg`` in another unit (`use_units`); the sign after the number
+  and, with three or more decimals, ``deg`` in another unit (`use_units`); the sign after the number
   is then replaced. Headings and inclinations have fewer decimals and remain in degrees.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
@@ -54,7 +54,7 @@ _UNIT_SIGNS: Mapping[str, re.Pattern[str]] = {
     "deg": re.compile("[ \u00a0\u202f]?(?:deg\\b|°)"),
 }
 """Sign of a unit after a number in a template, by the unit of the specification."""
-_MIN_ANGLE_DECIMALS = 2
+_MIN_ANGLE_DECIMALS = 3
 """Smallest number of decimals of an angle that is shown in the unit of the user."""
 _SHOWN = "shown "
 """Beginning of the specification of a number that is shown in the unit of the user."""
