@@ -13,7 +13,7 @@ TEXTS: Mapping[str, Template] = {
     "content.number_too_large": N_("An integer in the file exceeds 64 bits."),
     "content.null_character": N_("A text in the file contains a null character."),
     "content.surrogate": N_(
-        "A text in the file contains an incomplete Unicode character (half of a surrogate pair)."
+        "A text in the file contains a damaged character. Write the file again as UTF-8."
     ),
     "content.missing_field": N_("The field {field} is missing in the file."),
     "content.invalid_version": N_("The version of the file format is invalid: {version}."),

@@ -88,7 +88,7 @@ class ModelSettings(QWidget):
         self.surface = self._optional_field(
             "surface", gettext("Form error of the targets"), "mm", _MM_PER_M, gettext("estimated"),
             gettext(
-                "Standard deviation of the surface of a target in one line from its common "
+                "Standard deviation of the offset and tilt of a target in one line relative to its "
                 "surface in all lines"
             ),
         )  # fmt: skip
