@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtWidgets import QApplication, QComboBox, QPushButton, QScrollArea, QStyle
@@ -13,6 +14,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
+from lispac.present.angles import Angles
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
 
 SMALL_WINDOW, LARGE_WINDOW = (1366, 740), (1600, 960)
@@ -40,7 +42,10 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
     window, panel = small.window, small.window.tools.patch_test_controller.panel
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
-    panel.angles.show_found([0.01] * 3, [0.001] * 3)
+    angle, sigma, misalignment = Angles(0.57, -0.57, 0.57), Angles(0.1, 0.1, 0.1), Angles(1, 1, 1)
+    panel.angles.show_found(
+        SimpleNamespace(boresight_deg=angle, sigma_deg=sigma, misalignment_m=misalignment)
+    )
     area = panel.findChild(QScrollArea)
     for size, beside in ((SMALL_WINDOW, False), (LARGE_WINDOW, True), (SMALL_WINDOW, False)):
         window.resize(*size)

@@ -184,7 +184,7 @@ def test_compare_with_compute_runs_and_saves_the_methods(
     monkeypatch.setitem(patch_test.propose_objects.__kwdefaults__, "count", 8)
     found = run_json(capsys, "compare", project.folder, "--compute")
     assert [each["method"] for each in found["methods"]] == ["targetless", "patch test"]
-    assert "two validation planes" in found["refused"]["natural planes"]
+    assert found["refused"]["natural planes"]["code"] == "estimate.few_validation_planes"
     kept = read_project(project.folder).alternative_results
     assert [each.method for each in kept] == ["targetless", "patch test"]
     for one, printed in zip(kept, found["methods"], strict=True):

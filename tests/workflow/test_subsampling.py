@@ -15,7 +15,7 @@ from lispac.workflow.project.survey import Survey
 def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     rows = subsampling_study(project, survey, (0.2, 0.1, 0.05))
-    assert [row.distance for row in rows] == [0.05, 0.1, 0.2]
+    assert [row.distance_m for row in rows] == [0.05, 0.1, 0.2]
     points = [row.points for row in rows]
     assert points == sorted(points, reverse=True)
     settings = replace(project.settings, subsample=0.2)
@@ -23,13 +23,17 @@ def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:
     assert alone is not None
     # An estimate selects points with its own distance; here all rows share one selection.
     assert rows[-1].points == pytest.approx(alone.points, rel=0.02)
-    assert (np.abs(rows[-1].boresight - alone.boresight) < 0.2 * alone.sigma).all()
-    np.testing.assert_allclose(rows[-1].sigma, alone.sigma, rtol=0.05)
+    boresight, sigma = (
+        np.radians([[*each] for each in values])
+        for values in ([row.boresight_deg for row in rows], [row.sigma_deg for row in rows])
+    )
+    assert (np.abs(boresight[-1] - alone.boresight) < 0.2 * alone.sigma).all()
+    np.testing.assert_allclose(sigma[-1], alone.sigma, rtol=0.05)
     # Errors common to a sighting do not depend on density: sigmas and angles hardly change.
-    for row in rows[:2]:
-        assert (np.abs(row.boresight - rows[-1].boresight) < 0.5 * row.sigma).all()
-        np.testing.assert_allclose(row.sigma, rows[-1].sigma, rtol=0.15)
-    assert all(row.seconds > 0.0 for row in rows)
+    for k in range(2):
+        assert (np.abs(boresight[k] - boresight[-1]) < 0.5 * sigma[k]).all()
+        np.testing.assert_allclose(sigma[k], sigma[-1], rtol=0.15)
+    assert all(row.elapsed_s > 0.0 for row in rows)
     assert project.settings.subsample != 0.2
 
 
