@@ -1,5 +1,7 @@
 """Tests of the repeated selection of points with the estimated boresight."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -57,14 +59,54 @@ def test_a_sighting_of_the_wall_is_corrected_if_the_others_are_of_the_board() ->
 
 
 @pytest.mark.parametrize("distance", [0.1, 0.3])
-def test_a_board_is_kept_if_the_wall_is_found_again(distance: float) -> None:
-    """The seed is on the wall, as after a wrong prior boresight."""
+def test_the_board_is_selected_again_if_the_seed_is_on_the_wall(distance: float) -> None:
+    """After a wrong prior boresight, a typed seed is beside the points of the target."""
     seen = board_before_wall(distance)
     _, survey = seen.opened()
+    target = picked(seen, survey, dict.fromkeys(seen.echoes, "T1"), one_in=3)
+    moved = replace(target, seed=(2.0, WALL - distance, 7.0))
+    again = reselect_target(moved, survey.clouds, survey.clouds)
+    assert min(shares_on_board(seen, again)) > 0.95
+    for before, after in zip(target.sightings, again.sightings, strict=True):
+        assert len(after.indices) > 2 * len(before.indices)
+
+
+def test_a_board_is_kept_if_the_wall_is_found_again() -> None:
+    """The seed is beside the board, on the wall, but close to a point of the board."""
+    seen = board_before_wall(0.05)
+    _, survey = seen.opened()
     target = picked(seen, survey, dict.fromkeys(seen.echoes, "T1"))
-    # The seed follows the nearest point of the target, so it is moved by the error of the prior.
-    moved = Target("T1", "target", (2.0, WALL - distance, 7.0), THRESHOLD, 1.5, target.sightings)
+    moved = replace(target, seed=(0.65, WALL - 0.05, 7.0))
     assert shares_on_board(seen, reselect_target(moved, survey.clouds, survey.clouds)) == [1.0] * 3
+
+
+def test_points_of_the_wall_are_removed_from_a_board() -> None:
+    """Every fourth point of the selection is on the wall, as after a wrong prior boresight."""
+    seen = board_before_wall(0.05)
+    _, survey = seen.opened()
+    board = picked(seen, survey, dict.fromkeys(seen.echoes, "T1"))
+    wall = picked(seen, survey, dict.fromkeys(seen.echoes, "wall"))
+    mixed = tuple(
+        replace(each, indices=np.union1d(each.indices, other.indices[: len(each.indices) // 3]))
+        for each, other in zip(board.sightings, wall.sightings, strict=True)
+    )
+    assert max(shares_on_board(seen, replace(board, sightings=mixed))) < 0.85
+    again = reselect_target(replace(board, sightings=mixed), survey.clouds, survey.clouds)
+    assert min(shares_on_board(seen, again)) > 0.95
+
+
+@pytest.mark.parametrize("off_deg", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.5, -0.5, 1.0)])
+def test_a_board_picked_with_a_wrong_prior_is_selected_again(off_deg: tuple[float, ...]) -> None:
+    """The wrong angles displace and smear the board until the estimate is used."""
+    seen = board_before_wall(0.3)
+    _, wrong = seen.opened(off_deg)
+    _, right = seen.opened()
+    target = picked(seen, right, dict.fromkeys(seen.echoes, "T1"), one_in=3)
+    seed = wrong.clouds["L1"][target.sightings[0].indices].mean(axis=0)
+    again = reselect_target(replace(target, seed=tuple(seed)), wrong.clouds, right.clouds)
+    assert min(shares_on_board(seen, again)) > 0.95
+    for before, after in zip(target.sightings, again.sightings, strict=True):
+        assert len(after.indices) > 2 * len(before.indices)
 
 
 @pytest.mark.parametrize("seed", [25, pytest.param(8, marks=pytest.mark.long)])

@@ -15,7 +15,11 @@ from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.plane_finder import PlanePatch
 from lispac.targets.sighting_agreement import PlacementAccuracy, split_by_agreement
 from lispac.targets.sphere_finder import SpherePatch
-from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, TargetSearch
+from lispac.workflow.calibration.target_search import (
+    ALIGNED_MAX_SHIFT,
+    CLICK_RADIUS,
+    TargetSearch,
+)
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -138,13 +142,22 @@ def _is_same_target(
 def _moved_seed(
     target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]
 ) -> tuple[str, Array]:
-    """Line of the sighting point nearest to the seed, and the seed moved with that point."""
+    """Line of the sighting point nearest to the seed, and the seed moved with that point.
+
+    If the seed was not on the points (a typed seed and a wrong prior boresight), the point in their
+    middle is the seed: another surface may be nearer to the moved seed.
+    """
     seed = np.array(target.seed)
     nearest: list[tuple[float, str, int]] = []
     for sighting in target.used_sightings:
         distances = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
         k = int(np.argmin(distances))
         nearest.append((float(distances[k]), sighting.line, int(sighting.indices[k])))
-    _, line, number = min(nearest)
+    distance, line, number = min(nearest)
+    if distance > CLICK_RADIUS:
+        indices = next(each.indices for each in target.used_sightings if each.line == line)
+        points = after[line][indices]
+        middle = np.linalg.norm(points - points.mean(axis=0), axis=1)
+        return line, points[np.argmin(middle)]
     own = np.array([number])
     return line, seed + after[line][own][0] - before[line][own][0]
