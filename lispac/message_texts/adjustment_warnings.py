@@ -122,6 +122,11 @@ TEXTS: Mapping[str, Template] = {
         "Angles computed from subsets of the data differ significantly: {parts:names}. Compare "
         "these angles under Cross-checks."
     ),
+    "adjustment.cross_check_uncovered": N_(
+        "Angles computed from subsets of the data differ by more than the stated standard "
+        "deviations explain: {parts:names}. Check these observations under Cross-checks, or add "
+        "lines and targets."
+    ),
     "adjustment.refused_since": N_(
         "The last adjustment was not possible: {reason} The angles shown are those of the previous "
         "adjustment."

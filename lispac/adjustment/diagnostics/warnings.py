@@ -7,6 +7,7 @@ The command line, the window and the report show the same warnings. Each rule is
 from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.cause_warnings import KnownError, warnings_about_causes
 from lispac.adjustment.diagnostics.sighting_warnings import (
@@ -24,11 +25,16 @@ from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
+Array = NDArray[np.float64]
+
 MAX_ANGLE_SIGMA_DEG = 0.1
 """Largest sigma of an angle without a warning, degrees; at 100 m, 0.1 deg correspond to 17 cm."""
 
 MIN_REPORTED_INCREASE = 1.05
 """Factor on a sigma above which a note reports that it was raised."""
+
+UNCOVERED_LEVEL = 0.005
+"""Probability of a warning about differences between parts of the data if the model is correct."""
 
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
@@ -130,17 +136,48 @@ def _exact_surface_note(result: AdjustmentResult, _: CrossChecks | None) -> Iter
         yield note("adjustment.surface_held", subject=Cause.of_field("surface"))
 
 
-def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]:
+def _cross_check_messages(
+    result: AdjustmentResult, checks: CrossChecks | None
+) -> Iterator[Message]:
+    """Warning about differences that no increased sigma covers, and note on the other ones."""
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
-    disagreeing = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
     # The two halves are compared with each other, so that one message is enough.
-    disagreeing += [_disagreeing_part_item(part) for part in halves[-1:]]
-    if disagreeing:
-        yield note(
-            "adjustment.cross_check",
-            parts=shortened_list(disagreeing), subject=Cause.of_page("Cross-checks"),
-        )  # fmt: skip
+    parts = [*(part for part in parts if part.kind != "half"), *halves[-1:]]
+    uncovered, covered = [], []
+    for part in parts:
+        assert part.significance is not None
+        significance = np.abs(part.significance)
+        if (exceeding := significance * _is_uncovered(result, checks, significance)).any():
+            uncovered.append(_disagreeing_part_item(part, int(exceeding.argmax())))
+        else:
+            covered.append(_disagreeing_part_item(part, int(significance.argmax())))
+    page = Cause.of_page("Cross-checks")
+    if uncovered:
+        yield warning(
+            "adjustment.cross_check_uncovered", parts=shortened_list(uncovered), subject=page
+        )
+    if covered:
+        yield note("adjustment.cross_check", parts=shortened_list(covered), subject=page)
+
+
+def _is_uncovered(
+    result: AdjustmentResult, checks: CrossChecks | None, significance: Array
+) -> NDArray[np.bool_]:
+    """Whether the difference of each angle is significant and its sigma was not raised, (3,).
+
+    Sigmas are raised only if there are enough parts without which the angle is well determined.
+    The level of each test is that of all tests divided by their number (Bonferroni, Dunn 1961).
+    """
+    from scipy.special import ndtri
+
+    if checks is None or not result.model.correlated:
+        return np.zeros(3, dtype=bool)
+    tests = len(ANGLES) * sum(part.significance is not None for part in checks.parts)
+    factors = np.ones(3) if result.angle_sigma_factors is None else result.angle_sigma_factors
+    return np.asarray(
+        (significance > -ndtri(UNCOVERED_LEVEL / (2 * tests))) & (factors <= MIN_REPORTED_INCREASE)
+    )
 
 
 PART_CODES = {
@@ -149,11 +186,10 @@ PART_CODES = {
 """Code of the name of a part of the data by its kind."""
 
 
-def _disagreeing_part_item(part: CrossCheck) -> Message:
-    """Cross-check as an item of a list, with the angle of the most significant difference."""
+def _disagreeing_part_item(part: CrossCheck, k: int) -> Message:
+    """Cross-check as an item of a list, with the difference of angle ``k``."""
     assert part.significance is not None
     assert part.difference is not None
-    k = int(np.abs(part.significance).argmax())
     return note(
         PART_CODES[part.kind],
         name=part.part,
@@ -299,7 +335,7 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     contradicted_sighting_warnings,
     outlier_warnings,
     noise_warnings,
-    _cross_check_notes,
+    _cross_check_messages,
     _unchecked_part_warnings,
     _excluded_target_notes,
     _common_part_warnings,
