@@ -239,7 +239,7 @@ def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
     content = sample_content(replace(project, cross_checks=wide))
-    (part,) = _warning(content, "adjustment.cross_check")["parts"]
+    (part,) = _warning(content, "adjustment.cross_check_uncovered")["parts"]
     assert (part.code, part.params["name"]) == ("item.without_line", "L2")
     assert part.params["angle"] == note("quantity.pitch")
     assert np.degrees(part.params["difference"]) == pytest.approx(0.0512)

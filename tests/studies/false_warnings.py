@@ -1,11 +1,13 @@
-"""Frequency of false serious warnings in surveys without errors.
+"""Coverage of the sigmas and frequency of false serious warnings in surveys without errors.
 
     python -m tests.studies.false_warnings [SURVEYS] [KIND ...]
 
 A row for each kind of survey: boards, boards on only two lines, natural planes proposed by the
-program, targetless, spinning scanner. Only warnings that name an error are counted. Those about the
-geometry (no redundancy, large standard deviations) are true. Natural surfaces may not be flat: this
-follows from the simulated surfaces, and true warnings are counted separately.
+program, targetless, spinning scanner. It shows the share of 95 % intervals that contain the truth,
+in all surveys and in those without a serious warning, the share of surveys with one, and how often
+each warning is false or true. Only warnings that name an error are counted as false or true. Those
+about the geometry (no redundancy, large standard deviations) are always true. Natural surfaces may
+not be flat: this follows from the simulated surfaces.
 """
 
 import sys
@@ -13,7 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from csv import DictReader
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import cast
@@ -24,7 +26,8 @@ from lispac.adjustment.diagnostics.crosscheck import cross_checks
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.point_averaging import average_points_in_cells
-from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.result import AdjustmentResult
+from lispac.duplicate_targets import all_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -45,15 +48,36 @@ from tests.studies.natural_scenes import print_results, study
 OF_GEOMETRY = {
     "adjustment.large_sigma", "adjustment.large_sigma_unseen", "adjustment.line_unchecked",
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
-    "adjustment.one_facing",
+    "adjustment.one_facing", "targets.sigma_below_prediction",
 }  # fmt: skip
-"""Codes of warnings that are true for surveys without errors too."""
+"""Codes of warnings about the geometry or the prediction, which are true without errors too."""
 
 PICKED = {"T1", "T2", "V1"}
 """Surfaces of the port used to calibrate the spinning scanner."""
 
-ResultAndChecks = tuple[AdjustmentResult, CrossChecks | None]
 NOT_FLAT = "adjustment.not_flat"
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """Error and sigmas of one survey, shape (3,), degrees, and its serious warnings.
+
+    ``result`` is None if only these values were kept.
+    """
+
+    error: np.ndarray
+    sigma: np.ndarray
+    warnings: tuple[Message, ...]
+    result: AdjustmentResult | None = None
+
+    @classmethod
+    def of(
+        cls, result: AdjustmentResult, truth: np.ndarray, warnings: Iterable[Message]
+    ) -> "Answer":
+        """Answer from a result and the true boresight, shape (3,), radians."""
+        serious = tuple(each for each in warnings if each.is_serious)
+        error = np.degrees(result.boresight - truth)
+        return cls(error, np.degrees(result.sigma), serious, result)
 
 
 @dataclass(frozen=True)
@@ -64,7 +88,7 @@ class WarningCodes:
     true: tuple[str, ...] = ()
 
 
-def boards(seed: int, courses: int = 6) -> ResultAndChecks:
+def boards(seed: int, courses: int = 6) -> Answer:
     chance = np.random.default_rng([36, seed])
     chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
     data = add_errors(
@@ -73,17 +97,19 @@ def boards(seed: int, courses: int = 6) -> ResultAndChecks:
     )  # fmt: skip
     data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, no_outliers=True)
     result = adjust(data, PRIOR, MODEL)
-    return result, cross_checks(data, PRIOR, result)
+    warnings = result_warnings(result, cross_checks(data, PRIOR, result))
+    return Answer.of(result, TRUTH.boresight, warnings)
 
 
-def two_lines(seed: int) -> ResultAndChecks:
+def two_lines(seed: int) -> Answer:
     return boards(seed, 2)
 
 
-def without_targets(seed: int) -> ResultAndChecks:
+def without_targets(seed: int) -> Answer:
     with TemporaryDirectory() as folder:
-        project, survey, _ = surveyed(Path(folder), seed)
-        return targetless(project, survey, count=16).result, None
+        project, survey, mounting = surveyed(Path(folder), seed)
+        found = targetless(project, survey, count=16)
+    return Answer.of(found.result, mounting.boresight, result_warnings(found.result, None))
 
 
 def spinning_boresight_deg(seed: int) -> np.ndarray:
@@ -91,7 +117,7 @@ def spinning_boresight_deg(seed: int) -> np.ndarray:
     return np.random.default_rng([37, seed]).normal(0, 1, 3)
 
 
-def spinning(seed: int) -> ResultAndChecks:
+def spinning(seed: int) -> Answer:
     made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
         errors={"boresight_deg": tuple(spinning_boresight_deg(seed))},
@@ -106,25 +132,24 @@ def spinning(seed: int) -> ResultAndChecks:
             project = pick_target(project, survey, place, name=row["name"])
         solved = estimate(project, survey)
     assert solved.result is not None
-    return solved.result, solved.cross_checks
+    truth = np.radians(spinning_boresight_deg(seed))
+    return Answer.of(solved.result, truth, all_warnings(solved))
 
 
-KINDS: dict[str, Callable[[int], ResultAndChecks]] = {
+KINDS: dict[str, Callable[[int], Answer]] = {
     "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
 NATURAL = "natural"
 """Kind of surveys with proposed natural planes in scenes without boards."""
 
 
-def count_warnings(kind: str, seed: int) -> WarningCodes | None:
-    """Serious warnings that name an error, or None without a result."""
+def answer(kind: str, seed: int) -> Answer | None:
+    """Result of a survey, or None without one."""
     try:
-        result, checks = KINDS[kind](seed)
+        return replace(KINDS[kind](seed), result=None)
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
-    found = [each for each in result_warnings(result, checks) if each.is_serious]
-    return separate_warnings(f"{kind} {seed}", found, frozenset())
 
 
 def separate_warnings(
@@ -151,30 +176,54 @@ def separate_warnings(
 
 
 def row(kind: str, surveys: int) -> str:
+    """Row of the table."""
+    bent: list[frozenset[str]] = []
+    known: list[Answer] = []
     if kind == NATURAL:
         scenes = study(surveys)
         print_results(scenes)
-        known = [
-            separate_warnings(f"{kind} {seed}", each.warnings, each.bent)
-            for seed, each in enumerate(scenes) if each.error is not None
-        ]  # fmt: skip
+        for each in scenes:
+            if each.error is not None and each.sigma is not None:
+                known.append(Answer(each.error, each.sigma, each.warnings))
+                bent.append(each.bent)
     else:
         with ProcessPoolExecutor(2) as pool:
-            results = pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2)
+            results = pool.map(answer, [kind] * surveys, range(surveys), chunksize=2)
             known = [each for each in results if each is not None]
+        bent = [frozenset()] * len(known)
+    codes = [
+        separate_warnings(kind, each.warnings, own) for each, own in zip(known, bent, strict=True)
+    ]
+    return table_row(kind, known, codes)
 
-    def shares(codes: Iterator[str]) -> str:
+
+def table_row(kind: str, known: list[Answer], codes: list[WarningCodes]) -> str:
+    """Row of the table from the answers of one kind and the codes of their warnings."""
+
+    def hits(some: list[Answer]) -> str:
+        if not some:
+            return "    -     -     -"
+        share = np.mean([np.abs(each.error) < 1.96 * each.sigma for each in some], axis=0)
+        return " ".join(f"{100 * value:5.1f}" for value in share)
+
+    def shares(each: Iterator[str]) -> str:
         return ", ".join(
-            f"{code} {100 * n / len(known):.1f} %" for code, n in Counter(codes).most_common()
+            f"{code} {100 * n / len(known):.1f} %" for code, n in Counter(each).most_common()
         ) or "none"  # fmt: skip
 
-    false = shares(code for each in known for code in each.false)
-    true = shares(code for each in known for code in each.true)
-    return f"{kind:16s} {len(known):4d} answers   false: {false}   true: {true}"
+    without = [each for each in known if not each.warnings]
+    serious = 100 * (1 - len(without) / len(known))
+    false = shares(code for each in codes for code in each.false)
+    true = shares(code for each in codes for code in each.true)
+    return (
+        f"{kind:12s} {len(known):4d} answers   {hits(known)}   {serious:5.1f}   {hits(without)}   "
+        f"false: {false}   true: {true}"
+    )
 
 
 def main() -> None:
     """Print the table."""
+    print("95 % intervals that hold: roll, pitch, yaw; surveys with a serious warning; without one")
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
     for kind in sys.argv[2:] or [*KINDS, NATURAL]:
         print(row(kind, surveys), flush=True)

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.duplicate_targets import all_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane, plane_axes, rms_distance
 from lispac.messages import Message
@@ -28,6 +28,7 @@ from lispac.simulation.simulated_survey import LEVER_ARM
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 from lispac.workflow.calibration.proposals import propose_targets
 from lispac.workflow.calibration.sighting_assessment import lidar_noise
 from lispac.workflow.project.survey import Survey
@@ -190,7 +191,8 @@ def propose_and_adjust(seed: int) -> SceneResult:
     project, survey = opened(scene_site, off)
     try:
         proposal = propose_targets(project, survey)
-        solved = estimate(replace(project, targets=proposal.targets), survey)
+        names = {target.name for target in proposal.targets}
+        solved = estimate(with_accepted_targets(project, proposal, names)[0], survey)
     except (TargetNotFound, AdjustmentError) as error:
         return SceneResult(f"{type(error).__name__}: {error}", lines=len(scene_site.echoes))
     result = solved.result
@@ -202,7 +204,7 @@ def propose_and_adjust(seed: int) -> SceneResult:
         np.degrees(proposal.sigma),
         sum(target.role == "target" for target in proposal.targets),
         len(scene_site.echoes),
-        tuple(each for each in result_warnings(result, solved.cross_checks) if each.is_serious),
+        tuple(each for each in all_warnings(solved) if each.is_serious),
         frozenset(name for name, each in form_factors(scene_site, solved).items() if each >= 1),
     )
 

@@ -44,7 +44,7 @@ def command(*words: object) -> dict[str, Any]:
         code = run_command([*map(str, words), "--json"])
     if code:
         raise RuntimeError(errors.getvalue().strip())
-    return json.loads(out.getvalue())  # type: ignore[no-any-return]
+    return json.loads(out.getvalue())
 
 
 def calibrated(data: Path, method: str, project: Path) -> dict[str, Any]:
