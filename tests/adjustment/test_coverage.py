@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from tests.studies.coverage_of_errors import KINDS, hits, row
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from tests.studies.coverage_of_errors import KINDS, MODEL, PRIOR, TRUTH, hits, row, survey
 from tests.studies.coverage_of_errors import study as study_of_errors
 from tests.studies.coverage_study import (
     CORRELATION_TIMES,
@@ -66,6 +69,28 @@ def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> Non
     assert not any(each.serious for each in results), table_row
     shortened = [each.shortened for each in results]
     assert all(shortened) if kind == "POS time / 10" else not any(shortened)
+
+
+@pytest.mark.parametrize(("kind", "is_raised"), [("turned line", True), ("none", False)])
+def test_sigmas_are_raised_by_the_scatter_without_single_lines(kind: str, is_raised: bool) -> None:
+    """The jackknife is computed again from adjustments without each line."""
+    data = survey(kind, 0)
+    result = adjust(data, PRIOR, MODEL)
+    formal = result.with_formal_sigmas.sigma
+    parts = [p for p in cross_checks(data, PRIOR, result).parts if p.kind == "line"]
+    differences = np.array([part.difference for part in parts])
+    predicted = np.maximum([part.sigma**2 - formal**2 for part in parts], 0.0)
+    share = (len(parts) - 1) / len(parts)
+    excess = share * np.maximum((differences**2 - predicted).sum(axis=0), 0.0)
+    factors = result.sigma / formal
+    expected = np.sqrt(1 + excess / formal**2)
+    assert np.abs(factors - np.where(factors > 1, expected, 1.0)).max() < 0.06
+    assert (factors.max() > 1.1) == is_raised
+    codes = [message.code for message in result_warnings(result, None)]
+    assert ("adjustment.sigmas_raised" in codes) == is_raised
+    assert (np.abs(result.boresight - TRUTH.boresight) < 2 * result.sigma).all()
+    plain = adjust(data, PRIOR, MODEL, test_model=False)
+    np.testing.assert_allclose(plain.sigma, formal, rtol=1e-9)
 
 
 @pytest.mark.long

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter
@@ -210,6 +211,47 @@ def test_a_line_that_alone_determines_an_angle_is_named() -> None:
     observability = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
     assert observability is not None
     assert UncontrolledObservations("line", line="L5") in observability.unchecked
+
+
+@pytest.mark.parametrize(("distance", "clustered"), [(0.3, True), (1.5, False)])
+def test_targets_close_together_are_named(distance: float, clustered: bool) -> None:
+    """Three boards of different orientation, 15 m from the scanner."""
+    normals = ((0.0, -1.0, 0.0), (0.0, -1.0, 1.0), (0.6, -1.0, 0.2))
+    boards = tuple(
+        Board(f"T{k}", (distance * k, 15.0, 5.0), normal) for k, normal in enumerate(normals)
+    )
+    result = adjust(survey(boards), PRIOR, StochasticModel())
+    assert result.observability is not None
+    found = result.observability.unchecked
+    assert [each.kind for each in found] == ["clustered"] * clustered
+    assert all(each.size == pytest.approx(0.6 / 14.0, rel=0.15) for each in found)
+    serious = codes([each for each in result_warnings(result, None) if each.is_serious])
+    assert ("adjustment.targets_clustered" in serious) == clustered
+
+
+@pytest.mark.parametrize(("turn_deg", "is_carried"), [(5.0, True), (15.0, False)])
+def test_a_sighting_on_which_angles_depend_alone_is_named(
+    turn_deg: float, is_carried: bool
+) -> None:
+    """Two lines along the wall, two slightly turned ones, and T1 alone on an oblique line."""
+    first, second, third, fourth, oblique, _ = six_courses()
+    turn = np.radians(turn_deg)
+    courses = (
+        first, second, replace(third, heading=turn), replace(fourth, heading=np.pi + turn), oblique,
+    )  # fmt: skip
+    data = survey(courses=courses)
+    data = data.of_sightings(
+        np.array([each.line != "L5" or each.target == "T1" for each in data.sightings])
+    )
+    result = adjust(data, PRIOR, StochasticModel())
+    assert result.observability is not None
+    carried = UncontrolledObservations("sighting", "T1", "L5", ("pitch", "yaw"))
+    assert result.observability.unchecked == (carried,) * is_carried
+    serious = codes([each for each in result_warnings(result, None) if each.is_serious])
+    assert ("adjustment.carried_by_one" in serious) == is_carried
+    without = data.of_sightings(np.array([each.line != "L5" for each in data.sightings]))
+    ratio = adjust(without, PRIOR, StochasticModel()).sigma / result.sigma
+    assert (ratio > 4.0).tolist() == [False, is_carried, is_carried]
 
 
 def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:

@@ -11,7 +11,13 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.simulation.closed_form_survey import Ball, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    Ball,
+    Course,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -20,21 +26,29 @@ BALLS = tuple(
     Ball(f"S{k}", centre, 0.15, radius_known=False)
     for k, centre in enumerate([(0.8, 15.0, 5.0), (-3.0, 12.0, 3.0), (4.0, 17.0, 6.0)])
 )
+LARGE_BALLS = tuple(replace(ball, radius=0.6) for ball in BALLS)
+NEAR_AND_FAR = tuple(
+    replace(course, abeam=(0.0, west))
+    for course, west in zip(six_courses(), (0.0, 0.0, 5.0, 5.0, 9.0, 9.0), strict=True)
+)
+"""Lines at distances of 3 to 17 m from the balls."""
 
 
-def survey(seed: int, mounting: Mounting = TRUTH) -> Observations:
+def survey(
+    seed: int,
+    mounting: Mounting = TRUTH,
+    balls: tuple[Ball, ...] = BALLS,
+    courses: tuple[Course, ...] = six_courses(),
+    spacing: float = 0.01,
+) -> Observations:
     generator = np.random.default_rng([7, seed])
-    exact = error_free_survey(mounting, BALLS, six_courses(), 0.01, generator)
+    exact = error_free_survey(mounting, balls, courses, spacing, generator)
     return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
 def changed(data: Observations, cause: str) -> Observations:
-    if cause in ("roll_sign", "pitch_sign"):
-        signs = np.array([-1, 1, 1] if cause == "roll_sign" else [1, -1, 1])
-        return replace(data, attitude=data.attitude * signs)
-    assert data.pose_rate is not None
-    late = -0.1 * data.pose_rate
-    return replace(data, position=data.position + late[:, :3], attitude=data.attitude + late[:, 3:])
+    signs = np.array([-1, 1, 1] if cause == "roll_sign" else [1, -1, 1])
+    return replace(data, attitude=data.attitude * signs)
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -49,6 +63,28 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
     assert {each.cause for each in found} == {cause}
     for each in found:
         assert each.largest - each.smallest > 0.01
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    ("cause", "value", "tolerance", "courses"),
+    [
+        # On slow lines, a ball is crossed in several seconds, during which the vessel rolls.
+        ("latency", 0.25, 0.05, six_courses(speed=0.4)),
+        # The radius is larger by the ratio of the offset to the range, which differs by line.
+        ("range_offset", 0.2, 0.01, NEAR_AND_FAR),
+        ("range_offset", -0.15, 0.01, NEAR_AND_FAR),
+    ],
+)
+def test_a_wrong_latency_or_range_offset_is_named(
+    seed: int, cause: str, value: float, tolerance: float, courses: tuple[Course, ...]
+) -> None:
+    data = survey(seed, replace(TRUTH, **{cause: value}), LARGE_BALLS, courses, 0.02)
+    found = find_radius_discrepancies(data, TRUTH)
+    assert {each.cause for each in found} == {cause}
+    for each in found:
+        assert each.value == pytest.approx(value, abs=tolerance)
+    assert find_radius_discrepancies(survey(seed, TRUTH, LARGE_BALLS, courses, 0.02), TRUTH) == ()
 
 
 def test_an_error_of_one_line_is_not_attributed_to_a_sign() -> None:
