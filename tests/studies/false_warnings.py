@@ -2,7 +2,7 @@
 
     python -m tests.studies.false_warnings [SURVEYS] [KIND ...]
 
-A row for each kind of survey: boards, boards on only two lines, natural planes proposed by the
+A row for each kind of survey: boards on six, four, three and two lines, natural planes proposed by the
 program, targetless, spinning scanner. It shows the share of 95 % intervals that contain the truth,
 in all surveys and in those without a serious warning, the share of surveys with one, and how often
 each warning is false or true. Only warnings that name an error are counted as false or true. Those
@@ -105,6 +105,14 @@ def two_lines(seed: int) -> Answer:
     return boards(seed, 2)
 
 
+def three_lines(seed: int) -> Answer:
+    return boards(seed, 3)
+
+
+def four_lines(seed: int) -> Answer:
+    return boards(seed, 4)
+
+
 def without_targets(seed: int) -> Answer:
     with TemporaryDirectory() as folder:
         project, survey, mounting = surveyed(Path(folder), seed)
@@ -137,7 +145,8 @@ def spinning(seed: int) -> Answer:
 
 
 KINDS: dict[str, Callable[[int], Answer]] = {
-    "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
+    "boards": boards, "four lines": four_lines, "three lines": three_lines,
+    "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
 NATURAL = "natural"
 """Kind of surveys with proposed natural planes in scenes without boards."""
