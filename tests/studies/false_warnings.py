@@ -2,12 +2,12 @@
 
     python -m tests.studies.false_warnings [SURVEYS] [KIND ...]
 
-A row for each kind of survey: boards on six, four, three and two lines, natural planes proposed by the
-program, targetless, spinning scanner. It shows the share of 95 % intervals that contain the truth,
-in all surveys and in those without a serious warning, the share of surveys with one, and how often
-each warning is false or true. Only warnings that name an error are counted as false or true. Those
-about the geometry (no redundancy, large standard deviations) are always true. Natural surfaces may
-not be flat: this follows from the simulated surfaces.
+A row for each kind of survey: boards on six, four, three and two lines, natural planes proposed by
+the program, targetless, spinning scanner. It shows the share of 95 % intervals that contain the
+truth, in all surveys and in those without a serious warning, the share of surveys with one, and how
+often each warning is false or true. Only warnings that name an error are counted as false or true.
+Those about the geometry (no redundancy, large standard deviations) are always true. Natural
+surfaces may not be flat: this follows from the simulated surfaces.
 """
 
 import sys
