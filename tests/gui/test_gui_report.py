@@ -211,8 +211,9 @@ def test_the_report_has_pictures_before_and_after_the_estimate(
 ) -> None:
     open_step(adjusted, REPORT_STEP)
     scene = adjusted.window.scene
+    adjusted.window.computations.show("prior")
+    adjusted.rest()
     assert scene.which == "prior"
-    assert not scene.has_estimated
     prior = adjusted.viewport.clouds
     adjusted.dialogs.path = tmp_path / "r.html"
     click(adjusted, adjusted.window.report.report)

@@ -32,6 +32,9 @@ def test_the_same_lines_are_shown_in_another_theme(
     """Lines after, or before and after in one picture; no line is georeferenced again."""
     session.window.document.open(estimated, demo.survey)
     wait_until_idle(session, qtbot)
+    assert session.window.actions_["after"].isChecked()  # a project with a result
+    qtbot.keyClick(session.window, Key.Key_B)
+    wait_until_idle(session, qtbot)
     before = dict(session.window.viewport.clouds)
     for key in (Key.Key_B, Key.Key_C):
         qtbot.keyClick(session.window, key)

@@ -207,6 +207,9 @@ class Scene(QObject):
             self._viewport.set_station(_mean_vessel_position(survey))
         self._schedule_lines()
         self.which_changed.emit(self.which)
+        project = self._document.project
+        if survey is not None and project is not None and project.result is not None:
+            self.placement_requested.emit()  # a project with a result is shown after the adjustment
 
     def _on_project_changed(self) -> None:
         project = self._document.project
