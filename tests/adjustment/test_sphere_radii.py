@@ -79,12 +79,12 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
 def test_a_wrong_latency_or_range_offset_is_named(
     seed: int, cause: str, value: float, tolerance: float, courses: tuple[Course, ...]
 ) -> None:
-    data = survey(seed, replace(TRUTH, **{cause: value}), LARGE_BALLS, courses, 0.02)
+    data = survey(seed, replace(TRUTH, **{cause: value}), LARGE_BALLS, courses, 0.04)
     found = find_radius_discrepancies(data, TRUTH)
     assert {each.cause for each in found} == {cause}
     for each in found:
         assert each.value == pytest.approx(value, abs=tolerance)
-    assert find_radius_discrepancies(survey(seed, TRUTH, LARGE_BALLS, courses, 0.02), TRUTH) == ()
+    assert find_radius_discrepancies(survey(seed, TRUTH, LARGE_BALLS, courses, 0.04), TRUTH) == ()
 
 
 def test_an_error_of_one_line_is_not_attributed_to_a_sign() -> None:
