@@ -166,15 +166,18 @@ class UncontrolledObservations:
     Attributes
     ----------
     kind : {"line", "target", "sighting", "clustered"}
-        A line or a target without which the angles are not determined, a sighting without which
-        some angles have much larger sigmas, or targets so close together that they act as one.
+        A line or a target without which the angles are not determined, a sighting (or a target, if
+        ``line`` is empty) without which some angles have much larger sigmas, or targets so close
+        together that they act as one.
     target, line : str
         Names; empty if they do not apply.
     angles : tuple of str
-        Angles that depend on a sighting.
+        Angles that depend on a sighting, a target or close targets.
     size : float
         For ``clustered``: largest distance of two targets divided by their distance from the
         scanner.
+    targets : tuple of str
+        For ``clustered``: names of the targets that act as one; empty for all targets.
     """
 
     kind: str
@@ -182,6 +185,7 @@ class UncontrolledObservations:
     line: str = ""
     angles: tuple[str, ...] = ()
     size: float = 0.0
+    targets: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

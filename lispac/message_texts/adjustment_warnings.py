@@ -148,9 +148,13 @@ TEXTS: Mapping[str, Template] = {
         "The targets extend over only {size:percent.0} % of their distance from the scanner, too "
         "little to detect errors of a line. Add targets at other places."
     ),
+    "adjustment.targets_act_as_one": N_(
+        "Targets {targets:names} are so close together that they act as one target, on which "
+        "{angles:names} depend alone. Add targets at other places."
+    ),
     "adjustment.carried_by_one": N_(
-        "The angles depend on one sighting whose errors cannot be detected: {sightings:names}. Add "
-        "targets or lines."
+        "Angles depend on single targets or sightings whose errors cannot be detected: "
+        "{sightings:names}. Add targets or lines."
     ),
     # -- sightings, targets and points -------------------------------------------------------
     "adjustment.released": Plural(

@@ -36,6 +36,7 @@ TEXTS: Mapping[str, Template] = {
         "{target} on line {line} (displaced by {shift:mm.1} mm, test value w = {w:x.1+})"
     ),
     "item.sighting_angles": N_("{target} on line {line} ({angles:names})"),
+    "item.target_angles": N_("{target} ({angles:names})"),
     "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
     "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
     "item.apart": N_(

@@ -1,5 +1,6 @@
 """Tests of observability: undetermined geometries, weak directions, advice on further lines."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
-from lispac.adjustment.result import UncontrolledObservations
+from lispac.adjustment.result import AdjustmentResult, UncontrolledObservations
 from lispac.adjustment.solve.normal_equations import scaled_inverse
 from lispac.design.further_line_advice import further_line_advice, further_lines
 from lispac.errors import RankDeficient
@@ -245,13 +246,61 @@ def test_a_sighting_on_which_angles_depend_alone_is_named(
     )
     result = adjust(data, PRIOR, StochasticModel())
     assert result.observability is not None
-    carried = UncontrolledObservations("sighting", "T1", "L5", ("pitch", "yaw"))
+    carried = [each for each in result.observability.unchecked if each.line]
+    expected = UncontrolledObservations("sighting", "T1", "L5", ("pitch", "yaw"))
+    assert carried == [expected] * is_carried
+    if is_carried:
+        serious = codes([each for each in result_warnings(result, None) if each.is_serious])
+        assert "adjustment.carried_by_one" in serious
+    assert (ratio_without(data, result, line="L5") > 4.0).tolist() == [False, *[is_carried] * 2]
+
+
+def ratio_without(
+    data: Observations, result: AdjustmentResult, line: str = "", targets: Iterable[str] = ()
+) -> np.ndarray:
+    """Return the sigmas of an adjustment without a line or targets, divided by those with them."""
+    omitted = np.array([each.line == line or each.target in targets for each in data.sightings])
+    without = adjust(
+        data.of_sightings(~omitted), PRIOR, StochasticModel(), accept_single_orientation=True,
+        test_model=False,
+    )  # fmt: skip
+    return without.sigma / result.with_formal_sigmas.sigma
+
+
+@pytest.mark.parametrize(("slope", "is_carried"), [(0.3, True), (1.0, False)])
+def test_a_target_on_which_an_angle_depends_alone_is_named(slope: float, is_carried: bool) -> None:
+    """A board that is nearly level hardly determines the pitch; one that leans 45 deg does."""
+    boards = (UPRIGHT_BOARD, replace(LEANING_BOARD, normal=(0.0, -slope, 1.0)))
+    data = survey(boards)
+    result = adjust(data, PRIOR, StochasticModel())
+    assert result.observability is not None
+    carried = UncontrolledObservations("sighting", "T1", angles=("pitch", "yaw"))
     assert result.observability.unchecked == (carried,) * is_carried
     serious = codes([each for each in result_warnings(result, None) if each.is_serious])
     assert ("adjustment.carried_by_one" in serious) == is_carried
-    without = data.of_sightings(np.array([each.line != "L5" for each in data.sightings]))
-    ratio = adjust(without, PRIOR, StochasticModel()).sigma / result.sigma
-    assert (ratio > 4.0).tolist() == [False, is_carried, is_carried]
+    ratios = [ratio_without(data, result, targets=[name]) for name in ("T1", "T2")]
+    assert (np.array(ratios) > 4.0).tolist() == [[False, is_carried, is_carried], [False] * 3]
+
+
+@pytest.mark.parametrize(("distance", "is_named"), [(0.4, True), (3.0, False)])
+def test_two_targets_that_act_as_one_beside_a_third_are_named(
+    distance: float, is_named: bool
+) -> None:
+    """An error common to the upright and the leaning board would not be detected."""
+    boards = (
+        UPRIGHT_BOARD, replace(UPRIGHT_BOARD, name="T2", centre=(0.8 + distance, 15.0, 5.0)),
+        Board("T3", (6.8, 15.0, 5.0), (0.0, -0.3, 1.0)),
+    )  # fmt: skip
+    data = survey(boards, six_courses()[:4])
+    result = adjust(data, PRIOR, StochasticModel())
+    assert result.observability is not None
+    found = [each for each in result.observability.unchecked if each.kind == "clustered"]
+    assert [each.targets for each in found] == [("T1", "T2")] * is_named
+    serious = codes([each for each in result_warnings(result, None) if each.is_serious])
+    assert ("adjustment.targets_act_as_one" in serious) == is_named
+    ratio = ratio_without(data, result, targets=["T1", "T2"])
+    assert ratio.max() > 4.0
+    assert all("pitch" in each.angles for each in found)
 
 
 def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:

@@ -20,8 +20,9 @@ from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 
-MAX_SIGHTING_SIGMA_RATIO = 4.0
-"""Ratio of a sigma without a sighting to that with it above which the angle depends on it alone."""
+MAX_SIGMA_RATIO = 4.0
+"""Ratio of the sigma of an angle without a sighting or target to that with it, above which the angle
+depends on it alone: an error of it is then hardly visible in the others."""
 MAX_CLUSTER_RATIO = 0.05
 """Ratio of the largest distance between targets to the range below which they act as one target.
 
@@ -85,34 +86,61 @@ def _find_unchecked_parts(
     observations = linearised.problem.observations
     needed = [line for line, sigma in without.items() if sigma is None]
     yield from (UncontrolledObservations("line", line=line) for line in needed)
-    targets = observations.targets
-    if len(targets) > 1:
-        for k, target in enumerate(targets):
-            sigma = sigmas_without(linearised, observations.target_of_sighting == k)
-            if sigma is None or sigma.max() > MAX_ANGLE_SIGMA:
-                yield UncontrolledObservations("target", target)
-        if (
-            origins is not None
-            and (reach := _relative_target_spacing(linearised, origins)) < MAX_CLUSTER_RATIO
-        ):
-            yield UncontrolledObservations("clustered", size=reach)
-    if needed or len(observations.sightings) > MAX_TESTED_SIGHTINGS:
+    count = len(observations.sightings)
+    whole = sigmas_without(linearised, np.zeros(count, dtype=bool))
+    if whole is None:
         return
-    whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
+
+    def dependent_angles(omitted: NDArray[np.bool_]) -> tuple[str, ...] | None:
+        """Angles with a much larger sigma without some sightings; None if undetermined."""
+        sigma = sigmas_without(linearised, omitted)
+        if sigma is None or sigma.max() > MAX_ANGLE_SIGMA:
+            return None
+        return tuple(np.array(ANGLES)[sigma > MAX_SIGMA_RATIO * whole].tolist())
+
+    targets = observations.targets
+    for k, target in enumerate(targets if len(targets) > 1 else ()):
+        angles = dependent_angles(observations.target_of_sighting == k)
+        if angles is None:
+            yield UncontrolledObservations("target", target)
+        elif angles:
+            yield UncontrolledObservations("sighting", target, angles=angles)
+    if len(targets) > 1 and origins is not None:
+        for members, size in _target_clusters(linearised, origins):
+            names = tuple(np.array(targets)[members].tolist())
+            if len(members) == len(targets):
+                yield UncontrolledObservations("clustered", size=size)
+            elif angles := dependent_angles(np.isin(observations.target_of_sighting, members)):
+                yield UncontrolledObservations("clustered", angles=angles, size=size, targets=names)
+            elif angles is None:
+                yield UncontrolledObservations("clustered", angles=ANGLES, size=size, targets=names)
+    if needed or count > MAX_TESTED_SIGHTINGS:
+        return
     for k, sighting in enumerate(observations.sightings):
-        own = sigmas_without(linearised, np.arange(len(observations.sightings)) == k)
-        if whole is None or own is None:
-            continue
-        carried = tuple(np.array(ANGLES)[own > MAX_SIGHTING_SIGMA_RATIO * whole].tolist())
-        if carried:
+        if carried := dependent_angles(np.arange(count) == k):
             yield UncontrolledObservations("sighting", sighting.target, sighting.line, carried)
 
 
-def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:
-    """Largest distance between targets divided by the mean range of the points."""
-    largest = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
+def _target_clusters(
+    linearised: LinearisedProblem, origins: Array
+) -> Iterator[tuple[NDArray[np.int64], float]]:
+    """Targets that are so close together that they act as one: indices, and relative extent.
+
+    The extent is the largest distance between two of them divided by the mean range of the points.
+    """
+    from scipy.cluster.hierarchy import fcluster, linkage
+    from scipy.spatial.distance import pdist
+
     points = linearised.problem.observations.points_lidar
-    return float(largest / np.linalg.norm(points, axis=1).mean())
+    spacing = pdist(origins) / np.linalg.norm(points, axis=1).mean()
+    if spacing.max() < MAX_CLUSTER_RATIO:
+        yield np.arange(len(origins)), float(spacing.max())
+        return
+    label = fcluster(linkage(spacing, "complete"), MAX_CLUSTER_RATIO, "distance")
+    for k in np.unique(label):
+        members = np.flatnonzero(label == k)
+        if len(members) > 1:
+            yield members, float(pdist(origins[members]).max() / pdist(origins).max() * spacing.max())
 
 
 def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:

@@ -217,7 +217,13 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
             count=len(targets), targets=targets, subject=Cause.of_target(targets[0]),
         )  # fmt: skip
     for each in found:
-        if each.kind == "clustered":
+        if each.kind == "clustered" and each.targets:
+            yield warning(
+                "adjustment.targets_act_as_one",
+                targets=each.targets, angles=mounting_value_names(each.angles),
+                subject=Cause.of_target(each.targets[0]),
+            )  # fmt: skip
+        elif each.kind == "clustered":
             yield warning(
                 "adjustment.targets_clustered", size=float(each.size), subject=RESULT_CAUSE
             )
@@ -228,12 +234,20 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
                 "item.sighting_angles",
                 target=each.target, line=each.line, angles=mounting_value_names(each.angles),
             )
+            if each.line
+            else note(
+                "item.target_angles", target=each.target, angles=mounting_value_names(each.angles)
+            )
             for each in carried
         ]  # fmt: skip
         yield warning(
             "adjustment.carried_by_one",
             sightings=shortened_list(sightings),
-            subject=Cause.of_sighting(carried[0].target, carried[0].line),
+            subject=(
+                Cause.of_sighting(carried[0].target, carried[0].line)
+                if carried[0].line
+                else Cause.of_target(carried[0].target)
+            ),
         )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
-from lispac.adjustment.diagnostics.observability import MAX_CLUSTER_RATIO, MAX_SIGHTING_SIGMA_RATIO
+from lispac.adjustment.diagnostics.observability import MAX_CLUSTER_RATIO, MAX_SIGMA_RATIO
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.errors import AdjustmentError
@@ -91,7 +91,7 @@ class CandidatePlanes:
             len(names) >= MIN_TARGETS
             and bool(
                 (
-                    self.sigma_without_one(names) <= MAX_SIGHTING_SIGMA_RATIO * self.sigma(names)
+                    self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)
                 ).all()
             )
             and self.are_spread(names)
