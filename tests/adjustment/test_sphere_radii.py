@@ -1,6 +1,7 @@
 """Tests of the cause of radii that differ between lines."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,9 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
+from tests.adjustment.test_vessel_adjustment import observations
+from tests.targets.test_vessel_spheres import BALLS as SPHERES
+from tests.targets.test_vessel_spheres import VESSEL, Vessel
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 BALLS = tuple(
@@ -93,6 +97,31 @@ def test_an_error_of_one_line_is_not_attributed_to_a_sign() -> None:
     points = np.where(own[:, None], data.points_lidar * [1.3, 1.0, 1.0], data.points_lidar)
     found = find_radius_discrepancies(replace(data, points_lidar=points), TRUTH)
     assert all(each.cause == "" for each in found)
+
+
+def test_two_wrong_signs_are_named_if_no_single_one_explains_the_radii() -> None:
+    data = survey(1)
+    turned = replace(data, attitude=data.attitude * np.array([-1, -1, 1]))
+    found = find_radius_discrepancies(turned, TRUTH)
+    assert {each.cause for each in found} == {"roll_pitch_signs"}
+
+
+@pytest.mark.parametrize("seed", [2, 3])
+def test_all_balls_have_the_same_cause(seed: int) -> None:
+    """On two lines, single balls would also fit two wrong signs or a latency."""
+    data = survey(seed, courses=six_courses()[:2], spacing=0.015)
+    found = find_radius_discrepancies(changed(data, "roll_sign"), TRUTH)
+    assert len(found) > 1
+    assert {each.cause for each in found} == {"roll_sign"}
+
+
+def test_the_pitch_sign_of_a_real_survey_is_named(shared_data: Path) -> None:
+    """The recorded pitch has the opposite sign; the true radius of the three balls is 0.1 m."""
+    data = observations(Vessel(shared_data), SPHERES)
+    found = find_radius_discrepancies(data, VESSEL)
+    assert {each.target: each.cause for each in found} == dict.fromkeys(SPHERES, "pitch_sign")
+    turned = replace(data, attitude=data.attitude * np.array([1, -1, 1]))
+    assert find_radius_discrepancies(turned, VESSEL) == ()
 
 
 def test_the_result_of_an_adjustment_has_radius_discrepancies() -> None:

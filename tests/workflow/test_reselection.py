@@ -80,6 +80,15 @@ def test_a_board_is_kept_if_the_wall_is_found_again() -> None:
     assert shares_on_board(seen, reselect_target(moved, survey.clouds, survey.clouds)) == [1.0] * 3
 
 
+def test_neither_of_two_sightings_on_different_surfaces_is_changed() -> None:
+    """Two lines do not show which of the surfaces is the target."""
+    seen = board_before_wall(0.3)
+    _, survey = seen.opened()
+    target = picked(seen, survey, {"L1": "wall", "L2": "T1"})
+    again = reselect_target(target, survey.clouds, survey.clouds)
+    assert shares_on_board(seen, again) == [0.0, 1.0]
+
+
 def test_points_of_the_wall_are_removed_from_a_board() -> None:
     """Every fourth point of the selection is on the wall, as after a wrong prior boresight."""
     seen = board_before_wall(0.05)

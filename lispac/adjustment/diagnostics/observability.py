@@ -21,8 +21,8 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 
 MAX_SIGMA_RATIO = 4.0
-"""Ratio of the sigma of an angle without a sighting or target to that with it, above which the angle
-depends on it alone: an error of it is then hardly visible in the others."""
+"""Ratio of the sigma of an angle without a sighting or target to that with it, above which the
+angle depends on it alone: an error of it is then hardly visible in the others."""
 MAX_CLUSTER_RATIO = 0.05
 """Ratio of the largest distance between targets to the range below which they act as one target.
 
@@ -140,7 +140,10 @@ def _target_clusters(
     for k in np.unique(label):
         members = np.flatnonzero(label == k)
         if len(members) > 1:
-            yield members, float(pdist(origins[members]).max() / pdist(origins).max() * spacing.max())
+            yield (
+                members,
+                float(pdist(origins[members]).max() / pdist(origins).max() * spacing.max()),
+            )
 
 
 def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:

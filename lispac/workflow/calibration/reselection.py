@@ -117,7 +117,8 @@ def _is_same_target(
     """Whether the surface found again is that of most sightings before.
 
     Behind a small board, a wall has more points than the board, and would replace it on all lines.
-    A single sighting that was on another surface than the others is corrected.
+    A single sighting that was on another surface than the others is corrected; of two sightings,
+    neither is known to be right.
     """
     # Both selections are of one line: boresight and POS do not move one against the other.
     accuracy = PlacementAccuracy(boresight=0.0, offset=target.threshold / THRESHOLD_SIGMAS)
@@ -136,7 +137,7 @@ def _is_same_target(
         clouds = dict.fromkeys(patches, cloud)
         _, rejected = split_by_agreement(patches, clouds, accuracy, target.radius, "before")
         other_surface.append(bool(rejected))
-    return 2 * sum(other_surface) <= len(other_surface)
+    return 2 * sum(other_surface) < len(other_surface) or not other_surface
 
 
 def _moved_seed(
