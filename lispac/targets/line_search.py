@@ -59,6 +59,8 @@ class ShapeSearch(Generic[Patch]):
     follow : callable of a line's name and its patch
         Gives a function that finds this patch in another line, given by its name, and raises
         TargetNotFound.
+    is_cut : callable of a line and a patch
+        Whether the patch is cut by the search radius, so that it is part of a larger surface.
     """
 
     no_line: str
@@ -67,6 +69,7 @@ class ShapeSearch(Generic[Patch]):
     find: Callable[[str], Patch]
     distance: Callable[[str, Patch], float]
     follow: Callable[[str, Patch], Callable[[str], Patch]]
+    is_cut: Callable[[str, Patch], bool] = lambda name, patch: False
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,6 +123,9 @@ def search_target_in_lines(
         nearest = [clicked]
     else:
         nearest = sorted(patches, key=lambda name: shape.distance(name, patches[name]))
+        # A wall is seen in more lines than a board before it, which must not be replaced by it.
+        if not shape.is_cut(nearest[0], patches[nearest[0]]):
+            nearest = [name for name in nearest if not shape.is_cut(name, patches[name])]
     best: tuple[dict[str, Patch], dict[str, Message]] | None = None
     for name in nearest[:3]:
         both = _search_from_reference(clouds, name, patches[name], shape, progress)

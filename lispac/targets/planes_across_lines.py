@@ -131,19 +131,22 @@ def find_in_lines(
         ),
         distance=lambda name, patch: _distance_to_seed(clouds[name], patch, seed, settings.radius),
         follow=follow,
+        is_cut=lambda name, patch: _is_cut(clouds[name], patch, seed, settings.radius),
     )
     return search_target_in_lines(clouds, grids, seed, shape, first_line, progress)
+
+
+def _is_cut(cloud: Array, patch: PlanePatch, seed: Array, radius: float) -> bool:
+    farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
+    return farthest > UNCUT_RADIUS_SHARE * radius
 
 
 def _distance_to_seed(cloud: Array, patch: PlanePatch, seed: Array, radius: float) -> float:
     beside = (seed - patch.centre) @ plane_axes(patch.plane.normal).T
     outside = np.maximum(np.abs(beside) - 0.5 * patch.extent, 0.0)
-    farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
-    extends = farthest > UNCUT_RADIUS_SHARE * radius
-    return (
-        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside)))
-        + CUT_PLANE_PENALTY * extends
-    )
+    return float(
+        np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))
+    ) + CUT_PLANE_PENALTY * _is_cut(cloud, patch, seed, radius)
 
 
 def _reference_surface(

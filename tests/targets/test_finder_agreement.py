@@ -105,6 +105,31 @@ def test_a_line_without_the_target_has_no_sighting(
     require_right(scene_site, find_target(project, survey, typed_seed(scene_site), name="T1"))
 
 
+@cache
+def few_lines(count: int) -> Site:
+    """A board 0.3 m before a wall, which line L2 does not show."""
+    return site([board(), wall(0.3)], lines=count, absent_from="L2")
+
+
+@pytest.mark.parametrize("lines", [2, 3])
+@pytest.mark.parametrize(
+    "off_deg", [off if off in OFF_DEG[::2] else pytest.param(off, marks=pytest.mark.long)
+                for off in OFF_DEG],
+)  # fmt: skip
+def test_the_wall_seen_in_more_lines_does_not_replace_the_board(
+    lines: int, off_deg: tuple[float, float, float]
+) -> None:
+    """Few lines are not roughly aligned before the search; the typed seed is 5 cm off the board."""
+    scene_site = few_lines(lines)
+    project, survey = scene_site.opened(off_deg)
+    on_board = scene_site.echoes["L1"].true_points_local[scene_site.on("L1", "T1")]
+    target = find_target(project, survey, on_board.mean(axis=0) + [0.1, 0.05, 0.1], name="T1")
+    assert [sighting.line for sighting in target.sightings] == ["L1", "L3"][: lines - 1]
+    assert list(target.missing) == ["L2"]
+    for sighting in target.sightings:
+        assert scene_site.on(sighting.line, "T1")[sighting.indices].mean() > 0.95
+
+
 def two_boards() -> tuple[Site, Project, Survey, Target]:
     scene_site = scenery("similar board beside")
     project, survey = scene_site.opened((1.0, -1.0, 1.0))
