@@ -48,7 +48,7 @@ from tests.studies.natural_scenes import print_results, study
 OF_GEOMETRY = {
     "adjustment.large_sigma", "adjustment.large_sigma_unseen", "adjustment.line_unchecked",
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
-    "adjustment.one_facing", "targets.sigma_below_prediction",
+    "adjustment.targets_act_as_one", "adjustment.one_facing", "targets.sigma_below_prediction",
 }  # fmt: skip
 """Codes of warnings about the geometry or the prediction, which are true without errors too."""
 

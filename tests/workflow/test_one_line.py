@@ -142,6 +142,13 @@ def test_picked_targets_are_not_proposed_again() -> None:
     remaining = remove_picked_surfaces(bare, proposal)
     assert [(each.name, each.role) for each in remaining.targets] == [("V1", "validation")]
     assert remaining.reasons == {"V1": note("propose.target_needed", lines=3)}
+    line = plane.sightings[0]
+    target = next(s for s in bare.targets[0].sightings if s.line == line.line)
+    common = target.indices[: len(line.indices) // 20]
+    mixed = replace(line, indices=np.union1d(line.indices, common))
+    overlapping = replace(plane, sightings=(mixed, *plane.sightings[1:]))
+    shared = replace(proposal, targets=(found[0], overlapping))
+    assert remove_picked_surfaces(bare, shared).targets == ()
     accepted, names = with_accepted_targets(bare, remaining, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]

@@ -3,11 +3,13 @@
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
 from lispac.duplicate_targets import find_overlap
 from lispac.messages import Message
 from lispac.project import Project, ProposalPrediction, Target
 from lispac.workflow.calibration.picking import next_name
-from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.calibration.proposals import MAX_SHARED_POINT_SHARE, Proposal
 
 
 def remove_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
@@ -21,6 +23,8 @@ def remove_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
         if own is not None:
             picked += [own] if target.role == "target" else []
             continue
+        if target.role == "validation" and _shares_points(target, project):
+            continue  # it would not be independent of the adjustment
         name = next_name(numbered, target.role)
         targets.append(replace(target, name=name))
         reasons[name] = proposal.reasons[target.name]
@@ -51,6 +55,17 @@ def with_accepted_targets(
     if used == targets and all(target.name in names for target in proposed):
         project = project.with_prediction(ProposalPrediction(tuple(sorted(used)), proposal.sigma))
     return project, tuple(new_names)
+
+
+def _shares_points(plane: Target, project: Project) -> bool:
+    """Whether a plane has points in common with a target of the project."""
+    return any(
+        own.line == other.line
+        and np.isin(own.indices, other.indices).mean() > MAX_SHARED_POINT_SHARE
+        for target in project.targets_of_role("target")
+        for own in plane.sightings
+        for other in target.sightings
+    )
 
 
 def _same_picked_target(target: Target, project: Project) -> str | None:

@@ -55,7 +55,8 @@ is poor in more, the plane is not proposed."""
 MAX_SHARED_POINT_SHARE = 0.01
 """Largest share of the points of a plane in common with another one that is not an overlap."""
 UNCHECKED_TARGET_CODES = {
-    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.targets_act_as_one",
+    "adjustment.carried_by_one",
 }  # fmt: skip
 """Codes of warnings that the targets do not check each other."""
 

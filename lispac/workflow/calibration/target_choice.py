@@ -89,11 +89,7 @@ class CandidatePlanes:
         """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= MIN_TARGETS
-            and bool(
-                (
-                    self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)
-                ).all()
-            )
+            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
             and self.are_spread(names)
         )
 
