@@ -113,13 +113,13 @@ def _raised(project: Project) -> Project:
     return replace(project, result=with_raised_sigmas(project.result, np.array([1.0, 2.5, 1.02])))
 
 
-def _apart(significance: float) -> Callable[[Project], Project]:
+def _apart(significance: float, difference_deg: float = -0.1512) -> Callable[[Project], Project]:
     """The pitch without a line differs by a number of standard deviations."""
 
     def change(project: Project) -> Project:
         checks = project.cross_checks
         assert checks is not None
-        sigmas, off = np.array([-0.2, significance, 1.0]), np.radians([0.0, -0.0512, 0.0])
+        sigmas, off = np.array([-0.2, significance, 1.0]), np.radians([0.0, difference_deg, 0.0])
         odd = replace(checks.parts[1], significance=sigmas, difference=off)
         parts = (checks.parts[0], odd, *checks.parts[2:])
         return replace(project, cross_checks=replace(checks, parts=parts))
@@ -226,11 +226,12 @@ CASES = [
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
     ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
-    ("cross_check_uncovered", True, _apart(4.1), "without line L2 (pitch -0.0512 deg, 4.1 times "
+    ("cross_check_uncovered", True, _apart(4.1), "without line L2 (pitch -0.1512 deg, 4.1 times "
      "its standard deviation)"),
     ("cross_check", False, lambda project: _apart(4.1)(_raised(project)), "without line L2 (pitch "
-     "-0.0512 deg, 4.1 times its standard deviation)"),
-    ("cross_check", False, _apart(3.1), "without line L2 (pitch -0.0512 deg, 3.1 times"),
+     "-0.1512 deg, 4.1 times its standard deviation)"),
+    ("cross_check", False, _apart(3.1), "without line L2 (pitch -0.1512 deg, 3.1 times"),
+    ("cross_check", False, _apart(4.1, -0.0512), "without line L2 (pitch -0.0512 deg, 4.1 times"),
     ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),

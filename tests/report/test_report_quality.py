@@ -236,13 +236,13 @@ def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
     assert f"Without target T1: {reason}" in words
     assert "The jackknife standard deviation with one target omitted at a time requires" in words
     sigma = np.array([-0.2, 4.1, 1.0])
-    odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
+    odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.1512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
     content = sample_content(replace(project, cross_checks=wide))
     (part,) = _warning(content, "adjustment.cross_check_uncovered")["parts"]
     assert (part.code, part.params["name"]) == ("item.without_line", "L2")
     assert part.params["angle"] == note("quantity.pitch")
-    assert np.degrees(part.params["difference"]) == pytest.approx(0.0512)
+    assert np.degrees(part.params["difference"]) == pytest.approx(0.1512)
     assert part.params["ratio"] == pytest.approx(4.1)
 
 

@@ -36,6 +36,10 @@ MIN_REPORTED_INCREASE = 1.05
 UNCOVERED_LEVEL = 0.005
 """Probability of a warning about differences between parts of the data if the model is correct."""
 
+MAX_DIFFERENCE = 3.0
+"""Largest difference between the result without a part and that of all data, in stated sigmas, that
+needs no serious warning even if it is significant."""
+
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
 
@@ -148,7 +152,7 @@ def _cross_check_messages(
     for part in parts:
         assert part.significance is not None
         significance = np.abs(part.significance)
-        if (exceeding := significance * _is_uncovered(result, checks, significance)).any():
+        if (exceeding := significance * _is_uncovered(result, checks, part)).any():
             uncovered.append(_disagreeing_part_item(part, int(exceeding.argmax())))
         else:
             covered.append(_disagreeing_part_item(part, int(significance.argmax())))
@@ -162,21 +166,28 @@ def _cross_check_messages(
 
 
 def _is_uncovered(
-    result: AdjustmentResult, checks: CrossChecks | None, significance: Array
+    result: AdjustmentResult, checks: CrossChecks | None, part: CrossCheck
 ) -> NDArray[np.bool_]:
-    """Whether the difference of each angle is significant and its sigma was not raised, (3,).
+    """Whether the stated sigma of each angle does not cover the result without a part, (3,).
 
-    Sigmas are raised only if there are enough parts without which the angle is well determined.
-    The level of each test is that of all tests divided by their number (Bonferroni, Dunn 1961).
+    The difference is significant, it exceeds `MAX_DIFFERENCE` stated sigmas, and the sigma was not
+    raised, because too few parts can be omitted. Halves are not considered: each consists of few
+    lines, which hardly determine some angles. The level of each test is that of all tests divided
+    by their number (Bonferroni, Dunn 1961).
     """
     from scipy.special import ndtri
 
-    if checks is None or not result.model.correlated:
+    if (
+        checks is None or part.kind == "half" or not result.model.correlated
+        or part.significance is None or part.difference is None
+    ):  # fmt: skip
         return np.zeros(3, dtype=bool)
-    tests = len(ANGLES) * sum(part.significance is not None for part in checks.parts)
+    tests = len(ANGLES) * sum(each.significance is not None for each in checks.parts)
     factors = np.ones(3) if result.angle_sigma_factors is None else result.angle_sigma_factors
     return np.asarray(
-        (significance > -ndtri(UNCOVERED_LEVEL / (2 * tests))) & (factors <= MIN_REPORTED_INCREASE)
+        (np.abs(part.significance) > -ndtri(UNCOVERED_LEVEL / (2 * tests)))
+        & (np.abs(part.difference) > MAX_DIFFERENCE * result.sigma)
+        & (factors <= MIN_REPORTED_INCREASE)
     )
 
 
