@@ -5,9 +5,20 @@ import pytest
 import scipy.stats
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
-from tests.studies.coverage_of_errors import KINDS, MODEL, PRIOR, TRUTH, hits, row, survey
+from tests.studies.coverage_of_errors import (
+    KINDS,
+    MODEL,
+    PRIOR,
+    TRUTH,
+    displaced_target,
+    hits,
+    row,
+    survey,
+)
 from tests.studies.coverage_of_errors import study as study_of_errors
 from tests.studies.coverage_study import (
     CORRELATION_TIMES,
@@ -91,6 +102,45 @@ def test_sigmas_are_raised_by_the_scatter_without_single_lines(kind: str, is_rai
     assert (np.abs(result.boresight - TRUTH.boresight) < 2 * result.sigma).all()
     plain = adjust(data, PRIOR, MODEL, test_model=False)
     np.testing.assert_allclose(plain.sigma, formal, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("target", "size", "seed", "raised"),
+    [
+        # The sum of the squared differences without single targets is too large.
+        ("T2", 0.02, 1, [True, False, False]), ("T5", 0.01, 2, [False, False, True]),
+        # A single difference, without one line, is too large.
+        ("T1", 0.02, 2, [False, False, True]),
+        ("T1", 0.0, 1, [False, False, False]),
+    ],
+)  # fmt: skip
+def test_sigmas_are_raised_by_the_scatter_without_single_targets_or_one_line(
+    target: str, size: float, seed: int, raised: list[bool]
+) -> None:
+    data = displaced_target(survey("none", seed), target, size)
+    result = adjust(data, PRIOR, MODEL)
+    factors = result.angle_sigma_factors
+    assert ((np.ones(3) if factors is None else factors) > 1.15).tolist() == raised
+    assert (np.abs(result.boresight - TRUTH.boresight) < 2 * result.sigma).all()
+
+
+def test_the_expected_increase_of_the_sigmas_is_that_of_simulated_surveys() -> None:
+    """Even with a correct model, the sigmas of some surveys are raised by chance."""
+    squared, expected = [], np.zeros(3)
+    for seed in range(20):
+        data = survey("none", seed)
+        result = adjust(data, PRIOR, MODEL)
+        factors = result.angle_sigma_factors
+        squared.append(np.ones(3) if factors is None else factors**2)
+        if not expected.any():
+            equations = SolvedEquations.of(result, data, PRIOR)
+            assert equations is not None
+            linearised = equations.linearised
+            none = np.zeros(len(linearised.sums), dtype=bool)
+            expected = expected_sigma_factors(linearised, none) ** 2
+    error = np.std(squared, axis=0) / np.sqrt(len(squared))
+    assert (expected > 1.05).all()
+    assert (np.abs(np.mean(squared, axis=0) - expected) < 0.1 + 3 * error).all()
 
 
 @pytest.mark.long

@@ -81,6 +81,12 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
     return _along_beams(data, off).where(is_curved)
 
 
+def displaced_target(data: Observations, target: str, size: float) -> Observations:
+    """Move a target along the beams by ``size``, metres, on every second line."""
+    own = [s.target == target and s.line in data.lines[::2] for s in data.sightings]
+    return _along_beams(data, size * np.array(own)[data.sighting])
+
+
 def rough(data: Observations, chance: np.random.Generator) -> Observations:
     """Surfaces displaced by 4 mm (1 sigma) on each line, like grass or cloth."""
     return _along_beams(data, chance.normal(0, 0.004, len(data.sightings))[data.sighting])
