@@ -25,6 +25,8 @@ from tests.studies.natural_scenes import form_factors, natural_site, opened, stu
 
 SCENE_GOOD = 6
 """Six lines and many flat surfaces."""
+SCENE_OVERLAP = 28
+"""Six lines; two detected planes have points in common."""
 SCENE_THREE_SURFACES = 5
 """Six lines and three flat surfaces."""
 SCENE_NOT_FLAT = 7
@@ -65,6 +67,18 @@ def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None
         part = estimate(replace(one_way, targets=kept), survey, cross_check=False).result
         assert part is not None
         assert (part.sigma < 5 * result.sigma).all()
+
+
+def test_a_plane_with_points_of_a_target_is_not_proposed_for_validation() -> None:
+    """In this scene, a detected plane continues a target on all lines."""
+    site = natural_site(SCENE_OVERLAP)
+    project, survey = opened(site, np.random.default_rng([35, SCENE_OVERLAP]).normal(0, 1.0, 3))
+    proposal = propose_targets(project, survey)
+    roles = [target.role for target in proposal.targets]
+    assert roles == ["target"] * 3 + ["validation"] * 2
+    for target, plane in product(proposal.targets[:3], proposal.targets[3:]):
+        for one, other in product(target.sightings, plane.sightings):
+            assert one.line != other.line or not np.isin(one.indices, other.indices).any()
 
 
 def test_missing_validation_planes_are_reported() -> None:
