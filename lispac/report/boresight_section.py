@@ -12,8 +12,8 @@ from lispac.present.adjustment import (
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
 from lispac.present.displacement import DISPLACEMENTS_TABLE
 from lispac.present.parameters import PARAMETERS_TABLE
+from lispac.present.tables import Fact
 from lispac.present.text_format import (
-    UNKNOWN_TEXT,
     fixed_number,
     format_known,
     grouped_number,
@@ -81,28 +81,28 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
     return facts_table(
         gettext("Fit of the adjustment"),
         [
-            (gettext("Points"), _point_count_text(adjustment)),
-            (gettext("Iterations"), fixed_number(adjustment.iterations, 0)),
-            (gettext("Degrees of freedom"), grouped_number(adjustment.degrees_of_freedom)),
-            (gettext("Variance factor"), _variance_factor_text(content, adjustment)),
-            (gettext("Chi-square test at 95 %"), statistic),
-            ("", str(test.text)),
-            (
+            _point_count(adjustment),
+            Fact(gettext("Iterations"), adjustment.iterations),
+            Fact(gettext("Degrees of freedom"), adjustment.degrees_of_freedom),
+            Fact(gettext("Variance factor"), _variance_factor_text(content, adjustment)),
+            Fact(gettext("Chi-square test at 95 %"), statistic),
+            Fact("", str(test.text)),
+            Fact(
                 gettext("RMS before calibration"),
                 gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
             ),
-            (
+            Fact(
                 gettext("RMS after calibration"),
                 gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
             ),
-            (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_text)),
+            Fact(gettext("Model of the POS errors"), gettext(content.settings.pos_errors_text)),
         ],
     )
 
 
-def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
+def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str | None:
     if adjustment.variance_factor is None:
-        return UNKNOWN_TEXT
+        return None
     applied = any(component.applied for component in adjustment.components)
     if content.settings.pos_errors == "correlated":
         template = (
@@ -164,9 +164,10 @@ def _observability_blocks(
     return blocks
 
 
-def _point_count_text(adjustment: AdjustmentValues) -> str:
+def _point_count(adjustment: AdjustmentValues) -> Fact:
     if not adjustment.excluded_outliers:
-        return grouped_number(adjustment.points)
-    return gettext(
+        return Fact(gettext("Points"), adjustment.points)
+    text = gettext(
         EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
     )
+    return Fact(gettext("Points"), text)

@@ -1,25 +1,27 @@
 """The sections on reliability and cross-checks: whether the data agree with each other."""
 
 from collections.abc import Sequence
-from statistics import fmean as mean
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
 from lispac.present.angles import SIGMAS_TABLE
 from lispac.present.cross_checks import SUBSETS_TABLE, spread_rows, subset_rows
 from lispac.present.sightings import (
+    MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
     POS_ERRORS_TABLE,
     SIGHTING_TESTS_TABLE,
     SightingValues,
+    mean_pos_sigmas,
 )
-from lispac.present.text_format import fixed_number, millimetres, sentence_text
+from lispac.present.text_format import fixed_number, sentence_text
 from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
     UndrawnPictures,
     report_table,
+    with_rows_below,
 )
 from lispac.report.report_values import ReportContent
 
@@ -117,17 +119,10 @@ def _sighting_notes(sightings: Sequence[SightingValues]) -> list[Block]:
 def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     from lispac.report.figures import pos_error_figures_of
 
-    errors = [each.pos_error for each in sightings if each.pos_error is not None]
-    prior = [
-        *(millimetres(mean(values)) for values in zip(*(e.sigma_m for e in errors), strict=True)),
-        *(
-            fixed_number(mean(values), 4)
-            for values in zip(*(e.sigma_deg for e in errors), strict=True)
-        ),
-    ]
     return [
-        report_table(
-            POS_ERRORS_TABLE, sightings, [[gettext("Given 1 σ"), gettext("mean"), *prior]]
+        with_rows_below(
+            report_table(POS_ERRORS_TABLE, sightings),
+            report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]),
         ),
         UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),)),
     ]

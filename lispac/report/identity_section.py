@@ -2,6 +2,7 @@
 
 from lispac.identity import FIELD_LABELS, FIELD_NAMES
 from lispac.language import gettext
+from lispac.present.tables import Fact
 from lispac.report.document_blocks import SignatureLines, Table, form_table
 from lispac.report.report_values import ReportContent
 
@@ -10,7 +11,10 @@ def identity_form(content: ReportContent) -> Table:
     """Details of the survey, as a form."""
     return form_table(
         gettext("Details of the survey"),
-        [(gettext(FIELD_LABELS[name]), getattr(content.identity, name)) for name in FIELD_NAMES],
+        [
+            Fact(gettext(FIELD_LABELS[name]), getattr(content.identity, name))
+            for name in FIELD_NAMES
+        ],
     )
 
 
