@@ -1,8 +1,12 @@
-"""The section on the boresight: fit, other estimated values, observability, displacements."""
+"""The sections on the boresight, and on its values for other programs.
+
+The first has the fit, other estimated values, observability, displacements and the error budget.
+"""
 
 from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.adjustment.result import ANGLES
-from lispac.language import N_, Plural, gettext
+from lispac.language import N_, Plural, gettext, gettext_lazy
+from lispac.message_texts import message_text
 from lispac.present.adjustment import (
     SIGMAS_WITHOUT_LINE_TABLE,
     AdjustmentValues,
@@ -10,7 +14,15 @@ from lispac.present.adjustment import (
     sigma_without_line_rows,
 )
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
+from lispac.present.conventions import (
+    ConventionValues,
+    ScannerToBodyMatrix,
+    angles_table,
+    convention_facts,
+    matrix_table,
+)
 from lispac.present.displacement import DISPLACEMENTS_TABLE
+from lispac.present.error_budget import ErrorBudgetValues, budget_table
 from lispac.present.parameters import PARAMETERS_TABLE
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
@@ -20,7 +32,6 @@ from lispac.present.text_format import (
     sentence_text,
     shortest_number,
 )
-from lispac.report.budget_section import budget_blocks
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -171,3 +182,54 @@ def _point_count(adjustment: AdjustmentValues) -> Fact:
         EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
     )
     return Fact(gettext("Points"), text)
+
+
+def budget_blocks(budget: ErrorBudgetValues) -> list[Block]:
+    """A table for each direction of the beam, and the assumptions."""
+    return [
+        *(report_table(*budget_table(budget, beam)) for beam in budget.beams),
+        Paragraph(gettext("Assumptions of the error budget:")),
+        Bullets(tuple(map(message_text, budget.messages))),
+    ]
+
+
+def convention_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the boresight and lever arm in the conventions of other programs."""
+    blocks: list[Block] = []
+    if content.in_convention is not None:
+        blocks += _convention_tables(content.in_convention)
+    if content.matrix is not None:
+        blocks += _matrix_tables(content.matrix)
+    return blocks
+
+
+def _convention_tables(convention: ConventionValues) -> list[Block]:
+    # Some names of programs contain translated words.
+    program = gettext(convention.name)
+    blocks: list[Block] = []
+    if convention.angles:
+        title = gettext_lazy(
+            "Boresight for {program}: convention {status}",
+            program=program, status=convention.status_text,
+        )  # fmt: skip
+        blocks.append(report_table(angles_table(convention, title), convention.angles))
+    blocks.append(
+        facts_table(
+            gettext("Convention of {program}", program=program), convention_facts(convention)
+        )
+    )
+    return [*blocks, *(Paragraph(sentence_text(each)) for each in convention.notes)]
+
+
+def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:
+    x, y, z = matrix.body_axes
+    return [
+        report_table(matrix_table(matrix.name), matrix.transform),
+        Paragraph(
+            gettext(
+                "Rows 1 to 3: body axes X {x}, Y {y}, Z {z}. Row 4: constant last row of a 4x4 "
+                "transformation matrix. The first three rows and columns are the 3x3 rotation.",
+                x=x, y=y, z=z,
+            )
+        ),
+    ]  # fmt: skip
