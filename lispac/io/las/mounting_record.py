@@ -31,7 +31,18 @@ Triple = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class RecordContent:
-    """Content of the record, as JSON; ``origin_deg_m`` has latitude, longitude and height."""
+    """Content of the record, as JSON.
+
+    Attributes
+    ----------
+    version, program : of the content, and that wrote it
+    lever_arm_m : three numbers, metres, body frame (forward, port, up)
+    boresight_deg : three numbers, degrees
+    axes : three rows of three numbers, or None
+    range_offset_m, scan_angle_offset_deg, latency_s : metres, degrees, seconds
+    origin_deg_m : latitude and longitude in degrees and height in metres, or None
+        Origin of the local frame; None if the coordinates are in a coordinate system.
+    """
 
     version: int
     program: str
