@@ -5,7 +5,7 @@ The first has the fit, other estimated values, observability, displacements and 
 
 from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.adjustment.result import ANGLES
-from lispac.language import N_, Plural, gettext, gettext_lazy
+from lispac.language import gettext, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.present.adjustment import (
     SIGMAS_WITHOUT_LINE_TABLE,
@@ -13,6 +13,7 @@ from lispac.present.adjustment import (
     ObservabilityValues,
     sigma_without_line_rows,
 )
+from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
 from lispac.present.conventions import (
     ConventionValues,
@@ -24,9 +25,7 @@ from lispac.present.conventions import (
 from lispac.present.displacement import DISPLACEMENTS_TABLE
 from lispac.present.error_budget import ErrorBudgetValues, budget_table
 from lispac.present.parameters import PARAMETERS_TABLE
-from lispac.present.tables import Fact
 from lispac.present.text_format import (
-    fixed_number,
     format_known,
     grouped_number,
     sentence_text,
@@ -36,28 +35,11 @@ from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
-    Table,
     UndrawnPictures,
     facts_table,
     report_table,
 )
 from lispac.report.report_values import ReportContent
-
-VARIANCE_FACTOR_TEXT = N_("{factor}, computed with the given sigmas")
-VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components"
-)
-VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
-)
-VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components, "
-    "without the LiDAR noise estimated from the residuals"
-)
-EXCLUDED_OUTLIERS_TEXT = Plural(
-    "{points:n}; {count:n} outlier excluded from the averages",
-    "{points:n}; {count:n} outliers excluded from the averages",
-)
 
 
 def boresight_blocks(content: ReportContent) -> list[Block]:
@@ -65,7 +47,7 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     adjustment = content.adjustment
     if adjustment is None:
         return [Paragraph(gettext("No boresight has been estimated yet."))]
-    blocks: list[Block] = [_fit_table(content, adjustment)]
+    blocks: list[Block] = [facts_table(gettext(FIT_TITLE), fit_facts(adjustment))]
     if adjustment.parameters:
         blocks += _parameter_blocks(adjustment)
     blocks += _correlation_blocks(adjustment)
@@ -75,55 +57,6 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
     return blocks
-
-
-def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
-    test = adjustment.chi_square
-    statistic = grouped_number(test.statistic, 1)
-    if test.lower is None or test.upper is None:
-        statistic = gettext("test statistic {statistic}", statistic=statistic)
-    else:
-        statistic = gettext(
-            "test statistic {statistic}, bounds {lower} to {upper}",
-            statistic=statistic,
-            lower=grouped_number(test.lower, 1),
-            upper=grouped_number(test.upper, 1),
-        )
-    return facts_table(
-        gettext("Fit of the adjustment"),
-        [
-            _point_count(adjustment),
-            Fact(gettext("Iterations"), adjustment.iterations),
-            Fact(gettext("Degrees of freedom"), adjustment.degrees_of_freedom),
-            Fact(gettext("Variance factor"), _variance_factor_text(content, adjustment)),
-            Fact(gettext("Chi-square test at 95 %"), statistic),
-            Fact("", str(test.text)),
-            Fact(
-                gettext("RMS before calibration"),
-                gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
-            ),
-            Fact(
-                gettext("RMS after calibration"),
-                gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
-            ),
-            Fact(gettext("Model of the POS errors"), gettext(content.settings.pos_errors_text)),
-        ],
-    )
-
-
-def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str | None:
-    if adjustment.variance_factor is None:
-        return None
-    applied = any(component.applied for component in adjustment.components)
-    if content.settings.pos_errors == "correlated":
-        template = (
-            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT
-            if applied
-            else VARIANCE_FACTOR_BEFORE_NOISE_TEXT
-        )
-    else:
-        template = VARIANCE_FACTOR_COMPONENTS_TEXT if applied else VARIANCE_FACTOR_TEXT
-    return gettext(template, factor=fixed_number(adjustment.variance_factor, 4))
 
 
 def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
@@ -173,15 +106,6 @@ def _observability_blocks(
     if observability.sigma_without_line_deg:
         blocks.append(report_table(SIGMAS_WITHOUT_LINE_TABLE, sigma_without_line_rows(adjustment)))
     return blocks
-
-
-def _point_count(adjustment: AdjustmentValues) -> Fact:
-    if not adjustment.excluded_outliers:
-        return Fact(gettext("Points"), adjustment.points)
-    text = gettext(
-        EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
-    )
-    return Fact(gettext("Points"), text)
 
 
 def budget_blocks(budget: ErrorBudgetValues) -> list[Block]:
