@@ -576,6 +576,72 @@ PAIR_PLANES_TABLE = Table[PairOnPlane](
 )  # fmt: skip
 
 
+def _lines_text(pair: PairValues) -> str:
+    return f"{pair.line_a}{' ⇄ ' if pair.reciprocal else ' / '}{pair.line_b}"
+
+
+WINDOW_PAIRS_TABLE = Table[PairValues](
+    N_("Pairs of lines before and after"),
+    (
+        Column(
+            _lines_text, N_("Lines"), tip=N_("The two lines; ⇄: surveyed in opposite directions")
+        ),
+        Column(
+            "after.distances.n", N_("Points"), COUNT,
+            N_(
+                "Number of distances from the first line to the second and from the second to the "
+                "first"
+            ),
+        ),
+        Column(
+            "before.distances.rms_m", N_("RMS before"), MILLIMETRES,
+            N_("RMS of the distances between the lines before the calibration"),
+        ),
+        Column(
+            "after.distances.rms_m", N_("RMS after"), MILLIMETRES,
+            N_("RMS of the distances between the lines after the calibration"),
+        ),
+        Column(
+            "before.signed.median_m", N_("Offset before"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) before "
+                "the calibration, positive towards the vessel"
+            ),
+        ),
+        Column(
+            "after.signed.median_m", N_("Offset after"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) after "
+                "the calibration, positive towards the vessel"
+            ),
+        ),
+        Column(
+            "before.planes.offset_m", N_("Plane offset before calibration"), MILLIMETRES.signed,
+            N_(
+                "Distance between the planes fitted to the first and the second line before the "
+                "calibration; positive if the first is nearer to the vessel"
+            ),
+        ),
+        Column(
+            "after.planes.offset_m", N_("Plane offset after calibration"), MILLIMETRES.signed,
+            N_(
+                "Distance between the planes fitted to the first and the second line after the "
+                "calibration; positive if the first is nearer to the vessel"
+            ),
+        ),
+        Column(
+            "before.planes.angle_deg", N_("Tilt before calibration"), ROTATION_FORMAT,
+            N_("Angle between the planes fitted to the two lines before the calibration"),
+        ),
+        Column(
+            "after.planes.angle_deg", N_("Tilt after calibration"), ROTATION_FORMAT,
+            N_("Angle between the planes fitted to the two lines after the calibration"),
+        ),
+    ),
+)  # fmt: skip
+"""Table of the window with all pairs of lines on a plane; the report has the tables above."""
+
+
 def swath_overlap_table(planes: int) -> Table[SwathDifference]:
     """Table of the swath overlap differences.
 
