@@ -233,11 +233,6 @@ def join_names(names: Sequence[str], *, choice: bool = False) -> str:
     return format_list(list(names), style="or" if choice else "standard", locale=locale)
 
 
-def number_with_noun(number: int, what: str) -> str:
-    """A number with its noun: ``1 target``, ``2,202 points``."""
-    return f"{number:,} {what}" if number == 1 else f"{number:,} {what}s"
-
-
 def capitalised(text: str) -> str:
     """Text with the first letter in upper case and all others unchanged."""
     return text[:1].upper() + text[1:]

@@ -180,6 +180,8 @@ def decode_value(content: Any, kind: type[Value]) -> Value:
     """
     from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
 
+    if is_dataclass(kind) and not isinstance(content, dict):
+        raise InvalidContentError(error("content.wrong_form", part=_type_name(kind)))
     try:
         return _make_converter().structure(content, kind)
     except (BaseValidationError, ForbiddenExtraKeysError, InvalidContentError) as failure:

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from lispac.present.tables import Row, Table
+    from lispac.present.tables import Fact, Row, Table
     from lispac.progress import Step
     from lispac.project import Project
 
@@ -119,14 +119,14 @@ def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:
     print()
 
 
-def print_facts(title: str, facts: "Sequence[tuple[str, str]]") -> None:
+def print_facts(title: str, facts: "Sequence[Fact]") -> None:
     """Print names and values below a title: one in each row, and a blank line."""
     from lispac.language import to_plain_text
 
     print(title)
-    width = max(len(name) for name, _ in facts)
-    for name, value in facts:
-        label = f"  {name:{width}s}  "
-        text = f"{label}{to_plain_text(value)}"
+    width = max(len(fact.name) for fact in facts)
+    for fact in facts:
+        label = f"  {fact.name:{width}s}  "
+        text = f"{label}{to_plain_text(fact.text)}"
         print(textwrap.fill(text, TEXT_WIDTH, subsequent_indent=" " * len(label)))
     print()

@@ -5,8 +5,8 @@ this format, reading options, and functions that read it. The import dialog, the
 the tests obtain the formats from the list in `lispac.io.formats` only.
 """
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -81,6 +81,10 @@ class FilePreview:
     def __post_init__(self) -> None:
         if self.choice is None:
             object.__setattr__(self, "choice", {})
+
+    def with_messages(self, messages: Iterable[Message]) -> "FilePreview":
+        """Preview with further messages about the content of the file, each only once."""
+        return replace(self, messages=tuple(dict.fromkeys((*self.messages, *messages))))
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,14 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, FileFormat, Kind
-from lispac.io.points.point_formats import POINT_FORMATS
+from lispac.io.las.las_chunks import LAS_FORMAT
+from lispac.io.points.e57 import E57_FORMAT
+from lispac.io.points.pcd import PCD_FORMAT
+from lispac.io.points.ply import PLY_FORMAT
+from lispac.io.text.plane_points import PLANE_FORMAT
+from lispac.io.text.target_points import TARGET_FORMAT
+from lispac.io.text.text_chunks import TEXT_FORMAT
+from lispac.io.trajectory.cidco import CIDCO_FORMAT
 from lispac.io.trajectory.trajectory_formats import (
     ASCII_FORMAT,
     CIDCO_ACCURACY_FORMAT,
@@ -18,6 +25,16 @@ from lispac.io.trajectory.trajectory_formats import (
 )
 from lispac.messages import error
 
+POINT_FORMATS: tuple[FileFormat, ...] = (
+    LAS_FORMAT,
+    E57_FORMAT,
+    PLY_FORMAT,
+    PCD_FORMAT,
+    CIDCO_FORMAT,
+    PLANE_FORMAT,
+    TARGET_FORMAT,
+    TEXT_FORMAT,
+)
 TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
     SBET_FORMAT,
     EXAIL_FORMAT,

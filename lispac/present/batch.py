@@ -4,11 +4,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from lispac.adjustment.result import ANGLES
 from lispac.former_names import accept_script_names
+from lispac.message_texts import english_text
 from lispac.messages import Message
 from lispac.present.angles import Angles
 from lispac.present.calibrations import ESTIMATE_COLUMNS
-from lispac.present.tables import MILLIMETRES, Column, Table, ratio
+from lispac.present.tables import MILLIMETRES, YES_NO_TEXTS, Column, Table, ratio
 
 Verdict = Literal["good", "notes", "warnings", "refused"]
 
@@ -63,3 +65,21 @@ BATCH_TABLE = Table[BatchRow](
         Column("verdict", "Verdict"),
     ),
 )
+BATCH_CSV = Table[BatchRow](
+    "batch",
+    (
+        Column("folder", "folder"),
+        Column("name", "project"),
+        Column("vessel", "vessel"),
+        Column("dates", "dates"),
+        Column("verdict", "verdict"),
+        *(Column(f"boresight_deg.{name}", f"{name}_deg") for name in ANGLES),
+        *(Column(f"sigma_deg.{name}", f"sigma_{name}_deg") for name in ANGLES),
+        Column("sigma_0", "sigma_0"),
+        Column("chi_square_passed", "chi_square_passed", texts=YES_NO_TEXTS),
+        Column("rms_before_m", "rms_before_m"),
+        Column("rms_after_m", "rms_after_m"),
+        Column(lambda row: " | ".join(map(english_text, row.messages)), "messages"),
+    ),
+)
+"""Table of all projects as CSV with full precision; the titles are keys."""

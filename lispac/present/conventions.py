@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.language import N_, LazyText, capitalised, gettext, gettext_lazy, in_english
 from lispac.messages import Message
 from lispac.present.angles import matrix as matrix_rows
-from lispac.present.tables import DEGREES, Column, Format, Table
+from lispac.present.tables import DEGREES, Column, Fact, Format, Table
 from lispac.present.text_format import MINUS_SIGN, signed_number, with_unit
 from lispac.project import Project
 from lispac.survey.conventions.conversion import (
@@ -340,29 +340,29 @@ def angles_table(
     )
 
 
-def convention_facts(values: ConventionRules) -> list[tuple[str, str]]:
+def convention_facts(values: ConventionRules) -> list[Fact]:
     """Rules of a convention, and the lever arm, as names and texts in the language in use."""
     source = gettext("{status}; source: {source}", status=values.status_text, source=values.source)
-    facts = [(gettext("Verification of the convention"), source)]
+    facts = [Fact(gettext("Verification of the convention"), source)]
     if values.assumption is not None:
-        facts.append((gettext("Assumption"), str(values.assumption)))
+        facts.append(Fact(gettext("Assumption"), str(values.assumption)))
     facts += rotation_facts(values)
     if isinstance(values, ConventionValues) and values.lever_arm_m is not None:
         text = gettext(
             "{lever_arm}, from the POS centre to the LiDAR optical centre",
             lever_arm=lever_arm_text(values, values.lever_arm_m),
         )
-        facts.append((gettext("Lever arm"), text))
+        facts.append(Fact(gettext("Lever arm"), text))
     return facts
 
 
-def rotation_facts(values: ConventionRules) -> list[tuple[str, str]]:
+def rotation_facts(values: ConventionRules) -> list[Fact]:
     """Formula and axes of a convention, as names and texts in the language in use."""
     x, y, z = values.body_axes
     return [
-        (gettext("Rotation"), rotation_text(values)),
-        (gettext("Body axes"), gettext("X {x}, Y {y}, Z {z}", x=x, y=y, z=z)),
-        (gettext("Scanner axes"), str(values.scanner_text)),
+        Fact(gettext("Rotation"), rotation_text(values)),
+        Fact(gettext("Body axes"), gettext("X {x}, Y {y}, Z {z}", x=x, y=y, z=z)),
+        Fact(gettext("Scanner axes"), str(values.scanner_text)),
     ]
 
 

@@ -10,11 +10,12 @@ from operator import itemgetter
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lispac.adjustment.result import ANGLES
 from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.objective import CRITERION_TEXTS, Criterion
 from lispac.design.plan import Plan
-from lispac.design.plan_search import DesignResult, InformationGain
-from lispac.design.prediction import Prediction
+from lispac.design.plan_search import DesignResult, InformationGain, ReductionStep
+from lispac.design.prediction import Prediction, predict
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.design.site import Wall
 from lispac.language import N_, LazyText, gettext
@@ -32,6 +33,8 @@ from lispac.present.survey_plan import PlannedLine, PlannedTarget, planned_lines
 from lispac.present.tables import COUNT, DEGREES, Column, Format, Row, Table, ratio
 
 NOT_DETERMINED_TEXT = N_("not determined")
+KEYED_DEGREES = Format("", 6)
+"""Format of degrees in CSV."""
 
 
 def known_degrees(sigma: ArrayLike) -> Angles | None:
@@ -188,6 +191,12 @@ class ShorterPlan:
     targets: tuple[str, ...]
     lines: int
 
+    @classmethod
+    def of(cls, step: ReductionStep) -> "ShorterPlan":
+        """Values of a plan of the search."""
+        names = tuple(target.name for target in step.plan.targets)
+        return cls(step.minutes, float(np.degrees(step.value)), names, len(step.plan.lines))
+
 
 @dataclass(frozen=True)
 class DesignValues:
@@ -218,13 +227,7 @@ class DesignValues:
             targets=tuple(planned_targets(found.plan, wall)),
             lines=tuple(planned_lines(found.plan, wall)),
             without_deg={each.name: each.without_deg for each in gain_rows(found.gains, None)},
-            pareto_front=tuple(
-                ShorterPlan(
-                    step.minutes, float(np.degrees(step.value)),
-                    tuple(target.name for target in step.plan.targets), len(step.plan.lines),
-                )
-                for step in found.front
-            ),
+            pareto_front=tuple(map(ShorterPlan.of, found.front)),
         )  # fmt: skip
 
 
@@ -237,6 +240,32 @@ SHORTER_PLANS_TABLE = Table[ShorterPlan](
         Column("lines", N_("Lines"), COUNT),
     ),
 )
+
+
+@dataclass(frozen=True)
+class ShorterPlanPrecision:
+    """A shorter plan with its predicted standard deviations."""
+
+    plan: ShorterPlan
+    sigma_deg: Angles | None
+
+    @classmethod
+    def of(cls, step: ReductionStep) -> "ShorterPlanPrecision":
+        """Predict the standard deviations of a plan of the search."""
+        return cls(ShorterPlan.of(step), known_degrees(predict(step.plan).sigma))
+
+
+FRONT_CSV = Table[ShorterPlanPrecision](
+    "front.csv",
+    (
+        Column("plan.minutes", "minutes", Format("", 1)),
+        Column("plan.value_deg", "value_deg", KEYED_DEGREES),
+        *(Column(f"sigma_deg.{name}", f"{name}_deg", KEYED_DEGREES) for name in ANGLES),
+        Column(lambda row: " ".join(row.plan.targets), "targets"),
+        Column("plan.lines", "lines", COUNT),
+    ),
+)
+"""Table of the shorter plans as CSV; the titles are keys."""
 
 
 def with_objective(table: Table[Row], criterion: Criterion) -> Table[Row]:
@@ -284,6 +313,18 @@ SCENARIOS_TABLE = Table[ScenarioValues](
         Column("points", N_("Points"), COUNT),
     ),
 )  # fmt: skip
+
+SCENARIOS_CSV = Table[ScenarioValues](
+    "scenarios.csv",
+    (
+        Column("scenario", "scenario"),
+        Column("case", "case"),
+        Column("pos_errors", "pos_errors"),
+        *(Column(f"sigma_deg.{name}", f"{name}_deg", KEYED_DEGREES) for name in ANGLES),
+        Column("points", "points", COUNT),
+    ),
+)
+"""Table of all cases as CSV; the titles are keys."""
 
 
 # -- simulated surveys, and comparison with a survey -----------------------------------------------

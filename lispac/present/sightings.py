@@ -4,8 +4,10 @@ Field names are the keys of ``sightings`` in JSON, with the unit of their values
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import itemgetter
+from statistics import fmean
 from typing import Literal
 
 import numpy as np
@@ -21,7 +23,7 @@ from lispac.adjustment.result import (
     SightingReliability,
     SightingResidual,
 )
-from lispac.language import N_, gettext_lazy
+from lispac.language import N_, gettext, gettext_lazy
 from lispac.present.angles import Angles, degrees, finite_or_none, floats
 from lispac.present.tables import (
     COUNT,
@@ -299,6 +301,13 @@ def _pos_error_component(k: int) -> Callable[[SightingValues], float | None]:
     return component
 
 
+def mean_pos_sigmas(sightings: Sequence[SightingValues]) -> tuple[float, ...]:
+    """Mean prior sigma of each component of the POS error, in metres and degrees."""
+    errors = [each.pos_error for each in sightings if each.pos_error is not None]
+    components = zip(*((*each.sigma_m, *each.sigma_deg) for each in errors), strict=True)
+    return tuple(map(fmean, components))
+
+
 POS_ERRORS_TABLE = Table[SightingValues](
     N_("Estimated POS error at the middle of each sighting"),
     (
@@ -310,3 +319,15 @@ POS_ERRORS_TABLE = Table[SightingValues](
         ),
     ),
 )
+MEAN_POS_SIGMAS_TABLE = Table[tuple[float, ...]](
+    "",
+    (
+        Column(lambda sigmas: gettext("Given 1 σ"), ""),
+        Column(lambda sigmas: gettext("mean"), ""),
+        *(
+            Column[tuple[float, ...]](itemgetter(k), name, MILLIMETRES if k < 3 else DEGREES)
+            for k, name in enumerate(POS_COMPONENT_TITLES)
+        ),
+    ),
+)
+"""Row of `mean_pos_sigmas` below `POS_ERRORS_TABLE`."""

@@ -62,6 +62,14 @@ class Format:
             return fixed_number(shown, self.decimals, sign=self.is_signed)
         return grouped_number(shown, self.decimals)
 
+    def plain_text(self, value: float) -> str:
+        """The number as Python writes it, rounded as in `text`, without unit and plus-minus."""
+        shown = self.factor * value
+        if not float(f"{shown:.{self.decimals}f}"):
+            shown = 0.0
+        sign = "+" if self.is_signed and not self.is_half_interval else ""
+        return f"{shown:{sign}.{self.decimals}f}"
+
 
 COUNT = Format()
 MILLIMETRES = Format("mm", 1, 1e3)
@@ -170,6 +178,29 @@ class Table(Generic[Row]):
     columns: tuple[Column[Row], ...]
 
 
+@dataclass(frozen=True)
+class Fact:
+    """Name of a value and the value: a text, a number with its format, or None if unknown."""
+
+    name: str
+    value: str | float | None
+    format: Format = COUNT
+
+    @property
+    def text(self) -> str:
+        """The value in the language in use."""
+        if self.value is None:
+            return UNKNOWN_TEXT
+        return self.value if isinstance(self.value, str) else self.format.text(self.value)
+
+    @property
+    def plain_text(self) -> str:
+        """The value for other programs: a number as Python writes it, empty if unknown."""
+        if self.value is None:
+            return ""
+        return self.value if isinstance(self.value, str) else self.format.plain_text(self.value)
+
+
 def title_text(title: str | LazyText) -> str:
     """Title of a table or a column, or a tooltip, in the language in use."""
     return str(title) if isinstance(title, LazyText) or not title else gettext(title)
@@ -199,6 +230,22 @@ def cell_text(column: Column[Row], row: Row) -> str:
     if sigma is None:
         return text
     return gettext("{error} (σ {sigma})", error=text, sigma=form.text(sigma))
+
+
+def plain_cell_text(column: Column[Row], row: Row) -> str:
+    """Text of a cell for other programs: numbers as Python writes them, empty if unknown."""
+    value, form = column.value_of(row), column.format_of(row)
+    if value is None:
+        return gettext(column.unknown) if column.unknown else ""
+    if form is None:
+        return str(value)
+    text = form.plain_text(value)
+    if column.has_unit_in_cells:
+        text = with_unit(text, form.unit)
+    if column.half_interval is not None:
+        return f"{text} \u00b1 {form.half_interval.plain_text(_part_of(row, column.half_interval))}"
+    sigma = column.sigma_of(row)
+    return text if sigma is None else f"{text} (\u03c3 {form.plain_text(sigma)})"
 
 
 def _part_of(row: Any, path: str | Callable[[Any], Any]) -> Any:

@@ -1,9 +1,10 @@
 """Distances between the lines on validation planes, as values and tables."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, sqrt
-from typing import Any
+from operator import itemgetter
+from typing import Any, Literal
 
 import numpy as np
 
@@ -188,6 +189,113 @@ class DistanceMapValues:
         """Values of a map of distances."""
         figures = (values.across, values.up, values.before, values.after)
         return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
+
+
+BIN_EDGE = Format("", 4, 1e3, is_grouped=False)
+STEP_EDGE = Format("", 3, is_grouped=False)
+STEP_DISTANCE = Format("", 3, 1e3, is_grouped=False)
+CELL_DISTANCE = Format("", 2, 1e3, is_grouped=False)
+
+
+@dataclass(frozen=True)
+class HistogramBin:
+    """Bin of a histogram of distances; ``to_m`` is None for the last one, which has no end."""
+
+    from_m: float
+    to_m: float | None
+    before: int
+    after: int
+
+
+def histogram_bins(
+    edges_m: Sequence[float], before: Sequence[int], after: Sequence[int]
+) -> list[HistogramBin]:
+    """Bins of a histogram from its edges and the numbers of points in each bin."""
+    ends = [*edges_m[1:-1], None]
+    return [
+        HistogramBin(*each) for each in zip(edges_m[:-1], ends, before, after, strict=True)
+    ]  # fmt: skip
+
+
+HISTOGRAM_TABLE = Table[HistogramBin](
+    "",
+    (
+        Column("from_m", N_("From (mm)"), BIN_EDGE),
+        Column("to_m", N_("To (mm)"), BIN_EDGE, unknown=N_("and beyond")),
+        Column("before", N_("Points before calibration"), COUNT),
+        Column("after", N_("Points after calibration"), COUNT),
+    ),
+)
+"""Table of a histogram, for spreadsheets."""
+
+
+@dataclass(frozen=True)
+class DistanceStep:
+    """Distances in one interval of height or range, as in `DistancesBySteps`."""
+
+    quantity: Literal["height", "range"]
+    from_m: float
+    to_m: float
+    n: int
+    median_before_m: float | None
+    median_after_m: float | None
+    p95_before_m: float | None
+    p95_after_m: float | None
+
+
+def distance_steps(
+    quantity: Literal["height", "range"], profile: DistancesBySteps | None
+) -> list[DistanceStep]:
+    """Intervals of a profile by height or range; none if it is unknown."""
+    if profile is None:
+        return []
+    columns = (
+        profile.edges_m[:-1], profile.edges_m[1:], profile.n, profile.median_before_m,
+        profile.median_after_m, profile.p95_before_m, profile.p95_after_m,
+    )  # fmt: skip
+    return [DistanceStep(quantity, *each) for each in zip(*columns, strict=True)]
+
+
+DISTANCE_STEPS_TABLE = Table[DistanceStep](
+    "",
+    (
+        Column("from_m", N_("From (m)"), STEP_EDGE),
+        Column("to_m", N_("To (m)"), STEP_EDGE),
+        Column("n", N_("Distances"), COUNT),
+        Column("median_before_m", N_("Median before (mm)"), STEP_DISTANCE),
+        Column("median_after_m", N_("Median after (mm)"), STEP_DISTANCE),
+        Column("p95_before_m", N_("95 % before (mm)"), STEP_DISTANCE),
+        Column("p95_after_m", N_("95 % after (mm)"), STEP_DISTANCE),
+    ),
+)
+"""Table of a profile by height or range, for spreadsheets."""
+BOTH_PROFILES_TABLE = replace(
+    DISTANCE_STEPS_TABLE,
+    columns=(
+        Column(
+            "quantity", N_("Quantity"), texts={"height": N_("Height"), "range": N_("Range")}
+        ),
+        *DISTANCE_STEPS_TABLE.columns,
+    ),
+)  # fmt: skip
+
+MAP_CELLS_TABLE = Table[tuple[float, ...]](
+    "",
+    (
+        Column(itemgetter(0), N_("Horizontal (m)"), STEP_EDGE),
+        Column(itemgetter(1), N_("Up (m)"), STEP_EDGE),
+        Column(itemgetter(2), N_("Before (mm)"), CELL_DISTANCE),
+        Column(itemgetter(3), N_("After (mm)"), CELL_DISTANCE),
+    ),
+)
+"""Table of the cells of a map of distances, for spreadsheets."""
+
+
+def map_cells(values: DistanceMapValues) -> list[tuple[float, ...]]:
+    """Place and distances of each cell of a map."""
+    return list(
+        zip(values.across_m, values.up_m, values.before_m, values.after_m, strict=True)
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -466,6 +574,72 @@ PAIR_PLANES_TABLE = Table[PairOnPlane](
         ),
     ),
 )  # fmt: skip
+
+
+def _lines_text(pair: PairValues) -> str:
+    return f"{pair.line_a}{' ⇄ ' if pair.reciprocal else ' / '}{pair.line_b}"
+
+
+WINDOW_PAIRS_TABLE = Table[PairValues](
+    N_("Pairs of lines before and after"),
+    (
+        Column(
+            _lines_text, N_("Lines"), tip=N_("The two lines; ⇄: surveyed in opposite directions")
+        ),
+        Column(
+            "after.distances.n", N_("Points"), COUNT,
+            N_(
+                "Number of distances from the first line to the second and from the second to the "
+                "first"
+            ),
+        ),
+        Column(
+            "before.distances.rms_m", N_("RMS before"), MILLIMETRES,
+            N_("RMS of the distances between the lines before the calibration"),
+        ),
+        Column(
+            "after.distances.rms_m", N_("RMS after"), MILLIMETRES,
+            N_("RMS of the distances between the lines after the calibration"),
+        ),
+        Column(
+            "before.signed.median_m", N_("Offset before"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) before "
+                "the calibration, positive towards the vessel"
+            ),
+        ),
+        Column(
+            "after.signed.median_m", N_("Offset after"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) after "
+                "the calibration, positive towards the vessel"
+            ),
+        ),
+        Column(
+            "before.planes.offset_m", N_("Plane offset before calibration"), MILLIMETRES.signed,
+            N_(
+                "Distance between the planes fitted to the first and the second line before the "
+                "calibration; positive if the first is nearer to the vessel"
+            ),
+        ),
+        Column(
+            "after.planes.offset_m", N_("Plane offset after calibration"), MILLIMETRES.signed,
+            N_(
+                "Distance between the planes fitted to the first and the second line after the "
+                "calibration; positive if the first is nearer to the vessel"
+            ),
+        ),
+        Column(
+            "before.planes.angle_deg", N_("Tilt before calibration"), ROTATION_FORMAT,
+            N_("Angle between the planes fitted to the two lines before the calibration"),
+        ),
+        Column(
+            "after.planes.angle_deg", N_("Tilt after calibration"), ROTATION_FORMAT,
+            N_("Angle between the planes fitted to the two lines after the calibration"),
+        ),
+    ),
+)  # fmt: skip
+"""Table of the window with all pairs of lines on a plane; the report has the tables above."""
 
 
 def swath_overlap_table(planes: int) -> Table[SwathDifference]:

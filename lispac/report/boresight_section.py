@@ -1,52 +1,45 @@
-"""The section on the boresight: fit, other estimated values, observability, displacements."""
+"""The sections on the boresight, and on its values for other programs.
+
+The first has the fit, other estimated values, observability, displacements and the error budget.
+"""
 
 from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.adjustment.result import ANGLES
-from lispac.language import N_, Plural, gettext
+from lispac.language import gettext, gettext_lazy
+from lispac.message_texts import message_text
 from lispac.present.adjustment import (
     SIGMAS_WITHOUT_LINE_TABLE,
     AdjustmentValues,
     ObservabilityValues,
     sigma_without_line_rows,
 )
+from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
+from lispac.present.conventions import (
+    ConventionValues,
+    ScannerToBodyMatrix,
+    angles_table,
+    convention_facts,
+    matrix_table,
+)
 from lispac.present.displacement import DISPLACEMENTS_TABLE
+from lispac.present.error_budget import ErrorBudgetValues, budget_table
 from lispac.present.parameters import PARAMETERS_TABLE
 from lispac.present.text_format import (
-    UNKNOWN_TEXT,
-    fixed_number,
     format_known,
     grouped_number,
     sentence_text,
     shortest_number,
 )
-from lispac.report.budget_section import budget_blocks
 from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
-    Table,
     UndrawnPictures,
     facts_table,
     report_table,
 )
 from lispac.report.report_values import ReportContent
-
-VARIANCE_FACTOR_TEXT = N_("{factor}, computed with the given sigmas")
-VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components"
-)
-VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
-)
-VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components, "
-    "without the LiDAR noise estimated from the residuals"
-)
-EXCLUDED_OUTLIERS_TEXT = Plural(
-    "{points:n}; {count:n} outlier excluded from the averages",
-    "{points:n}; {count:n} outliers excluded from the averages",
-)
 
 
 def boresight_blocks(content: ReportContent) -> list[Block]:
@@ -54,7 +47,7 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     adjustment = content.adjustment
     if adjustment is None:
         return [Paragraph(gettext("No boresight has been estimated yet."))]
-    blocks: list[Block] = [_fit_table(content, adjustment)]
+    blocks: list[Block] = [facts_table(gettext(FIT_TITLE), fit_facts(adjustment))]
     if adjustment.parameters:
         blocks += _parameter_blocks(adjustment)
     blocks += _correlation_blocks(adjustment)
@@ -64,55 +57,6 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
     return blocks
-
-
-def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
-    test = adjustment.chi_square
-    statistic = grouped_number(test.statistic, 1)
-    if test.lower is None or test.upper is None:
-        statistic = gettext("test statistic {statistic}", statistic=statistic)
-    else:
-        statistic = gettext(
-            "test statistic {statistic}, bounds {lower} to {upper}",
-            statistic=statistic,
-            lower=grouped_number(test.lower, 1),
-            upper=grouped_number(test.upper, 1),
-        )
-    return facts_table(
-        gettext("Fit of the adjustment"),
-        [
-            (gettext("Points"), _point_count_text(adjustment)),
-            (gettext("Iterations"), fixed_number(adjustment.iterations, 0)),
-            (gettext("Degrees of freedom"), grouped_number(adjustment.degrees_of_freedom)),
-            (gettext("Variance factor"), _variance_factor_text(content, adjustment)),
-            (gettext("Chi-square test at 95 %"), statistic),
-            ("", str(test.text)),
-            (
-                gettext("RMS before calibration"),
-                gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
-            ),
-            (
-                gettext("RMS after calibration"),
-                gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
-            ),
-            (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_text)),
-        ],
-    )
-
-
-def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
-    if adjustment.variance_factor is None:
-        return UNKNOWN_TEXT
-    applied = any(component.applied for component in adjustment.components)
-    if content.settings.pos_errors == "correlated":
-        template = (
-            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT
-            if applied
-            else VARIANCE_FACTOR_BEFORE_NOISE_TEXT
-        )
-    else:
-        template = VARIANCE_FACTOR_COMPONENTS_TEXT if applied else VARIANCE_FACTOR_TEXT
-    return gettext(template, factor=fixed_number(adjustment.variance_factor, 4))
 
 
 def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
@@ -164,9 +108,52 @@ def _observability_blocks(
     return blocks
 
 
-def _point_count_text(adjustment: AdjustmentValues) -> str:
-    if not adjustment.excluded_outliers:
-        return grouped_number(adjustment.points)
-    return gettext(
-        EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
+def budget_blocks(budget: ErrorBudgetValues) -> list[Block]:
+    """A table for each direction of the beam, and the assumptions."""
+    return [
+        *(report_table(*budget_table(budget, beam)) for beam in budget.beams),
+        Paragraph(gettext("Assumptions of the error budget:")),
+        Bullets(tuple(map(message_text, budget.messages))),
+    ]
+
+
+def convention_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the boresight and lever arm in the conventions of other programs."""
+    blocks: list[Block] = []
+    if content.in_convention is not None:
+        blocks += _convention_tables(content.in_convention)
+    if content.matrix is not None:
+        blocks += _matrix_tables(content.matrix)
+    return blocks
+
+
+def _convention_tables(convention: ConventionValues) -> list[Block]:
+    # Some names of programs contain translated words.
+    program = gettext(convention.name)
+    blocks: list[Block] = []
+    if convention.angles:
+        title = gettext_lazy(
+            "Boresight for {program}: convention {status}",
+            program=program, status=convention.status_text,
+        )  # fmt: skip
+        blocks.append(report_table(angles_table(convention, title), convention.angles))
+    blocks.append(
+        facts_table(
+            gettext("Convention of {program}", program=program), convention_facts(convention)
+        )
     )
+    return [*blocks, *(Paragraph(sentence_text(each)) for each in convention.notes)]
+
+
+def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:
+    x, y, z = matrix.body_axes
+    return [
+        report_table(matrix_table(matrix.name), matrix.transform),
+        Paragraph(
+            gettext(
+                "Rows 1 to 3: body axes X {x}, Y {y}, Z {z}. Row 4: constant last row of a 4x4 "
+                "transformation matrix. The first three rows and columns are the 3x3 rotation.",
+                x=x, y=y, z=z,
+            )
+        ),
+    ]  # fmt: skip

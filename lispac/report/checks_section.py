@@ -1,25 +1,28 @@
-"""The sections on reliability and cross-checks: whether the data agree with each other."""
+"""The sections on reliability, cross-checks and alternative methods: whether the data agree."""
 
 from collections.abc import Sequence
-from statistics import fmean as mean
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
 from lispac.present.angles import SIGMAS_TABLE
 from lispac.present.cross_checks import SUBSETS_TABLE, spread_rows, subset_rows
+from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
 from lispac.present.sightings import (
+    MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
     POS_ERRORS_TABLE,
     SIGHTING_TESTS_TABLE,
     SightingValues,
+    mean_pos_sigmas,
 )
-from lispac.present.text_format import fixed_number, millimetres, sentence_text
+from lispac.present.text_format import fixed_number, sentence_text
 from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
     UndrawnPictures,
     report_table,
+    with_rows_below,
 )
 from lispac.report.report_values import ReportContent
 
@@ -52,6 +55,11 @@ SUBSET_DIFFERENCES_TEXT = N_(
     "The differences are also given divided by their expected sigma. Above 3, the subset "
     "disagrees with the full adjustment, or the two halves with each other, by more than chance "
     "explains."
+)
+METHODS_TEXT = N_(
+    "Other methods applied to the same lines: adjustment with the validation planes as targets "
+    "(natural planes), adjustment with surfaces detected automatically in the scene (targetless), "
+    "alignment of the lines on common objects (patch test). None of them uses the targets."
 )
 
 
@@ -117,17 +125,10 @@ def _sighting_notes(sightings: Sequence[SightingValues]) -> list[Block]:
 def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     from lispac.report.figures import pos_error_figures_of
 
-    errors = [each.pos_error for each in sightings if each.pos_error is not None]
-    prior = [
-        *(millimetres(mean(values)) for values in zip(*(e.sigma_m for e in errors), strict=True)),
-        *(
-            fixed_number(mean(values), 4)
-            for values in zip(*(e.sigma_deg for e in errors), strict=True)
-        ),
-    ]
     return [
-        report_table(
-            POS_ERRORS_TABLE, sightings, [[gettext("Given 1 σ"), gettext("mean"), *prior]]
+        with_rows_below(
+            report_table(POS_ERRORS_TABLE, sightings),
+            report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]),
         ),
         UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),)),
     ]
@@ -175,3 +176,24 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
     if reasons:
         blocks += [Paragraph(gettext("Subsets without a result:")), Bullets(reasons)]
     return blocks
+
+
+def method_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the results of all methods and their differences; none for a single method."""
+    found = content.methods
+    if len(found) < 2:
+        return []
+    messages = [
+        gettext(
+            "{name}: {text}", name=gettext(METHOD_TITLES[each.method]), text=sentence_text(message)
+        )
+        for each in found
+        for message in each.messages
+    ]
+    blocks: list[Block] = [
+        Paragraph(gettext(METHODS_TEXT)),
+        report_table(METHOD_RESULTS_TABLE, found),
+        report_table(*method_differences(found)),
+        Bullets(tuple(map(sentence_text, content.method_messages))),
+    ]
+    return [*blocks, Bullets(tuple(messages))] if messages else blocks

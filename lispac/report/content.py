@@ -23,6 +23,7 @@ from lispac.present.conventions import convention_values, scanner_to_body_matrix
 from lispac.present.cross_checks import cross_check_values
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.methods import MethodValues
+from lispac.present.settings import CONVENTION_TEXT, settings_used
 from lispac.present.sighting_quality import sighting_quality_values
 from lispac.present.survey_data import (
     LINE_ROLE,
@@ -38,7 +39,6 @@ from lispac.report.report_values import (
     ReportContent,
 )
 from lispac.report.report_warnings import report_warnings
-from lispac.report.settings_used import CONVENTION_TEXT, settings_used
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 

@@ -1,26 +1,31 @@
 """Every table of the report as CSV, in one ZIP file, for a spreadsheet or a script.
 
-The numbers are rounded as in the signed report. A cell that contains only a number is written with
-a decimal point, a hyphen as minus sign and no separators between groups of digits; the plus-minus
-sign of a cell that contains only half the width of an interval is omitted. Unknown values are
-empty.
+The numbers are rounded as in the signed report and written with a decimal point, a hyphen as minus
+sign and no separators between groups of digits, without the plus-minus sign before half the width
+of an interval. Unknown values are empty.
 """
 
-import csv
 import re
 import unicodedata
 import zipfile
-from io import StringIO
+from dataclasses import replace
 from pathlib import Path
 
 from lispac.language import N_, gettext, in_language
-from lispac.present.text_format import UNKNOWN_TEXT, decimal_sign, group_sign
-from lispac.present.validation import DistancesBySteps
+from lispac.present.csv_text import BYTE_ORDER_MARK, csv_text
+from lispac.present.text_format import MINUS_SIGN
+from lispac.present.validation import (
+    DISTANCE_STEPS_TABLE,
+    HISTOGRAM_TABLE,
+    MAP_CELLS_TABLE,
+    distance_steps,
+    histogram_bins,
+    map_cells,
+)
 from lispac.report.document import report_document
-from lispac.report.document_blocks import Block, Column, Table, as_rows
+from lispac.report.document_blocks import Block, Table, report_table
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
-from lispac.untrusted_values import as_csv_cell
 
 _ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 """Fixed time of every file in the archive, so that the same report gives the same bytes."""
@@ -43,128 +48,49 @@ def write_tables(
         for k, table in enumerate(tables, start=1):
             entry = zipfile.ZipInfo(f"{k:02d}-{_file_stem(table.title)}.csv", _ARCHIVE_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, csv_text(table))
+            archive.writestr(entry, table_csv_text(table))
 
 
 def histogram_tables(content: ReportContent) -> list[Table]:
     """Tables of the histogram of each validation plane, and of distances by height and range."""
     made = []
     for plane in content.validation:
-        edges = [1000 * edge for edge in plane.bin_edges_m]
-        ends = [*(f"{edge:.4f}" for edge in edges[1:-1]), gettext("and beyond")]
-        bins = zip(edges[:-1], ends, plane.counts_before, plane.counts_after, strict=True)
-        made.append(
-            Table(
-                gettext("Histogram of {plane}", plane=plane.name),
-                tuple(
-                    Column(gettext(each))
-                    for each in (
-                        N_("From (mm)"), N_("To (mm)"), N_("Points before calibration"),
-                        N_("Points after calibration"),
-                    )
-                ),
-                as_rows([f"{low:.4f}", end, f"{b}", f"{a}"] for low, end, b, a in bins),
-            )
-        )  # fmt: skip
-        for template, profile in (
-            (N_("Distances on {plane} by height"), plane.by_height),
-            (N_("Distances on {plane} by range"), plane.by_range),
+        title = gettext("Histogram of {plane}", plane=plane.name)
+        bins = histogram_bins(plane.bin_edges_m, plane.counts_before, plane.counts_after)
+        made.append(replace(report_table(HISTOGRAM_TABLE, bins), title=title))
+        for template, steps in (
+            (N_("Distances on {plane} by height"), distance_steps("height", plane.by_height)),
+            (N_("Distances on {plane} by range"), distance_steps("range", plane.by_range)),
         ):
-            if profile is not None:
-                made.append(_profile_table(gettext(template, plane=plane.name), profile))
+            if steps:
+                title = gettext(template, plane=plane.name)
+                made.append(replace(report_table(DISTANCE_STEPS_TABLE, steps), title=title))
     return made
-
-
-def _profile_table(title: str, profile: DistancesBySteps) -> Table:
-    heads = (
-        N_("From (m)"), N_("To (m)"), N_("Distances"), N_("Median before (mm)"),
-        N_("Median after (mm)"), N_("95 % before (mm)"), N_("95 % after (mm)"),
-    )  # fmt: skip
-    statistics = (
-        profile.median_before_m, profile.median_after_m, profile.p95_before_m,
-        profile.p95_after_m,
-    )  # fmt: skip
-    return Table(
-        title,
-        tuple(Column(gettext(each)) for each in heads),
-        as_rows(
-            [
-                f"{low:.3f}", f"{high:.3f}", str(n),
-                *("" if v is None else f"{1000 * v:.3f}" for v in values),
-            ]
-            for low, high, n, *values in zip(
-                profile.edges_m[:-1], profile.edges_m[1:], profile.n, *statistics, strict=True
-            )
-        ),
-    )  # fmt: skip
 
 
 def map_tables(content: ReportContent) -> list[Table]:
     """Tables of the cells of every map of distances, which the report shows as pictures only."""
-    heads = (N_("Horizontal (m)"), N_("Up (m)"), N_("Before (mm)"), N_("After (mm)"))
-    columns = tuple(Column(gettext(each)) for each in heads)
-    return [
-        Table(
-            gettext(
+    made = []
+    for plane in content.validation:
+        for each in plane.maps:
+            title = gettext(
                 "Map of {plane}: {line} relative to {other}",
                 plane=plane.name, line=each.line_a, other=each.line_b,
-            ),
-            columns,
-            as_rows(
-                [f"{across:.3f}", f"{up:.3f}", f"{1000 * before:.2f}", f"{1000 * after:.2f}"]
-                for across, up, before, after in zip(
-                    each.across_m, each.up_m, each.before_m, each.after_m, strict=True
-                )
-            ),
-        )
-        for plane in content.validation
-        for each in plane.maps
-    ]  # fmt: skip
+            )  # fmt: skip
+            made.append(replace(report_table(MAP_CELLS_TABLE, map_cells(each)), title=title))
+    return made
 
 
-def csv_text(table: Table) -> str:
-    """Convert a table to CSV; the first row contains the titles of the columns, if there are any.
-
-    Numbers are recognised in the notation of the language in use and in that of Python.
-    """
-    stream = StringIO()
-    # The byte order mark makes a spreadsheet read the file as UTF-8.
-    stream.write("\ufeff")
-    writer = csv.writer(stream)
+def table_csv_text(table: Table) -> str:
+    """Convert a table to CSV; the first row contains the titles of its columns, if it has any."""
     heads = [column.title.replace("\n", " ") for column in table.columns]
-    if any(heads):
-        writer.writerow(map(as_csv_cell, heads))
-    numbers = _number_pattern()
-    for row in table.rows:
-        # Texts typed by the user are not converted, since a serial number may look like a number.
-        writer.writerow(
-            as_csv_cell(cell if table.form else _plain_cell(cell, numbers)) for cell in row
-        )
-    return stream.getvalue()
+    # Texts typed by the user are not changed.
+    rows = table.rows if table.form else [map(_plain_text, row) for row in table.plain_rows]
+    return BYTE_ORDER_MARK + csv_text([*([heads] if any(heads) else []), *rows])
 
 
-def _number_pattern() -> re.Pattern[str]:
-    """Pattern of one number, or of half an interval; its groups are sign, integer and decimals."""
-    groups, decimal = re.escape(group_sign()), re.escape(decimal_sign())
-    return re.compile(
-        rf"(?:\u00b1 ?)?([+-]?)(\d{{1,3}}(?:{groups}\d{{3}})+|\d+)(?:[{decimal}.](\d+))?"
-    )
-
-
-def _plain_cell(cell: str, numbers: re.Pattern[str]) -> str:
-    if cell == UNKNOWN_TEXT:
-        return ""
-    text = cell.replace("\u2212", "-").replace("\u200b", "").strip()
-    found = [numbers.fullmatch(part) for part in text.split(" \u00b1 ")]  # value and interval
-    plain = [_plain_number(each) for each in found if each is not None]
-    if len(plain) < len(found):
-        return re.sub("[\u00a0\u202f]", " ", text)
-    return " \u00b1 ".join(plain)
-
-
-def _plain_number(match: re.Match[str]) -> str:
-    sign, whole, decimals = match.groups()
-    return f"{sign}{re.sub('[^0-9]', '', whole)}{f'.{decimals}' if decimals else ''}"
+def _plain_text(text: str) -> str:
+    return re.sub("[\u00a0\u202f]", " ", text.replace(MINUS_SIGN, "-").replace("\u200b", ""))
 
 
 def _file_stem(title: str) -> str:

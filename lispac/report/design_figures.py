@@ -11,6 +11,7 @@ from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.plan_search import ReductionStep
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.language import N_, gettext
+from lispac.present.settings import POS_ERROR_MODEL_NAMES
 from lispac.present.text_format import fixed_number, parameter_name
 from lispac.report.figures import (
     AFTER_COLOUR,
@@ -21,7 +22,6 @@ from lispac.report.figures import (
     blank_figure,
     style_axes,
 )
-from lispac.report.stochastic_model_names import POS_ERROR_MODEL_NAMES
 
 MAX_DRAWN_SIGMAS = 4.0
 """Limit of the horizontal axis, in predicted sigmas; the outer bins include larger errors."""

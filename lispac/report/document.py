@@ -10,10 +10,8 @@ from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections
-from lispac.report.absolute_section import absolute_check_blocks
-from lispac.report.boresight_section import boresight_blocks
-from lispac.report.checks_section import cross_check_blocks, reliability_blocks
-from lispac.report.convention_section import convention_blocks
+from lispac.report.boresight_section import boresight_blocks, convention_blocks
+from lispac.report.checks_section import cross_check_blocks, method_blocks, reliability_blocks
 from lispac.report.document_blocks import (
     Block,
     Document,
@@ -25,14 +23,14 @@ from lispac.report.document_blocks import (
     Status,
     UndrawnPictures,
 )
-from lispac.report.identity_section import identity_form, signature_lines
-from lispac.report.methods_section import method_blocks
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
-from lispac.report.quality_section import quality_blocks
 from lispac.report.report_values import ReportContent
-from lispac.report.settings_section import settings_blocks
-from lispac.report.standards_section import standards_blocks
-from lispac.report.validation_section import validation_blocks
+from lispac.report.sections import identity_form, quality_blocks, settings_blocks, signature_lines
+from lispac.report.validation_section import (
+    absolute_check_blocks,
+    standards_blocks,
+    validation_blocks,
+)
 
 MAX_HEIGHT_OF_TWO_MM = 92.0
 """Largest height of two pictures, mm, that fit with their captions on one page of any size."""

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from lispac.present.tables import Row, cell_text, title_text, unit_text
+from lispac.present.tables import Fact, Row, cell_text, plain_cell_text, title_text, unit_text
 from lispac.present.tables import Table as ResultTable
 from lispac.present.text_format import title_with_unit
 from lispac.report.options import Page
@@ -45,13 +45,14 @@ class Column:
 class Table:
     """Table of texts with titled columns.
 
-    A ``form`` is a table of names and values; an empty value is printed as a line to be filled in
-    by hand.
+    ``plain_rows`` are the rows for other programs, with numbers as Python writes them. A ``form``
+    is a table of names and values; an empty value is printed as a line to be filled in by hand.
     """
 
     title: str
     columns: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
+    plain_rows: tuple[tuple[str, ...], ...]
     kind: str = "table"
     form: bool = False
 
@@ -61,10 +62,8 @@ def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(row) for row in cells)
 
 
-def report_table(
-    table: ResultTable[Row], rows: Iterable[Row], further_rows: Iterable[Sequence[str]] = ()
-) -> Table:
-    """Table of results as texts in the language in use, with ``further_rows`` at its end."""
+def report_table(table: ResultTable[Row], rows: Sequence[Row]) -> Table:
+    """Table of results as texts in the language in use."""
     columns = []
     for each in table.columns:
         title = title_text(each.title)
@@ -74,18 +73,33 @@ def report_table(
             title = title_with_unit(title, unit_text(each.unit))
         side: Literal["left", "right"] = "left" if each.is_text else "right"
         columns.append(Column(title, side, wide=each.is_wide, code=each.is_code))
-    cells = [[cell_text(each, row) for each in table.columns] for row in rows]
-    return Table(title_text(table.title), tuple(columns), as_rows([*cells, *further_rows]))
+    cells, plain = (
+        as_rows([text_of(each, row) for each in table.columns] for row in rows)
+        for text_of in (cell_text, plain_cell_text)
+    )
+    return Table(title_text(table.title), tuple(columns), cells, plain)
 
 
-def facts_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
+def with_rows_below(table: Table, other: Table) -> Table:
+    """Table with the rows of another table with the same columns at its end."""
+    return replace(
+        table, rows=table.rows + other.rows, plain_rows=table.plain_rows + other.plain_rows
+    )
+
+
+def facts_table(title: str, facts: Sequence[Fact]) -> Table:
     """Table of names and values without column titles."""
-    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(values))
+    return Table(
+        title,
+        (Column("", "left"), Column("", "left", wide=True)),
+        tuple((fact.name, fact.text) for fact in facts),
+        tuple((fact.name, fact.plain_text) for fact in facts),
+    )
 
 
-def form_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
+def form_table(title: str, facts: Sequence[Fact]) -> Table:
     """Table of names and values as a form: a line to fill in by hand for each empty value."""
-    return replace(facts_table(title, values), form=True)
+    return replace(facts_table(title, facts), form=True)
 
 
 @dataclass(frozen=True)

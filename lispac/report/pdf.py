@@ -165,7 +165,12 @@ def _write_template_input(document: Document, folder: Path) -> str:
 def _with_break_points(value: Any, key: str = "") -> Any:
     """Values whose long words have break points inserted."""
     if isinstance(value, dict):
-        return {name: _with_break_points(item, name) for name, item in value.items()}
+        # The template does not need the rows for other programs.
+        return {
+            name: _with_break_points(item, name)
+            for name, item in value.items()
+            if name != "plain_rows"
+        }
     if isinstance(value, list | tuple):
         return [_with_break_points(item, key) for item in value]
     if isinstance(value, str) and any(len(word) > MAX_UNBROKEN_LETTERS for word in value.split()):

@@ -16,6 +16,7 @@ from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
 from lispac.present.cross_checks import CrossCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.methods import MethodValues
+from lispac.present.settings import SettingsUsed
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.present.survey_data import (
     InputFile,
@@ -24,43 +25,6 @@ from lispac.present.survey_data import (
     PickedPlane,
 )
 from lispac.present.validation import SwathDifference, ValidationPlane
-
-
-@dataclass(frozen=True)
-class SettingsUsed:
-    """Settings of a result; the POS sigmas are None if an accuracy file was given.
-
-    The LiDAR noise is given along x, y, z, or for range and angle; if both are None,
-    ``lidar_sigma_m`` applies to each axis. ``averaged``: close points are averaged, not thinned.
-    ``surface_sigma_m`` is the value used; it is None before it is estimated and with uncorrelated
-    POS errors. ``surface_from_data`` is None with uncorrelated POS errors. ``offset_sigma_m`` is
-    None if it equals the surface sigma.
-    """
-
-    lever_arm_m: tuple[float, ...]
-    origin_deg_m: tuple[float, ...] | None
-    position_sigma_m: tuple[float, ...] | None
-    attitude_sigma_deg: tuple[float, ...] | None
-    lidar_sigma_m: float
-    lidar_sigma_xyz_m: tuple[float, ...] | None
-    lidar_range_sigma_m: float | None
-    lidar_angle_sigma_deg: float | None
-    range_offset_m: float
-    scan_angle_offset_deg: float
-    latency_s: float
-    subsample_m: float
-    accept_single_orientation: bool
-    averaged: bool
-    pos_errors: str
-    position_correlation_time_s: float | None
-    attitude_correlation_time_s: float | None
-    pos_errors_text: str
-    surface_sigma_m: float | None
-    offset_sigma_m: float | None
-    surface_from_data: bool | None
-    loss: str
-    loss_text: str
-    convention: str
 
 
 @dataclass(frozen=True)

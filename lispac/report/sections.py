@@ -1,15 +1,19 @@
-"""Results of the first page, and the sections on targets, residuals, site and lines.
+"""The first page, and the sections on targets, residuals, quality, site, lines and settings.
 
 Boresight angles have four decimals in degrees, residuals one decimal in millimetres.
 """
 
+from lispac.identity import FIELD_LABELS, FIELD_NAMES
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.adjustment import AdjustmentValues, boresight_table
-from lispac.present.parameters import ParameterValues
+from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
+from lispac.present.settings import model_facts, system_facts
+from lispac.present.sighting_quality import QUALITY_TABLE
 from lispac.present.sightings import SIGHTING_FIT_TABLE
-from lispac.present.survey_data import LINES_TABLE, TRAJECTORY_TABLE, planes_table
+from lispac.present.survey_data import FILES_TABLE, LINES_TABLE, TRAJECTORY_TABLE, planes_table
+from lispac.present.tables import Fact
 from lispac.present.targets import TARGETS_TABLE
 from lispac.present.text_format import (
     parameter_name,
@@ -21,7 +25,11 @@ from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
+    SignatureLines,
+    Table,
     UndrawnPictures,
+    facts_table,
+    form_table,
     report_table,
 )
 from lispac.report.report_values import ReportContent
@@ -38,6 +46,30 @@ NOISE_FACTOR_TEXT = N_(
 TRAJECTORY_COLUMNS_TEXT = N_(
     "Roll and pitch: motion of the vessel (standard deviation). The last four columns give the "
     "largest 1 sigma of the POS on the line, as given."
+)
+COLUMNS_TEXT = N_(
+    "RMS: distance of the points from the surface fitted to this sighting alone. Incidence: angle "
+    "between the beams and the normal of the surface."
+)
+EXTENT_TEXT = N_(
+    "Extent observed: size of the sighting, in percent of the size observed on all other lines "
+    "together."
+)
+BEFORE_CALIBRATION_TEXT = N_(
+    "Before the calibration, the boresight error distorts the points measured from a moving "
+    "vessel. Therefore only the part of RMS, curvature and flatness that this error does not "
+    "explain is assessed."
+)
+SURFACE_SIGMA_TEXT = N_(
+    "Form error of the targets: standard deviation of the offset of a whole sighting from the "
+    "common surface of all lines."
+)
+VARIANCE_COMPONENTS_TEXT = N_(
+    "Variance components are estimated from the residuals and the estimated POS errors by "
+    "restricted maximum likelihood. A sigma is increased if the data show a larger one, and "
+    "decreased only if the whole interval is below the given value; otherwise the given value is "
+    "used. Few sightings give little information on the POS: if the interval is wide, the given "
+    "sigma may be as reliable as the estimated one."
 )
 
 
@@ -148,5 +180,66 @@ def site_blocks(content: ReportContent) -> list[Block]:
         blocks += [
             report_table(TRAJECTORY_TABLE, content.trajectory),
             Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
+        ]
+    return blocks
+
+
+def identity_form(content: ReportContent) -> Table:
+    """Details of the survey, as a form."""
+    return form_table(
+        gettext("Details of the survey"),
+        [
+            Fact(gettext(FIELD_LABELS[name]), getattr(content.identity, name))
+            for name in FIELD_NAMES
+        ],
+    )
+
+
+def signature_lines(content: ReportContent) -> SignatureLines:
+    """Lines for surveyor, company, place, date and signature, with the known values."""
+    known = content.identity
+    return SignatureLines(
+        (
+            gettext("Surveyor"), gettext("Company"), gettext("Place and date"),
+            gettext("Signature"),
+        ),
+        (known.surveyor, known.company, "", ""),
+    )  # fmt: skip
+
+
+def quality_blocks(content: ReportContent) -> list[Block]:
+    """Table of all sightings with statistics and rating, and explanations; none without ratings."""
+    if not content.qualities:
+        return []
+    explained = [COLUMNS_TEXT]
+    if any(each.visible_share is not None for each in content.qualities):
+        explained.append(EXTENT_TEXT)
+    if not content.calibrated:
+        explained.append(BEFORE_CALIBRATION_TEXT)
+    return [
+        report_table(QUALITY_TABLE, content.qualities),
+        *(Paragraph(gettext(each)) for each in explained),
+    ]
+
+
+def settings_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the settings of system, points and stochastic model, and on the input files."""
+    used, adjustment = content.settings, content.adjustment
+    blocks: list[Block] = [
+        facts_table(gettext("System and points"), system_facts(used, adjustment)),
+        facts_table(gettext("Stochastic model"), model_facts(used, adjustment)),
+    ]
+    if used.surface_from_data is not None:
+        blocks.append(Paragraph(gettext(SURFACE_SIGMA_TEXT)))
+    if adjustment is not None and adjustment.components:
+        blocks += [
+            report_table(VARIANCE_COMPONENTS_TABLE, adjustment.components),
+            Paragraph(gettext(VARIANCE_COMPONENTS_TEXT)),
+        ]
+    blocks.append(report_table(FILES_TABLE, content.files))
+    if content.notes:
+        blocks += [
+            Paragraph(gettext("Input assumptions:")),
+            Bullets(tuple(map(message_text, content.notes))),
         ]
     return blocks

@@ -1,9 +1,22 @@
-"""The section on validation: distances between lines on planes not used in the adjustment."""
+"""The sections on validation: distances between lines, or from a reference, and standards."""
 
 from collections.abc import Mapping, Sequence
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.absolute import (
+    MEAN_UNCERTAINTY_TABLE,
+    REFERENCE_DISTANCES_TABLE,
+    SURVEYED_POINTS_TABLE,
+    AbsoluteCheckValues,
+    line_states,
+    lines_and_all,
+)
+from lispac.present.displacement import S44_TABLE
+from lispac.present.text_format import (
+    sentence_text,
+    shortest_number,
+)
 from lispac.present.validation import (
     PAIR_DISTANCES_TABLE,
     PAIR_PLACES_TABLE,
@@ -13,6 +26,7 @@ from lispac.present.validation import (
     pair_rows,
     pairs_that_show_the_boresight,
     pooled_rows,
+    swath_overlap_table,
 )
 from lispac.report.document_blocks import (
     Block,
@@ -56,6 +70,37 @@ MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
     "seen from the vessel. Red: the first line is nearer to the vessel; blue: it is farther away; "
     "grey: one of the lines has too few points."
+)
+S44_TEXT = N_(
+    "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
+    "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
+    "ellipse, 1.96 standard deviations of the height. The table gives the contribution of the "
+    "boresight to the uncertainty of a point at that distance from the scanner, for the most "
+    "unfavourable beam and a level vessel. It is not the total uncertainty of a survey, which "
+    "also includes position, attitude, range, lever arm and the reduction of heights. The orders "
+    "of the standard limit the total uncertainty; the table is not compared with them."
+)
+OVERLAP_TEXT = N_(
+    "The swath overlap difference of the USGS Lidar Base Specification (2024 rev. A) is the root "
+    "mean square of the height differences of overlapping swaths (RMSDz) on open ground. The "
+    "validation planes are vertical or inclined, so the differences are computed along their "
+    "normal, between the means of both lines within cylinders, for every pair of overlapping "
+    "lines. Averaging reduces the noise of single points; after the calibration, the POS error of "
+    "each line remains. The quality levels of the specification apply to heights on the ground; "
+    "the differences are not compared with them."
+)
+LOCAL_FRAME_NAME = "the local frame"
+"""Value of `AbsoluteCheckValues.system` for a reference with coordinates in the local frame."""
+
+REFERENCE_DISTANCES_TEXT = N_(
+    "Distances between the lines and the reference along the normal of the surface, positive "
+    "where the line is nearer to the vessel than the reference. They are computed at the same "
+    "places before and after the calibration, for points within {reach} m of the reference."
+)
+UNCERTAINTY_TEXT = N_(
+    "POS: from the given accuracies, with one error common to all points of a line. Scatter: "
+    "uncertainty of the mean of a line from the scatter of its distances. Errors "
+    "common to all ranges, such as a range offset, are not included."
 )
 
 
@@ -132,3 +177,64 @@ def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
 def _not_compared_text(plane: ValidationPlane) -> str:
     pairs = ", ".join(f"{a} / {b}" for a, b in plane.not_compared)
     return gettext("{plane}: {pairs}", plane=plane.name, pairs=pairs)
+
+
+def standards_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the uncertainty by IHO S-44 and the swath overlap difference."""
+    blocks: list[Block] = []
+    if content.adjustment is not None:
+        blocks += [
+            report_table(S44_TABLE, content.adjustment.s44),
+            Paragraph(gettext(S44_TEXT)),
+        ]
+    if content.swath_overlap:
+        table = swath_overlap_table(len(content.swath_overlap) - 1)
+        blocks += [
+            report_table(table, content.swath_overlap),
+            Paragraph(gettext(OVERLAP_TEXT)),
+        ]
+    return blocks
+
+
+def absolute_check_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the check against a static scan or surveyed points."""
+    from lispac.report.absolute_figure import reference_distance_figure
+
+    found = content.absolute
+    if found is None:
+        return []
+    blocks: list[Block] = [
+        Paragraph(_reference_text(found)),
+        Paragraph(
+            gettext(REFERENCE_DISTANCES_TEXT, reach=shortest_number(found.search_distance_m))
+        ),
+        report_table(REFERENCE_DISTANCES_TABLE, line_states(found)),
+        Bullets(tuple(map(sentence_text, found.messages))),
+    ]
+    caption = gettext(
+        "Distances of all lines from the reference, before and after the calibration."
+    )
+    blocks += [
+        UndrawnPictures(caption, reference_distance_figure, (found,)),
+        report_table(MEAN_UNCERTAINTY_TABLE, lines_and_all(found)),
+        Paragraph(gettext(UNCERTAINTY_TEXT)),
+    ]
+    if found.points:
+        blocks.append(report_table(SURVEYED_POINTS_TABLE, found.points))
+    if found.not_compared:
+        reasons = tuple(map(sentence_text, found.not_compared))
+        blocks += [Paragraph(gettext("Not compared with the reference:")), Bullets(reasons)]
+    return blocks
+
+
+def _reference_text(values: AbsoluteCheckValues) -> str:
+    system = gettext("local frame") if values.system == LOCAL_FRAME_NAME else values.system
+    if values.kind == "scan":
+        return gettext(
+            "Reference: {file} (static scan). Coordinate system: {system}.",
+            file=values.reference, system=system,
+        )  # fmt: skip
+    return gettext(
+        "Reference: {file} (surveyed points). Coordinate system: {system}.",
+        file=values.reference, system=system,
+    )  # fmt: skip

@@ -17,8 +17,6 @@ MIN_HISTOGRAM_RANGE_M = 1e-6
 """Smallest range of a histogram."""
 MIN_BINS, MAX_BINS = 60, 4000
 """Smallest number of bins across the state with smaller distances, and largest total number."""
-LAST_BIN_END = "and beyond"
-"""Upper end of the last bin in lists of bins."""
 ROUND_STEPS = (1.0, 2.0, 5.0, 10.0)
 """Round numbers of one decade, for the widths of bins."""
 

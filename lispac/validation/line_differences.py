@@ -24,6 +24,7 @@ from lispac.validation.cylinder_diameters import (
     select_separate_places,
     twelfth_neighbour_distance,
 )
+from lispac.validation.normal_distance import SIGMA_PER_MAD
 from lispac.validation.reference_places import (
     NORMAL_SPHERE_FACTOR,
     is_reference_flat,
@@ -77,6 +78,55 @@ class LineDifference:
             self.first, self.second, self.place[own], self.distance[own], self.half_width[own],
             self.normal[own],
         )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class DifferenceStatistics:
+    """Statistics of the differences at some places.
+
+    Attributes
+    ----------
+    places : int
+    median : float or None, metres
+        Median along the normal, positive if the second line is nearer to the vessel; None for
+        several pairs, for which the sign has no meaning.
+    rmsd : float, metres
+        Root mean square of the differences.
+    robust_sigma : float or None, metres
+        1.4826 times the median absolute deviation from the median; None if there is no median.
+    p95, largest : float, metres
+        95th percentile and maximum of the absolute differences.
+    significant : float, in [0, 1]
+        Share of the places whose difference exceeds the half-width of its 95 % interval.
+    """
+
+    places: int
+    median: float | None
+    rmsd: float
+    robust_sigma: float | None
+    p95: float
+    largest: float
+    significant: float
+
+    @classmethod
+    def of(cls, distance: Array, half_width: Array) -> "DifferenceStatistics":
+        """Summarise the differences at some places.
+
+        Parameters
+        ----------
+        distance, half_width : ndarray of shape (n,), metres
+            Differences, and half-widths of their 95 % intervals.
+        """
+        size, median = np.abs(distance), float(np.median(distance))
+        return cls(
+            len(distance),
+            median,
+            float(np.sqrt(np.mean(distance**2))),
+            SIGMA_PER_MAD * float(np.median(np.abs(distance - median))),
+            float(np.percentile(size, 95.0)),
+            float(size.max()),
+            float(np.mean(size > half_width)),
+        )
 
 
 def compare_lines(

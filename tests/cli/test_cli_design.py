@@ -72,6 +72,12 @@ def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     with (folder / "scenarios.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 * (11 + 4)
+    outcomes = run_json(capsys, "scenarios", "--only", "lines", "size")["outcomes"]
+    for row, each in zip(rows, outcomes, strict=True):
+        sigma = each.pop("sigma_deg") or dict.fromkeys(("roll", "pitch", "yaw"))
+        for angle, value in sigma.items():
+            assert row.pop(f"{angle}_deg") == ("" if value is None else f"{value:.6f}")
+        assert row == {key: str(value) for key, value in each.items()}
     assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
     # The scenarios of the thesis have their own boards, wherever the wall of the plan is
     assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.cli.calibration.estimate import print_weak_sightings
 from lispac.cli.calibration.pick import search_notes
-from lispac.cli.calibration.sighting_qualities import print_weak_sightings
 from lispac.cli.checking.validate import print_validation
 from lispac.cli.planning import demo
 from lispac.installation_paths import window_command

@@ -23,9 +23,9 @@ from lispac.gui.features.open_project.import_survey.import_dialog import (
 from lispac.gui.features.pick_targets.dialogs import FindAgainDialog
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.features.report.identity_dialog import IdentityDialog
-from lispac.gui.features.studies.budget_dialog import BudgetDialog
 from lispac.gui.features.studies.check_dialog import CheckDialog
 from lispac.gui.features.studies.studies import SITES
+from lispac.gui.features.studies.study_dialog import BudgetDialog
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets.error_box import error_box

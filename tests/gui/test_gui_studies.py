@@ -11,11 +11,13 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialog
 
-from lispac.gui.features.studies.budget_dialog import BudgetDialog
 from lispac.gui.features.studies.check_dialog import CheckDialog, CheckResultDialog
-from lispac.gui.features.studies.history_dialog import HistoryDialog
-from lispac.gui.features.studies.line_quality_dialog import LineQualityDialog
-from lispac.gui.features.studies.subsampling_dialog import SubsamplingDialog
+from lispac.gui.features.studies.study_dialog import (
+    BudgetDialog,
+    HistoryDialog,
+    LineQualityDialog,
+    SubsamplingDialog,
+)
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.io.formats import POINT_FORMATS
 from lispac.io.points import e57, pcd
-from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.messages import error, note, warning
 from tests.support import point_files as files
 from tests.support.message_codes import codes

@@ -147,8 +147,7 @@ def test_singular_and_plural_are_correct(
     )  # fmt: skip
     print_result(one, None)
     printed = capsys.readouterr().out
-    assert "1 sighting, 1 target, " in printed
-    assert "(1 outlier excluded)" in printed
+    assert "; 1 outlier excluded from the averages\n" in printed
 
 
 @pytest.mark.parametrize(

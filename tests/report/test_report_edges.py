@@ -7,7 +7,7 @@ import pytest
 
 from lispac.design.monte_carlo import MonteCarloResult
 from lispac.project import Project
-from lispac.report import boresight_section, checks_section, sections, settings_section
+from lispac.report import boresight_section, checks_section, sections
 from lispac.report.content import ReportContent
 from lispac.report.design_figures import simulated_errors_figure
 from lispac.report.distance_profiles import profile_figure
@@ -157,9 +157,7 @@ def test_a_zero_surface_sigma_is_explained(project: Project) -> None:
     for made, is_explained in ((with_zero_sigma, True), (project, False)):
         cells = [
             cell
-            for block in settings_section.settings_blocks(
-                sample_content(replace(made, result=None))
-            )
+            for block in sections.settings_blocks(sample_content(replace(made, result=None)))
             if isinstance(block, Table)
             for row in block.rows
             for cell in row

@@ -21,12 +21,23 @@ from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
 from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.parameters import PARAMETERS_TABLE, ParameterValues
+from lispac.present.survey_data import LINES_TABLE, LineValues
+from lispac.present.tables import Fact
 from lispac.present.text_format import with_minus_signs
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
-from lispac.report.csv_tables import write_tables
+from lispac.report.csv_tables import table_csv_text, write_tables
 from lispac.report.document import drawn_document, report_document, undrawn_document
-from lispac.report.document_blocks import Bullets, Paragraph, SignatureLines, Table, UndrawnPictures
+from lispac.report.document_blocks import (
+    Bullets,
+    Paragraph,
+    SignatureLines,
+    Table,
+    UndrawnPictures,
+    facts_table,
+    report_table,
+)
 from lispac.report.html import html_text
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.pdf import write_pdf
@@ -330,6 +341,25 @@ def test_pdf_html_and_tables_are_french(project: Project, tmp_path: Path) -> Non
     for row in list(csv.reader(angles))[1:]:
         assert all(re.fullmatch(r"[+-]?\d+\.\d{4}", number) for number in row[1:])
     assert re.search(r"[+-]\d+\.\d \u00b1 \d+\.\d", planes[1])
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_csv_has_values_and_does_not_change_texts(language: str) -> None:
+    line = LineValues("1,218", "2\u2212x.laz", None, 1234567, ())
+    parameter = ParameterValues(
+        "lever_x", "m", 0.0, None, -1234.5, 0.0048, None, None, ""
+    )  # fmt: skip
+    with in_language(language):
+        _, *lines = csv.reader(table_csv_text(report_table(LINES_TABLE, [line])).splitlines())
+        _, row = csv.reader(
+            table_csv_text(report_table(PARAMETERS_TABLE, [parameter])).splitlines()
+        )
+        facts = [Fact("points", 1234567), Fact("factor", None), Fact("serial", "1,218")]
+        values = dict(csv.reader(table_csv_text(facts_table("", facts)).splitlines()))
+    assert lines == [["1,218", "2-x.laz", "", "1234567"]]
+    # The apostrophe makes a spreadsheet read a text that begins with a sign as a text.
+    assert [row[1], *row[3:5]] == ["'+0.0000 m", "'-1234.5000 m", "0.0048 m"]
+    assert values == {"\ufeffpoints": "1234567", "factor": "", "serial": "1,218"}
 
 
 def test_names_of_manufacturers_have_no_elision(project: Project) -> None:

@@ -24,7 +24,8 @@ def _document(lines: int) -> Document:
     """Return a document with a list and a section that begin after so many lines of a page."""
     above = Paragraph("\n".join(["above"] * lines))
     return Document(
-        "Title", "project", "LISPAC", "now", "good", "CALIBRATED", Table("Details", (), ()), (), (),
+        "Title", "project", "LISPAC", "now", "good", "CALIBRATED", Table("Details", (), (), ()), (),
+        (),
         summary=(Paragraph("page one"),),
         sections=(
             Section("First", (above, Paragraph("Announced:"), Bullets(("item one", "item two")))),

@@ -8,7 +8,7 @@ from lispac.geometry.spheres import fit_sphere
 from lispac.messages import note
 from lispac.natural.flat_regions import Regions
 from lispac.natural.line_planes import LinePlanes
-from lispac.natural.surface_filter import is_water
+from lispac.natural.patches import is_water
 from lispac.patchtest import mismatch_minimisation
 from lispac.patchtest.line_mismatch import Mismatch
 from lispac.patchtest.object_boxes import ObjectBox, object_of_box

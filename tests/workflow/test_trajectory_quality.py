@@ -7,7 +7,7 @@ import pytest
 
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
+from lispac.workflow.output.export import trajectory_on_lines
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.few_lines import picked
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from lispac.adjustment.model.parameters import Parameter
     from lispac.adjustment.result import AdjustmentResult, CrossChecks
     from lispac.project import Settings
+    from lispac.targets.sighting_quality import SightingQuality
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -115,12 +116,12 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
+    from lispac.cli.calibration.estimate import print_weak_sightings
     from lispac.cli.calibration.result_output import (
         print_result,
         project_result_values,
         result_values,
     )
-    from lispac.cli.calibration.sighting_qualities import print_weak_sightings
     from lispac.duplicate_targets import project_warnings
     from lispac.present.json_values import json_values
     from lispac.present.sighting_quality import quality_list
@@ -268,3 +269,17 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
 def _surface_sigma(text: str) -> float | str:
     """Parse the sigma of a surface, metres, or ``auto``."""
     return text if text == "auto" else non_negative_number(text)
+
+
+def print_weak_sightings(qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+    """Print the sightings that are not good, the poor ones first."""
+    from lispac.language import to_plain_text
+    from lispac.present.sighting_quality import rating_text, sighting_quality_values
+
+    listed = [(key, quality) for key, quality in qualities.items() if quality.rating != "good"]
+    if not listed:
+        return
+    print("\nSightings of doubtful or poor quality:")
+    for (target, line), quality in sorted(listed, key=lambda each: each[1].rating != "poor"):
+        text = rating_text(sighting_quality_values(target, line, quality))
+        print(f"- {target} on {line}: {to_plain_text(text)}")

@@ -5,16 +5,17 @@ from typing import Any
 
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.cli.console import print_table
+from lispac.cli.console import print_facts, print_table
 from lispac.cli.messages import console_text
 from lispac.duplicate_targets import project_warnings
-from lispac.language import number_with_noun
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
+from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
 from lispac.present.angles import SIGMAS_TABLE, angles
 from lispac.present.cross_checks import cross_check_values, spread_rows
 from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
+from lispac.present.tables import Fact
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text
 
@@ -47,9 +48,6 @@ def print_result(
 ) -> None:
     """Print the result of an adjustment as text, with the true values of a simulated survey."""
     values = adjustment_values(result)
-    chi_square = result.chi_square
-    size = "large" if chi_square.statistic < chi_square.lower else "small"
-    verdict = "passed" if chi_square.passed else f"failed, the given sigmas are too {size}"
     true = None if truth_deg is None else angles(truth_deg)
     print_table(
         boresight_table(calibrated=True, simulated=true is not None),
@@ -64,26 +62,14 @@ def print_result(
     for parameter in values.parameters:
         if parameter.reason:
             print(console_text(parameter.reason))
-    outliers = (
-        f" ({number_with_noun(result.excluded_outliers, 'outlier')} excluded)"
-        if result.excluded_outliers
-        else ""
-    )
-    print(
-        f"POS errors {_error_model_text(result)}; "
-        f"{number_with_noun(result.points, 'point')}{outliers}, "
-        f"{number_with_noun(len(result.sightings), 'sighting')}, "
-        f"{number_with_noun(len(result.targets), 'target')}, "
-        f"{number_with_noun(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
-    )
-    print(
-        f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
-        f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
-    )
-    print(
-        f"RMS distance from the target surfaces {result.rms_before * 1000:.1f} mm before, "
-        f"{result.rms_after * 1000:.1f} mm after"
-    )
+    facts = [
+        *fit_facts(values),
+        Fact("Stochastic model", _error_model_text(result)),
+        Fact("Targets", len(values.targets)),
+        Fact("Sightings", len(values.sightings)),
+        Fact("Time of computation", f"{result.elapsed:.3f} s"),
+    ]
+    print_facts(FIT_TITLE, facts)
     if values.components:
         print_table(VARIANCE_COMPONENTS_TABLE, values.components)
     for each in result.observability.messages if result.observability else ():

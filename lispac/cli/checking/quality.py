@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-import csv
 import sys
 from argparse import ArgumentParser, Namespace
-from dataclasses import asdict
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, picture_file, positive_number
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.messages import print_messages
 from lispac.present.json_values import json_values
-from lispac.untrusted_values import as_csv_cell
 
 if TYPE_CHECKING:
-    from lispac.workflow.checking.line_quality import DifferenceStatistics, LineQuality
-
-COLUMN_TITLES = ("places", "median", "RMSD", "robust", "95 %", "largest")
-"""Titles of the columns with numbers in the printed table."""
-CSV_COLUMN_NAMES = (
-    "first", "second", "north_m", "west_m", "up_m", "difference_m", "interval_95_m", "upward",
-)  # fmt: skip
-"""Titles of the columns of the CSV file."""
+    from lispac.workflow.checking.line_quality import LineQuality
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -52,6 +43,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print the differences between lines by orientation of the surface; draw and list them."""
+    from lispac.present.line_differences import LINE_DIFFERENCES_TABLE
     from lispac.progress import sub_progress
     from lispac.workflow.checking.line_quality import line_quality
     from lispac.workflow.project.projects import open_project
@@ -72,43 +64,15 @@ def run(arguments: Namespace) -> None:
         print_json(
             {
                 "boresight": found.which,
-                "differences": [
-                    {"first": one, "second": other, "facing": facing}
-                    | _statistics_in_metres(figures)
-                    for one, other, facing, figures in found.rows()
-                ],
+                "differences": json_values(found.rows()),
                 "not_compared": json_values(found.not_compared),
             }
         )
         return
-    _print_differences(found)
+    title = f"{LINE_DIFFERENCES_TABLE.title}, {found.which} boresight"
+    print_table(replace(LINE_DIFFERENCES_TABLE, title=title), found.rows())
     sys.stdout.flush()
     print_messages(found.not_compared)
-
-
-def _statistics_in_metres(figures: DifferenceStatistics) -> dict[str, float | None]:
-    shared = {"places", "significant"}
-    return {k if k in shared else f"{k}_m": v for k, v in asdict(figures).items()}
-
-
-def _print_differences(result: LineQuality) -> None:
-    rows = result.rows()
-    width = max(10, *(len(name) for row in rows for name in row[:2])) + 2
-    print(
-        f"Differences between lines along the normal of flat places, {result.which} boresight, mm"
-    )
-    heads = "".join(f"{head:>9s}" for head in COLUMN_TITLES)
-    print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
-    for one, other, facing, each in rows:
-        sizes = (each.rmsd, each.robust_sigma, each.p95, each.largest)
-        cells = _millimetre_cell(each.median, "+") + "".join(
-            _millimetre_cell(size) for size in sizes
-        )
-        print(f"{one:{width}s}{other:{width}s}{facing:9s}{each.places:9d}{cells}")
-
-
-def _millimetre_cell(value: float | None, sign: str = "") -> str:
-    return f"{'-':>9s}" if value is None else f"{1000 * value:{sign}9.1f}"
 
 
 def _draw_map(result: LineQuality, path: Path) -> None:
@@ -121,17 +85,10 @@ def _draw_map(result: LineQuality, path: Path) -> None:
 
 
 def _write_differences(result: LineQuality, path: Path) -> None:
-    import numpy as np
-
     from lispac.io.files import atomic_write
+    from lispac.present.csv_text import keyed_csv_text
+    from lispac.present.line_differences import PLACES_CSV, place_rows
 
-    with atomic_write(path) as temporary, temporary.open("w", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(CSV_COLUMN_NAMES)
-        for pair in result.pairs:
-            table = np.column_stack(
-                [pair.place, pair.distance, pair.half_width, np.abs(pair.normal[:, 2])]
-            )
-            for row in table:
-                values = [f"{value:.4f}" for value in row]
-                writer.writerow([as_csv_cell(pair.first), as_csv_cell(pair.second), *values])
+    rows = [row for pair in result.pairs for row in place_rows(pair)]
+    with atomic_write(path) as temporary:
+        temporary.write_text(keyed_csv_text(PLACES_CSV, rows), encoding="utf-8", newline="")

@@ -25,6 +25,7 @@ from lispac.present.conventions import (
     signs_text,
 )
 from lispac.present.json_values import json_values
+from lispac.present.tables import Fact
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import lever_arm_text as position_text
@@ -121,7 +122,7 @@ def list_systems(as_json: bool) -> None:
         return
     print("Enter and read the angles of each system in the order given here, in degrees.\n")
     for each in rules:
-        signs = [("Angles", signs_text(each))] if each.angles else []
+        signs = [Fact("Angles", signs_text(each))] if each.angles else []
         print_facts(f"{each.system} ({each.name})", [*signs, *convention_facts(each)])
 
 

@@ -6,12 +6,11 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import console_text
-from lispac.message_texts import fact_text, message_text
 from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
@@ -39,9 +38,8 @@ def run(arguments: Namespace) -> None:
     if not arguments.quick:
         found = _checks_with_audit(arguments.file, found)
     if arguments.json:
-        print_json(
-            {"file": str(arguments.file), "formats": [_check_values(item) for item in found]}
-        )
+        values = [item.values for item in found]
+        print_json({"file": str(arguments.file), "formats": json_values(values)})
         return
     print(arguments.file)
     for item in found:
@@ -58,53 +56,32 @@ def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileChec
         finding = items[0].finding
         with ConsoleProgress() as progress:
             audit = audit_messages(path, items[0].format, finding.choice, progress=progress)
-        items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *audit)))
+        items[0] = replace(items[0], finding=finding.with_messages(audit))
     return items
 
 
 def _print_check(item: FileCheck) -> None:
-    values = _check_values(item)
+    from lispac.language import to_plain_text
+    from lispac.present.input_file import content_facts
+
+    values = item.values
     sure = (
         "certainly" if item.confidence >= 1 else "probably" if item.confidence > 0.5 else "perhaps"
     )
-    option = f"--{OPTION_PREFIX[item.format.kind]}-format {values['format']}"
-    print(f"\n{sure} {values['name']} ({option})")
+    option = f"--{OPTION_PREFIX[item.format.kind]}-format {values.format}"
+    print(f"\n{sure} {values.name} ({option})")
     if item.finding is None:
         assert item.error is not None
         print(f"  cannot be read: {console_text(item.error)}")
         return
-    for name, value in values["facts"].items():
-        print(f"  {name:20s} {value}")
+    for fact in content_facts(item.finding.facts):
+        print(f"  {fact.name:20s} {to_plain_text(fact.text)}")
     for each in item.format.options:
         among = f" ({', '.join(c for c in each.choices if c)})" if each.choices else ""
-        print(f"  option {each.name}={values['options'][each.name]}{among}: {each.meaning}")
-    for assumption in item.finding.assumptions:
+        print(f"  option {each.name}={values.options[each.name]}{among}: {each.meaning}")
+    for assumption in values.assumptions:
         print(f"  assumed: {console_text(assumption)}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
-    for message in (*item.finding.file_warnings, *item.finding.messages):
+    for message in values.messages:
         print(f"  {message.level}: {console_text(message)}")
-
-
-def _check_values(item: FileCheck) -> dict[str, Any]:
-    finding = item.finding
-    values: dict[str, Any] = {
-        "format": item.format.key,
-        "name": message_text(item.format.name),
-        "kind": item.format.kind,
-        "confidence": item.confidence,
-        "error": json_values(item.error),
-        "facts": {},
-        "options": {},
-        "assumptions": [],
-        "messages": [],
-    }
-    if finding is not None:
-        messages = (*finding.file_warnings, *finding.messages)
-        values |= {
-            "facts": {name: fact_text(fact) for name, fact in finding.facts.items()},
-            "options": item.format.resolved(finding.choice),
-            "assumptions": json_values(finding.assumptions),
-            "messages": json_values(messages),
-        }
-    return values

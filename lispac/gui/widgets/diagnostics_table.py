@@ -155,7 +155,7 @@ class DiagnosticsTable(QTableWidget):
         """The table as text, with tabs between the columns for a spreadsheet."""
         heads = [_column_title(column) for column in self._columns]
         rows = [
-            [spreadsheet_text(self.item(row, column).text()) for column in range(len(heads))]
+            [spreadsheet_number(self.item(row, column).text()) for column in range(len(heads))]
             for row in range(self.rowCount())
         ]
         return "".join("\t".join(row) + "\n" for row in [heads, *rows])
@@ -184,7 +184,7 @@ class DiagnosticsTable(QTableWidget):
             self.row_activated.emit(*key)
 
 
-def spreadsheet_text(text: str) -> str:
+def spreadsheet_number(text: str) -> str:
     """Text for a spreadsheet in the user's language, without thousands separators."""
     return text.replace("−", "-").replace("\N{NARROW NO-BREAK SPACE}", "")
 

@@ -1,16 +1,25 @@
 """Tables of results in the window, in the units and language of the user."""
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from datetime import date
 from html import escape
 
 from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
-from lispac.gui.widgets.diagnostics_table import Cell, Column, Key, Row, number_cell
+from lispac.gui.widgets.diagnostics_table import (
+    Cell,
+    Column,
+    Key,
+    Row,
+    number_cell,
+    spreadsheet_number,
+)
 from lispac.language import gettext, short_date
 from lispac.present.angles import ANGLE_TITLES
 from lispac.present.cross_checks import CrossCheckValues, spread_rows
-from lispac.present.tables import DEGREES, Format, Table, Unit, title_text
+from lispac.present.csv_text import csv_text
+from lispac.present.tables import DEGREES, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Column as ResultColumn
 from lispac.present.tables import Row as ResultRow
 from lispac.present.text_format import UNKNOWN_TEXT, with_unit
@@ -65,6 +74,23 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
     if form.unit not in BASE_OF_UNIT:
         return Cell(form.text(value), value)
     return number_cell(value, _python_form(form), form.factor)
+
+
+def spreadsheet_text(table: Table[ResultRow], rows: Iterable[ResultRow]) -> str:
+    """Table of results in standard units as text for a spreadsheet in the user's language."""
+    columns = [_without_groups(column) for column in table.columns]
+    heads = [title_text(column.title) for column in columns]
+    cells = [[cell_text(column, row) for column in columns] for row in rows]
+    return csv_text(
+        ([spreadsheet_number(cell) for cell in row] for row in (heads, *cells)),
+        separator="\t", line_end="\n",
+    )  # fmt: skip
+
+
+def _without_groups(column: ResultColumn[ResultRow]) -> ResultColumn[ResultRow]:
+    if isinstance(column.format, Format):
+        return replace(column, format=replace(column.format, is_grouped=False))
+    return column
 
 
 def _python_form(form: Format) -> str:

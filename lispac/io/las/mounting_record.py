@@ -8,7 +8,7 @@ line again.
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Self
+from typing import Self
 
 import laspy
 import numpy as np
@@ -19,12 +19,40 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.las.las_crs_writer import LOCAL_FRAME_RECORD_ID, OWN_USER_ID
 from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import json_values
+from lispac.value_conversion import decode_value, encode_value
 
 RECORD_ID, CONTENT_VERSION = 2, 1
 """Record ID, and version of the record's content."""
-MAX_VALUES = {"lever_arm_m": 200.0, "boresight_deg": 360.0, "range_offset_m": 10.0,
-        "scan_angle_offset_deg": 360.0, "latency_s": 60.0}  # fmt: skip
+MAX_LEVER_ARM_M, MAX_RANGE_OFFSET_M, MAX_LATENCY_S, MAX_HEIGHT_M = 200.0, 10.0, 60.0, 1e5
 """Largest accepted absolute values; a record with larger ones is ignored."""
+
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class RecordContent:
+    """Content of the record, as JSON.
+
+    Attributes
+    ----------
+    version, program : of the content, and that wrote it
+    lever_arm_m : three numbers, metres, body frame (forward, port, up)
+    boresight_deg : three numbers, degrees
+    axes : three rows of three numbers, or None
+    range_offset_m, scan_angle_offset_deg, latency_s : metres, degrees, seconds
+    origin_deg_m : latitude and longitude in degrees and height in metres, or None
+        Origin of the local frame; None if the coordinates are in a coordinate system.
+    """
+
+    version: int
+    program: str
+    lever_arm_m: Triple
+    boresight_deg: Triple
+    axes: tuple[Triple, Triple, Triple] | None
+    range_offset_m: float
+    scan_angle_offset_deg: float
+    latency_s: float
+    origin_deg_m: Triple | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,21 +73,21 @@ class MountingRecord:
     def vlrs(self) -> list[laspy.VLR]:
         """Variable length records for the header."""
         mounting, frame = self.mounting, self.frame
-        content = {
-            "version": CONTENT_VERSION,
-            "program": f"LISPAC {__version__}",
-            "lever_arm_m": mounting.lever_arm.tolist(),
-            "boresight_deg": np.degrees(mounting.boresight).tolist(),
-            "axes": None if mounting.axes is None else mounting.axes.tolist(),
-            "range_offset_m": mounting.range_offset,
-            "scan_angle_offset_deg": float(np.degrees(mounting.scan_angle_offset)),
-            "latency_s": mounting.latency,
-            "origin_deg_m": None if frame is None else [
+        content = RecordContent(
+            CONTENT_VERSION,
+            f"LISPAC {__version__}",
+            mounting.lever_arm.tolist(),
+            np.degrees(mounting.boresight).tolist(),
+            None if mounting.axes is None else mounting.axes.tolist(),
+            mounting.range_offset,
+            float(np.degrees(mounting.scan_angle_offset)),
+            mounting.latency,
+            None if frame is None else (
                 float(np.degrees(frame.latitude)), float(np.degrees(frame.longitude)),
                 float(frame.height),
-            ],
-        }  # fmt: skip
-        data = json.dumps(content).encode()
+            ),
+        )  # fmt: skip
+        data = json.dumps(encode_value(content)).encode()
         records = [laspy.VLR(OWN_USER_ID, RECORD_ID, "georeferenced_with", data)]
         if frame is not None:
             records.append(laspy.VLR(OWN_USER_ID, LOCAL_FRAME_RECORD_ID, "local_frame", b""))
@@ -71,8 +99,9 @@ class MountingRecord:
         for each in header.vlrs:
             if each.user_id == OWN_USER_ID and each.record_id == RECORD_ID:
                 try:
-                    return cls(*_parse_content(json_values(bytes(each.record_data))))
-                except (ValueError, TypeError, KeyError):
+                    content = json_values(bytes(each.record_data))
+                    return cls(*_mounting_and_frame(decode_value(content, RecordContent)))
+                except ValueError:
                     return None
         return None
 
@@ -89,38 +118,36 @@ class MountingRecord:
             return None
 
 
-def _parse_content(content: Any) -> tuple[Mounting, LocalFrame | None]:
+def _mounting_and_frame(content: RecordContent) -> tuple[Mounting, LocalFrame | None]:
     """Mounting and frame from the content of a record.
 
     Raises
     ------
     ValueError
-        If it is damaged or of another version; `TypeError` and `KeyError` have the same causes.
+        If a value is out of range, or the content is of another version.
     """
-    if content["version"] != CONTENT_VERSION:
-        raise ValueError(content["version"])
-    values = {name: np.asarray(content[name], dtype=np.float64) for name in MAX_VALUES}
-    for name, limit in MAX_VALUES.items():
-        if values[name].shape != ((3,) if name in ("lever_arm_m", "boresight_deg") else ()):
-            raise ValueError(name)
-        if not (np.abs(values[name]) <= limit).all():
-            raise ValueError(name)
-    axes = content["axes"]
-    if axes is not None:
-        axes = np.asarray(axes, dtype=np.float64)
-        if axes.shape != (3, 3) or not np.allclose(axes @ axes.T, np.eye(3), atol=1e-9):
-            raise ValueError("axes")
+    if content.version != CONTENT_VERSION:
+        raise ValueError(content.version)
+    for values, limit in (
+        (content.lever_arm_m, MAX_LEVER_ARM_M), (content.boresight_deg, 360.0),
+        ((content.range_offset_m,), MAX_RANGE_OFFSET_M), ((content.scan_angle_offset_deg,), 360.0),
+        ((content.latency_s,), MAX_LATENCY_S),
+    ):  # fmt: skip
+        if any(abs(value) > limit for value in values):
+            raise ValueError(values)
+    axes = None if content.axes is None else np.array(content.axes)
+    if axes is not None and not np.allclose(axes @ axes.T, np.eye(3), atol=1e-9):
+        raise ValueError(content.axes)
     mounting = Mounting(
-        values["lever_arm_m"], np.radians(values["boresight_deg"]),
-        range_offset=float(values["range_offset_m"]),
-        scan_angle_offset=float(np.radians(values["scan_angle_offset_deg"])),
-        latency=float(values["latency_s"]), axes=axes,
+        np.array(content.lever_arm_m), np.radians(content.boresight_deg),
+        range_offset=content.range_offset_m,
+        scan_angle_offset=float(np.radians(content.scan_angle_offset_deg)),
+        latency=content.latency_s, axes=axes,
     )  # fmt: skip
-    origin = content["origin_deg_m"]
-    if origin is None:
+    if content.origin_deg_m is None:
         return mounting, None
-    latitude, longitude, height = (float(value) for value in origin)
-    if not (abs(latitude) <= 90 and abs(longitude) <= 360 and abs(height) <= 1e5):
-        raise ValueError("origin_deg_m")
+    latitude, longitude, height = content.origin_deg_m
+    if not (abs(latitude) <= 90 and abs(longitude) <= 360 and abs(height) <= MAX_HEIGHT_M):
+        raise ValueError(content.origin_deg_m)
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     return mounting, frame

@@ -1,25 +1,21 @@
 """Calibration of many projects one after the other, with a table row for each."""
 
-import csv
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
-from io import StringIO
 from pathlib import Path
 
-from lispac.adjustment.result import ANGLES
 from lispac.errors import InputError, LispacError, NotComparable, system_reason
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
-from lispac.message_texts import english_text
 from lispac.messages import Message, as_message, error
 from lispac.present.angles import degrees
-from lispac.present.batch import BatchRow
+from lispac.present.batch import BATCH_CSV, BatchRow
+from lispac.present.csv_text import BYTE_ORDER_MARK, keyed_csv_text
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
-from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.checking.calibration_history import find_projects
 from lispac.workflow.checking.validation import validate
@@ -188,13 +184,6 @@ def _report_names(folders: Sequence[Path]) -> Iterator[str]:
         yield name
 
 
-COLUMN_NAMES = (
-    "folder", "project", "vessel", "dates", "verdict",
-    *(f"{angle}_deg" for angle in ANGLES), *(f"sigma_{angle}_deg" for angle in ANGLES),
-    "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "messages",
-)  # fmt: skip
-
-
 def write_table(rows: Sequence[BatchRow], path: Path) -> None:
     """Write the rows as CSV with full precision.
 
@@ -203,17 +192,6 @@ def write_table(rows: Sequence[BatchRow], path: Path) -> None:
     InputError
         If the file cannot be written.
     """
-    stream = StringIO()
-    stream.write("\ufeff")  # spreadsheets detect UTF-8 by the byte order mark
-    writer = csv.writer(stream)
-    writer.writerow(COLUMN_NAMES)
-    for row in rows:
-        cells = (
-            row.folder, row.name, row.vessel, row.dates, row.verdict,
-            *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
-            None if row.chi_square_passed is None else "yes" if row.chi_square_passed else "no",
-            row.rms_before_m, row.rms_after_m, " | ".join(map(english_text, row.messages)),
-        )  # fmt: skip
-        writer.writerow(map(as_csv_cell, cells))
+    text = BYTE_ORDER_MARK + keyed_csv_text(BATCH_CSV, rows, line_end="\r\n")
     with atomic_write(path) as temporary:
-        temporary.write_text(stream.getvalue(), encoding="utf-8", errors="replace", newline="")
+        temporary.write_text(text, encoding="utf-8", errors="replace", newline="")

@@ -1,6 +1,5 @@
 """Differences between the lines of a survey with the current georeferencing."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -10,16 +9,17 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, as_message, error
+from lispac.present.line_differences import LineDifferenceValues
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.validation.line_differences import (
     FACINGS,
+    DifferenceStatistics,
     Facing,
     LineDifference,
     compare_lines,
 )
-from lispac.validation.normal_distance import SIGMA_PER_MAD
 from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.project.survey import Survey
 
@@ -30,55 +30,6 @@ SEARCH_DISTANCE = 1.0
 wall at 60 m by half a metre."""
 MIN_PLACES = 10
 """Smallest number of places for a statistic."""
-
-
-@dataclass(frozen=True)
-class DifferenceStatistics:
-    """Statistics of the differences at some places.
-
-    Attributes
-    ----------
-    places : int
-    median : float or None, metres
-        Median along the normal, positive if the second line is nearer to the vessel; None for
-        several pairs, for which the sign has no meaning.
-    rmsd : float, metres
-        Root mean square of the differences.
-    robust_sigma : float or None, metres
-        1.4826 times the median absolute deviation from the median; None if there is no median.
-    p95, largest : float, metres
-        95th percentile and maximum of the absolute differences.
-    significant : float, in [0, 1]
-        Share of the places whose difference exceeds the half-width of its 95 % interval.
-    """
-
-    places: int
-    median: float | None
-    rmsd: float
-    robust_sigma: float | None
-    p95: float
-    largest: float
-    significant: float
-
-    @classmethod
-    def of(cls, distance: Array, half_width: Array) -> "DifferenceStatistics":
-        """Summarise the differences at some places.
-
-        Parameters
-        ----------
-        distance, half_width : ndarray of shape (n,), metres
-            Differences, and half-widths of their 95 % intervals.
-        """
-        size, median = np.abs(distance), float(np.median(distance))
-        return cls(
-            len(distance),
-            median,
-            float(np.sqrt(np.mean(distance**2))),
-            SIGMA_PER_MAD * float(np.median(np.abs(distance - median))),
-            float(np.percentile(size, 95.0)),
-            float(size.max()),
-            float(np.mean(size > half_width)),
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,24 +59,20 @@ class LineQuality:
         statistics = _difference_statistics([pair.facing(facing) for pair in self.pairs])
         return statistics and replace(statistics, median=None, robust_sigma=None)
 
-    def rows(self) -> list[tuple[str, str, Facing, DifferenceStatistics]]:
+    def rows(self) -> list[LineDifferenceValues]:
         """All statistics: of each pair, then of all pairs together."""
-        found: list[tuple[str, str, Facing, DifferenceStatistics]] = []
-
-        def add(one: str, other: str, of: Callable[[Facing], DifferenceStatistics | None]) -> None:
-            for facing in FACINGS:
-                statistics = of(facing)
-                if statistics is not None:
-                    found.append((one, other, facing, statistics))
-
-        for pair in self.pairs:
-            add(
-                pair.first,
-                pair.second,
-                lambda facing, pair=pair: self.statistics_of_pair(pair, facing),  # type: ignore[misc]
-            )
+        found = [
+            LineDifferenceValues.of(pair.first, pair.second, facing, statistics)
+            for pair in self.pairs
+            for facing in FACINGS
+            if (statistics := self.statistics_of_pair(pair, facing)) is not None
+        ]
         if len(self.pairs) > 1:
-            add("all", "all", self.pooled_statistics)
+            found += [
+                LineDifferenceValues.of("all", "all", facing, statistics)
+                for facing in FACINGS
+                if (statistics := self.pooled_statistics(facing)) is not None
+            ]
         return found
 
 

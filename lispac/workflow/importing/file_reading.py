@@ -21,7 +21,9 @@ from lispac.io.points.point_reader_common import (
 )
 from lispac.io.points.static_scan import has_no_time
 from lispac.io.trajectory.sbet import read_sbet, read_smrmsg
+from lispac.message_texts import message_text
 from lispac.messages import Message, error, note, warning
+from lispac.present.input_file import FormatCheckValues, content_texts
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
@@ -65,11 +67,24 @@ class FileCheck:
     finding: FilePreview | None
     error: Message | None = None
 
+    @property
+    def values(self) -> FormatCheckValues:
+        """Values for JSON, with texts in the language in use."""
+        found = self.finding or FilePreview({})
+        options = {} if self.finding is None else self.format.resolved(found.choice)
+        return FormatCheckValues(
+            self.format.key, message_text(self.format.name), self.format.kind, self.confidence,
+            self.error, content_texts(found.facts), options, found.assumptions,
+            (*found.file_warnings, *found.messages),
+        )  # fmt: skip
+
 
 def check_file(
     path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
 ) -> list[FileCheck]:
     """Check a file in each format that it may have, the most likely first.
+
+    At equal likelihood, formats with the extension of the file come first, then readable ones.
 
     Raises
     ------
@@ -82,11 +97,14 @@ def check_file(
         raise InputError(error("import.points_without_time", file=str(path)))
     if not found:
         raise InputError(error("import.unknown_format", file=str(path)))
-    found.sort(key=lambda pair: -pair[1])
-    surest = found[0][1]
-    return [
-        _check_format(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)
-    ]
+    least = min(max(sure for _, sure in found), LIKELY)
+    ending = path.suffix.lower()
+    return sorted(
+        (_check_format(path, format, sure) for format, sure in found if sure >= least),
+        key=lambda check: (
+            -check.confidence, ending not in check.format.endings, check.error is not None
+        ),
+    )  # fmt: skip
 
 
 def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:

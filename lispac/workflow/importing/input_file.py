@@ -185,14 +185,9 @@ def examine_file(
         found = check_file(path)
     except LispacError as refused:
         return InputFile(path, error=message_with_file_name(refused, path), pending=False)
-    # At equal likelihood, formats with the extension of the file come first, then readable ones.
-    ending = path.suffix.lower()
-    found.sort(
-        key=lambda check: (-check.confidence, ending not in check.format.endings, bool(check.error))
-    )
     first = found[0]
     input_file = InputFile(path, tuple(found), first.format.kind, first.format)
-    if first.confidence <= POSSIBLE and ending not in first.format.endings:
+    if first.confidence <= POSSIBLE and path.suffix.lower() not in first.format.endings:
         unlikely = note(
             "import.unlikely_format", file=printable(path.name), format=first.format.name
         )
@@ -299,16 +294,15 @@ def _with_content(input_file: InputFile, progress: Progress) -> InputFile:
         )
         finding = input_file.finding
         if finding is not None:
-            messages = tuple(dict.fromkeys((*finding.messages, *found.messages)))
-            finding = replace(finding, messages=messages)
+            finding = finding.with_messages(found.messages)
         return replace(input_file, content=times, place=place, finding=finding, audit=found.audit)
     content = input_file.format.read(input_file.path, input_file.options)
     assert isinstance(content, Trajectory | TrajectoryAccuracy)
     if isinstance(content, Trajectory):
         content = content.with_positions_only()
         if content.messages and input_file.finding is not None:
-            messages = tuple(dict.fromkeys((*input_file.finding.messages, *content.messages)))
-            input_file = replace(input_file, finding=replace(input_file.finding, messages=messages))
+            finding = input_file.finding.with_messages(content.messages)
+            input_file = replace(input_file, finding=finding)
     return replace(input_file, content=content)
 
 

@@ -1,10 +1,7 @@
 """Checks of a plan, and files of a survey design."""
 
-import csv
 from collections.abc import Sequence
 from pathlib import Path
-
-import numpy as np
 
 from lispac.adjustment.diagnostics.observability import assess_observability
 from lispac.adjustment.model.threads import single_blas_thread
@@ -22,8 +19,14 @@ from lispac.io.files import atomic_write, bad_name_error
 from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, as_message, error, warning
+from lispac.present.csv_text import keyed_csv_text
+from lispac.present.planning import (
+    FRONT_CSV,
+    SCENARIOS_CSV,
+    ScenarioValues,
+    ShorterPlanPrecision,
+)
 from lispac.progress import Progress, no_progress
-from lispac.untrusted_values import as_csv_cell
 
 ONE_ORIENTATION_ERROR = error("plan_survey.one_orientation")
 """Error that all targets of a plan have the same orientation."""
@@ -124,17 +127,9 @@ def write_design(
     figure = pareto_front_figure(design.front, CRITERION_TEXTS[objective.criterion])
     with atomic_write(folder / "front.svg") as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None})
-    rows = [["minutes", "value_deg", "roll_deg", "pitch_deg", "yaw_deg", "targets", "lines"]]
-    for step in design.front:
-        sigma = np.degrees(predict(step.plan).sigma)
-        names = " ".join(target.name for target in step.plan.targets)
-        numbers = (f"{step.minutes:.1f}", *(f"{v:.6f}" for v in (np.degrees(step.value), *sigma)))
-        rows.append([*numbers, as_csv_cell(names), str(len(step.plan.lines))])
-    with (
-        atomic_write(folder / "front.csv") as temporary,
-        temporary.open("w", encoding="utf-8", newline="") as file,
-    ):
-        csv.writer(file, lineterminator="\n").writerows(rows)
+    rows = [ShorterPlanPrecision.of(step) for step in design.front]
+    with atomic_write(folder / "front.csv") as temporary:
+        temporary.write_text(keyed_csv_text(FRONT_CSV, rows), encoding="utf-8", newline="")
 
 
 def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:
@@ -148,13 +143,9 @@ def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:
     from lispac.report.design_figures import scenario_figure
 
     folder = _create_folder(folder)
-    rows = ["scenario,case,pos_errors,roll_deg,pitch_deg,yaw_deg,points"]
-    for each in outcomes:
-        sigma = (f"{v:.6f}" if np.isfinite(v) else "" for v in np.degrees(each.sigma))
-        case = f'"{each.case}"' if "," in each.case else each.case
-        rows.append(f"{each.scenario},{case},{each.pos_errors},{','.join(sigma)},{each.points:.0f}")
+    rows = [ScenarioValues.of(each) for each in outcomes]
     with atomic_write(folder / "scenarios.csv") as temporary:
-        temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
+        temporary.write_text(keyed_csv_text(SCENARIOS_CSV, rows), encoding="utf-8", newline="")
     for scenario in dict.fromkeys(each.scenario for each in outcomes):
         figure = scenario_figure([each for each in outcomes if each.scenario == scenario])
         with atomic_write(folder / f"{scenario}.svg") as temporary:

@@ -7,7 +7,7 @@ from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.present import visibility
 from lispac.progress import Progress, no_progress
-from lispac.report.csv_tables import csv_text
+from lispac.report.csv_tables import table_csv_text
 from lispac.report.document_blocks import report_table
 from lispac.report.visibility_figures import visibility_figure
 from lispac.simulation.visibility_study import VisibilityStudy
@@ -57,7 +57,7 @@ def write_visibility(
         path = folder / f"{study.site.name}-{name}.csv"
         with atomic_write(path) as part:
             # The table already contains the line ends that spreadsheets expect.
-            part.write_text(csv_text(table), encoding="utf-8", newline="")
+            part.write_text(table_csv_text(table), encoding="utf-8", newline="")
         written.append(path)
     drawn = [(error, criterion, form) for error in errors for criterion in visibility.CRITERIA
              for form in formats]  # fmt: skip

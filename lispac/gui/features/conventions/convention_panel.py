@@ -314,7 +314,7 @@ class ConventionPanel(QWidget):
         status = f'<b style="color:{colour}">{gettext(_STATUS_TEXTS[values.status][0])}</b>'
         self.status.setText(gettext("{status}: {source}.", status=status, source=values.source))
         self.rules.setText(
-            "<br>".join(f"<b>{name}</b> {text}" for name, text in rotation_facts(values))
+            "<br>".join(f"<b>{fact.name}</b> {fact.text}" for fact in rotation_facts(values))
         )
         title = gettext("Assumption:")
         self.assumption.setText(f"<b>{title}</b> {values.assumption}")

@@ -20,7 +20,11 @@ class SeedActions(SurveyActions):
     """Actions that ask for seeds and search for their targets."""
 
     def __init__(self, tools: TargetTools) -> None:
-        super().__init__(tools)
+        super().__init__(
+            tools,
+            [tools.panel.type_seed, tools.panel.list_seeds],
+            ["seed_coordinates", "seed_list"],
+        )
         tools.actions.connect_slots(
             {"seed_coordinates": self.type_seed, "seed_list": self.list_seeds}
         )
@@ -105,13 +109,6 @@ class SeedActions(SurveyActions):
             gettext(found, file=path.name, found=len(names), count=len(outcomes))
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))
-
-    def _enable_controls(self) -> None:
-        ready = self._current_data()[1] is not None
-        for button in (self._targets.type_seed, self._targets.list_seeds):
-            button.setEnabled(ready)
-        for name in ("seed_coordinates", "seed_list"):
-            self._actions[name].setEnabled(ready)
 
 
 def _search_summary(seed_options: SeedOptions) -> str:

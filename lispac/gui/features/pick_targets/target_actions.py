@@ -1,10 +1,11 @@
 """Actions on targets besides picking: rate, search again, propose, change the role."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QAbstractButton
 
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
@@ -39,10 +40,18 @@ class TargetTools:
 
 
 class SurveyActions(QObject):
-    """Base class of actions that need a loaded survey and an idle program."""
+    """Actions that need a loaded survey and an idle program, with their buttons.
 
-    def __init__(self, tools: TargetTools) -> None:
+    Parameters
+    ----------
+    buttons, names : buttons, and names of actions, that are enabled in that case
+    """
+
+    def __init__(
+        self, tools: TargetTools, buttons: Sequence[QAbstractButton], names: Sequence[str]
+    ) -> None:
         super().__init__(tools.actions)
+        self._buttons, self._names = buttons, names
         self._document, self._runner = tools.document, tools.runner
         self._controller, self._dialogs = tools.controller, tools.dialogs
         self._targets, self._actions = tools.panel, tools.actions
@@ -58,14 +67,18 @@ class SurveyActions(QObject):
         return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
-        raise NotImplementedError
+        ready = self._current_data()[1] is not None
+        for button in self._buttons:
+            button.setEnabled(ready)
+        for name in self._names:
+            self._actions[name].setEnabled(ready)
 
 
 class TargetActions(SurveyActions):
     """Controls proposals, repeated searches and the quality of targets."""
 
     def __init__(self, tools: TargetTools, table: SightingsTable) -> None:
-        super().__init__(tools)
+        super().__init__(tools, [tools.panel.propose], ["propose"])
         controller, panel, actions = tools.controller, tools.panel, tools.actions
         self.quality_computation = QualityComputation(tools.document, tools.runner, self)
         self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
@@ -160,9 +173,8 @@ class TargetActions(SurveyActions):
         self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _enable_controls(self) -> None:
+        super()._enable_controls()
         ready = self._current_data()[1] is not None
-        self._targets.propose.setEnabled(ready)
-        self._actions["propose"].setEnabled(ready)
         self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
 
 

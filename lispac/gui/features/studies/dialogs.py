@@ -7,12 +7,14 @@ from PySide6.QtWidgets import QFileDialog
 
 from lispac.alternative_methods import Method
 from lispac.gui.app.questions import Questions, run_dialog
-from lispac.gui.features.studies.budget_dialog import BudgetDialog
 from lispac.gui.features.studies.check_dialog import CheckDialog, CheckRequest, CheckResultDialog
-from lispac.gui.features.studies.history_dialog import HistoryDialog
-from lispac.gui.features.studies.line_quality_dialog import LineQualityDialog
 from lispac.gui.features.studies.methods_dialog import MethodsDialog
-from lispac.gui.features.studies.subsampling_dialog import SubsamplingDialog
+from lispac.gui.features.studies.study_dialog import (
+    BudgetDialog,
+    HistoryDialog,
+    LineQualityDialog,
+    SubsamplingDialog,
+)
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.language import gettext
 from lispac.messages import Message

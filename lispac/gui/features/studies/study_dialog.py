@@ -1,4 +1,4 @@
-"""Base class of the dialogues with the result of a study: text, table and plot to copy."""
+"""Dialogues with the result of a study: text, table and plot to copy."""
 
 from collections.abc import Sequence
 
@@ -7,8 +7,21 @@ from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.appearance import units
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
-from lispac.language import gettext
+from lispac.gui.widgets.result_tables import window_columns, window_rows
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.present.calibrations import HISTORY_TABLE
+from lispac.present.error_budget import ErrorBudgetValues, budget_table
+from lispac.present.line_differences import LINE_DIFFERENCES_TABLE
+from lispac.present.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
+from lispac.workflow.checking.calibration_history import CalibrationHistory
+from lispac.workflow.checking.line_quality import LineQuality
+from lispac.workflow.output.georeferencing import BoresightChoice
 
 HEADER_HEIGHT_PX, ROW_HEIGHT_PX, MAX_ROWS = 64, 24, 10
 """Height of the table header and of a row, pixels, and limit of rows for the table height."""
@@ -16,6 +29,16 @@ SCREEN_MARGIN_PX = 40
 """Part of the width and of the height of the screen that a dialogue does not use, pixels."""
 MIN_TABLE_HEIGHT_PX, MIN_PLOT_HEIGHT_PX = HEADER_HEIGHT_PX + 3 * ROW_HEIGHT_PX, 180
 """Smallest heights of table and plot on a small screen, pixels."""
+LINE_QUALITY_INTRODUCTIONS: dict[BoresightChoice, str] = {
+    "prior": N_(
+        "The table shows the differences between each pair of lines on flat surfaces, along the "
+        "surface normal and with the prior boresight. The project is not changed."
+    ),
+    "estimated": N_(
+        "The table shows the differences between each pair of lines on flat surfaces, along the "
+        "surface normal and with the estimated boresight. The project is not changed."
+    ),
+}
 
 
 class StudyDialog(QDialog):
@@ -138,3 +161,154 @@ class StudyDialog(QDialog):
     def _copy_picture(self) -> None:
         if self.canvas is not None:
             QGuiApplication.clipboard().setPixmap(self.canvas.picture())
+
+
+class BudgetDialog(StudyDialog):
+    """Dialogue with a row for each error source, for one direction of the beam at a time."""
+
+    def __init__(self, budget: ErrorBudgetValues, parent: QWidget | None = None) -> None:
+        columns = window_columns(budget_table(budget, budget.beams[0])[0])
+        table = DiagnosticsTable("budget_table", gettext("Error budget"), columns)
+        super().__init__(
+            "budget", dialog_title(ACTIONS["budget"]),
+            gettext(
+                "The table shows the standard deviation of a georeferenced point due to each "
+                "error source, in centimetres. It is propagated with the derivatives used in the "
+                "adjustment."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self._budget = budget
+        self.beam = widgets.ChoiceBox(
+            "budget_beam",
+            [gettext("Beam direction: {direction}", direction=each.beam) for each in budget.beams],
+            gettext("Direction of the beam"),
+        )
+        self.beam.currentIndexChanged.connect(self._show)
+        self.body.insertWidget(1, self.beam)
+        self.message_label.setText("\n".join(map(message_text, budget.messages)))
+        self.resize(1120, 620)
+        self._show()
+
+    def _show(self) -> None:
+        beam = self._budget.beams[self.beam.currentIndex()]
+        missing = gettext(
+            "The uncertainty of this source was not given, so the budget does not include it."
+        )
+        self.show_rows(
+            window_rows(
+                *budget_table(self._budget, beam),
+                marked=lambda row: row in (beam.before, beam.after),
+                tip=lambda row: missing if row.at_distance is None else "",
+            )
+        )
+
+
+class HistoryDialog(StudyDialog):
+    """Dialogue that shows one system at a time, initially the one with most calibrations."""
+
+    def __init__(
+        self,
+        histories: Sequence[CalibrationHistory],
+        messages: Sequence[Message],
+        parent: QWidget | None = None,
+    ) -> None:
+        title = dialog_title(ACTIONS["history"])
+        table = DiagnosticsTable("history_table", title, window_columns(HISTORY_TABLE))
+        super().__init__(
+            "history", title,
+            gettext(
+                "Each calibration is compared with the mean of the earlier ones. A system is a "
+                "combination of vessel, scanner and INS/GNSS, as named in the details for the "
+                "report."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self._histories, self._notes = tuple(histories), tuple(messages)
+        self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
+        self.system.clear()
+        self.system.addItems([each.system.full_name for each in histories])
+        self.system.setSizeAdjustPolicy(self.system.SizeAdjustPolicy.AdjustToContents)
+        self.system.currentIndexChanged.connect(self._show)
+        self.body.insertWidget(1, self.system)
+        self.resize(1260, 820)
+        self._show()
+
+    def _show(self) -> None:
+        from lispac.report.control_charts import control_chart_figure
+
+        history = self._histories[self.system.currentIndex()]
+        self.show_rows(
+            window_rows(
+                HISTORY_TABLE,
+                history.calibrations,
+                marked=lambda row: row.moved,
+                tip=lambda row: message_text(row.message),
+            )
+        )
+        messages = map(message_text, (*history.messages, *self._notes))
+        self.message_label.setText("\n".join(messages))
+        self.message_label.setVisible(bool(self.message_label.text()))
+        control_chart_figure(history.calibrations, self.figure())
+        self.canvas.draw_idle()
+        self.canvas.setAccessibleName(
+            gettext("Control chart of {system}", system=history.system.full_name)
+        )
+
+
+class LineQualityDialog(StudyDialog):
+    """Dialogue with a row for each pair of lines and surface orientation, and a map."""
+
+    def __init__(self, quality: LineQuality, parent: QWidget | None = None) -> None:
+        title = dialog_title(ACTIONS["line_quality"])
+        table = DiagnosticsTable(
+            "line_quality_table", title, window_columns(LINE_DIFFERENCES_TABLE)
+        )
+        super().__init__(
+            "line_quality", title, gettext(LINE_QUALITY_INTRODUCTIONS[quality.which]), table, parent
+        )
+        self.show_rows(window_rows(LINE_DIFFERENCES_TABLE, quality.rows()))
+        self.message_label.setText("\n".join(map(message_text, quality.not_compared)))
+        self.message_label.setVisible(bool(quality.not_compared))
+        self._draw(quality)
+        self.resize(900, 760)
+
+    def _draw(self, quality: LineQuality) -> None:
+        # Matplotlib is imported late, so that the window starts without it.
+        from lispac.report.line_map import line_difference_map
+
+        line_difference_map(quality.pairs, self.figure())
+        self.canvas.draw_idle()
+        self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
+
+
+class SubsamplingDialog(StudyDialog):
+    """Dialogue with a row for each point spacing."""
+
+    def __init__(
+        self, results: Sequence[SubsamplingValues], used: float, parent: QWidget | None = None
+    ) -> None:
+        title = dialog_title(ACTIONS["subsampling"])
+        table = DiagnosticsTable("subsampling_table", title, window_columns(SUBSAMPLING_TABLE))
+        super().__init__(
+            "subsampling", title,
+            gettext(
+                "Each row is an adjustment of the same sightings with another point spacing. "
+                "Points of a sighting share the POS errors, so below some spacing more points "
+                "take time but do not reduce the standard deviations. The project is not changed."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self.show_rows(
+            window_rows(SUBSAMPLING_TABLE, results, marked=lambda row: row.distance_m == used)
+        )
+        self.message_label.setText(
+            gettext(
+                "The highlighted row has the point spacing of the project settings, {spacing} "
+                "{unit}.",
+                spacing=units.localised(units.figure(used, "m", ".2f")),
+                unit=units.shown_unit("m").sign,
+            )
+        )
+        self.message_label.setVisible(any(each.distance_m == used for each in results))
+        self.resize(860, 330)

@@ -9,8 +9,8 @@ from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
-from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, spreadsheet_text
-from lispac.gui.widgets.result_tables import window_columns, window_rows
+from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
+from lispac.gui.widgets.result_tables import spreadsheet_text, window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.present.tables import title_text
 from lispac.present.text_format import sentence_text
@@ -173,11 +173,8 @@ class VisibilityDialog(StudyDialog):
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
         from lispac.present.visibility import criterion_table
-        from lispac.report.document_blocks import report_table
 
-        table = report_table(*criterion_table(*self._chart_selection))
-        lines = [[column.title for column in table.columns], *table.rows]
-        return "".join("\t".join(map(spreadsheet_text, line)) + "\n" for line in lines)
+        return spreadsheet_text(*criterion_table(*self._chart_selection))
 
 
 def _reason_text(row: "ComparedConfiguration") -> str:

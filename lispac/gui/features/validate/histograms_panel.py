@@ -1,7 +1,5 @@
 """Distances between the lines on each validation plane, before and after the adjustment."""
 
-import csv
-from io import StringIO
 from typing import Literal
 
 import numpy as np
@@ -26,15 +24,19 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.untrusted_values import as_csv_cell
+from lispac.present.validation import (
+    BOTH_PROFILES_TABLE,
+    HISTOGRAM_TABLE,
+    ValidationPlane,
+    distance_steps,
+    histogram_bins,
+)
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
-from lispac.validation.distance_bins import LAST_BIN_END, merge_bins
+from lispac.validation.distance_bins import merge_bins
 from lispac.validation.distance_profile import DistanceProfile
-
-TAB = "\t"
-"""Separator of columns that spreadsheets recognise."""
 
 ProfileAxis = Literal["height", "range"]
 """Horizontal axis of a distance profile."""
@@ -104,39 +106,17 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     """
     edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
-    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), LAST_BIN_END]
-    rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
-    return _tabbed_text(
-        ("From (mm)", "To (mm)", "Points before calibration", "Points after calibration"),
-        [(f"{low:.6g}", end, str(b), str(a)) for low, end, b, a in rows],
-    )
+    bins = histogram_bins(edges.tolist(), before.tolist(), after.tolist())
+    return spreadsheet_text(HISTOGRAM_TABLE, bins)
 
 
 def profiles_text(comparison: PlaneComparison) -> str:
     """Distances as a function of height and range, as a tab-separated table."""
-    rows = []
-    for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
-        if profile is None:
-            continue
-        values = (
-            profile.median_before, profile.median_after, profile.p95_before, profile.p95_after
-        )  # fmt: skip
-        for k, n in enumerate(profile.n):
-            low, high = profile.edges[k : k + 2]
-            cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
-            rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
-    heads = (
-        "Quantity", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
-        "95 % before (mm)", "95 % after (mm)",
-    )  # fmt: skip
-    return _tabbed_text(heads, rows)
-
-
-def _tabbed_text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    stream = StringIO()
-    writer = csv.writer(stream, delimiter=TAB, lineterminator="\n")
-    writer.writerows([as_csv_cell(cell) for cell in row] for row in (heads, *rows))
-    return stream.getvalue()
+    plane = ValidationPlane.of(comparison)
+    steps = [
+        *distance_steps("height", plane.by_height), *distance_steps("range", plane.by_range)
+    ]  # fmt: skip
+    return spreadsheet_text(BOTH_PROFILES_TABLE, steps)
 
 
 _COLUMNS = (

@@ -17,12 +17,12 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
-from lispac.gui.features.open_project.import_survey import file_texts
 from lispac.gui.features.open_project.import_survey.message_list import MessageList
 from lispac.gui.features.open_project.import_survey.options_form import OptionsForm
 from lispac.language import gettext
-from lispac.message_texts import fact_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import Action
+from lispac.present.input_file import content_facts
 from lispac.workflow.importing.input_columns import (
     UNUSED_COLUMN,
     has_columns,
@@ -223,8 +223,8 @@ class FilePage(QWidget):
             self.facts.removeRow(0)
         assumed = () if finding is None else finding.assumptions
         self._add_fact(gettext("Folder"), str(file.path.parent))
-        for name, fact in ({} if finding is None else finding.facts).items():
-            self._add_fact(file_texts.fact_name(name), fact_text(fact))
+        for fact in content_facts({} if finding is None else finding.facts):
+            self._add_fact(fact.name, fact.text)
         self.assumptions.setText("\n".join(map(message_text, assumed)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))

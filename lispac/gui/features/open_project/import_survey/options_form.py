@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.features.open_project.import_survey import file_texts
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.message_texts import message_text
+from lispac.present.input_file import option_name, option_value
 from lispac.workflow.importing.input_file import InputFile
 
 _GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
@@ -75,9 +75,9 @@ class OptionsForm(QWidget):
         self.fields, self._labels = {}, {}
         for option in options:
             field = self._field(option)
-            label = widgets.label(file_texts.option_name(option.name))
+            label = widgets.label(option_name(option.name))
             label.setBuddy(field)
-            field.setAccessibleName(file_texts.option_name(option.name))
+            field.setAccessibleName(option_name(option.name))
             self.fields[option.name], self._labels[option.name] = field, label
             self._form.addRow(label, field)
             if option.name == "crs":
@@ -89,7 +89,7 @@ class OptionsForm(QWidget):
             combo = widgets.ChoiceBox(f"option_{name}", [""], gettext(option.meaning))
             combo.clear()
             for value in option.choices:
-                combo.addItem(file_texts.option_value(name, value), value)
+                combo.addItem(option_value(name, value), value)
             combo.setMinimumContentsLength(12)
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

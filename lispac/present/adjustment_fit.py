@@ -1,0 +1,77 @@
+"""Fit of an adjustment: numbers of points and iterations, variance factor, RMS distances."""
+
+from lispac.language import N_, Plural, gettext
+from lispac.present.adjustment import AdjustmentValues
+from lispac.present.settings import POS_ERROR_MEANINGS
+from lispac.present.tables import Fact
+from lispac.present.text_format import fixed_number, grouped_number
+
+FIT_TITLE = N_("Fit of the adjustment")
+VARIANCE_FACTOR_TEXT = N_("{factor}, computed with the given sigmas")
+VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
+    "{factor}, computed with the given sigmas multiplied by the applied variance components"
+)
+VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
+    "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
+)
+VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
+    "{factor}, computed with the given sigmas multiplied by the applied variance components, "
+    "without the LiDAR noise estimated from the residuals"
+)
+EXCLUDED_OUTLIERS_TEXT = Plural(
+    "{points:n}; {count:n} outlier excluded from the averages",
+    "{points:n}; {count:n} outliers excluded from the averages",
+)
+
+
+def fit_facts(values: AdjustmentValues) -> list[Fact]:
+    """Facts about the fit, in the language in use."""
+    return [
+        _point_count(values),
+        Fact(gettext("Iterations"), values.iterations),
+        Fact(gettext("Degrees of freedom"), values.degrees_of_freedom),
+        Fact(gettext("Variance factor"), _variance_factor_text(values)),
+        Fact(gettext("Chi-square test at 95 %"), _chi_square_text(values)),
+        Fact("", str(values.chi_square.text)),
+        Fact(gettext("RMS before calibration"), gettext("{rms:mm.1} mm", rms=values.rms_before_m)),
+        Fact(
+            gettext("RMS after calibration"),
+            gettext("{rms:mm.1} mm; POS errors not removed", rms=values.rms_after_m),
+        ),
+        Fact(gettext("Model of the POS errors"), gettext(POS_ERROR_MEANINGS[values.pos_errors])),
+    ]
+
+
+def _point_count(values: AdjustmentValues) -> Fact:
+    if not values.excluded_outliers:
+        return Fact(gettext("Points"), values.points)
+    text = gettext(EXCLUDED_OUTLIERS_TEXT, points=values.points, count=values.excluded_outliers)
+    return Fact(gettext("Points"), text)
+
+
+def _variance_factor_text(values: AdjustmentValues) -> str | None:
+    if values.variance_factor is None:
+        return None
+    applied = any(component.applied for component in values.components)
+    if values.pos_errors == "correlated":
+        template = (
+            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT
+            if applied
+            else VARIANCE_FACTOR_BEFORE_NOISE_TEXT
+        )
+    else:
+        template = VARIANCE_FACTOR_COMPONENTS_TEXT if applied else VARIANCE_FACTOR_TEXT
+    return gettext(template, factor=fixed_number(values.variance_factor, 4))
+
+
+def _chi_square_text(values: AdjustmentValues) -> str:
+    test = values.chi_square
+    statistic = grouped_number(test.statistic, 1)
+    if test.lower is None or test.upper is None:
+        return gettext("test statistic {statistic}", statistic=statistic)
+    return gettext(
+        "test statistic {statistic}, bounds {lower} to {upper}",
+        statistic=statistic,
+        lower=grouped_number(test.lower, 1),
+        upper=grouped_number(test.upper, 1),
+    )

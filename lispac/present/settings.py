@@ -1,0 +1,299 @@
+"""Settings of a result: mounting, points and stochastic model, as values and facts.
+
+Field names of `SettingsUsed` are the keys of ``settings`` in JSON.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lispac.adjustment.model.stochastic_model import PosErrors
+from lispac.language import N_, gettext
+from lispac.present.adjustment import AdjustmentValues
+from lispac.present.tables import Fact
+from lispac.present.text_format import (
+    fixed_number,
+    millimetres,
+    origin_text,
+    parameter_name,
+    quantity_text,
+    shortest_number,
+    triple_text,
+)
+from lispac.project import Project
+
+CONVENTION_TEXT = N_(
+    "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
+    "side up, pitch positive with the bow down, yaw positive clockwise seen from above. The "
+    "boresight rotates LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
+    "use other signs and orders: convert these angles before entering them in another program."
+)
+
+POS_ERROR_MODEL_NAMES: Mapping[PosErrors, str] = {
+    "correlated": N_("correlated POS errors"),
+    "independent": N_("uncorrelated POS errors (classical)"),
+}
+"""Names of the models of the POS errors in figures and forms of the survey design."""
+
+MIN_REPORTED_NOISE_FACTOR = 1.05
+"""Smallest noise factor of a target (estimated divided by given LiDAR noise) that is reported."""
+
+POS_ERROR_TEXTS: Mapping[str, str] = {
+    "correlated": N_("Correlated in time."),
+    "independent": N_("Uncorrelated."),
+}
+POS_ERROR_MEANINGS: Mapping[str, str] = {
+    "correlated": N_(
+        "All points of one sighting share the errors of position and attitude at the time of the "
+        "sighting, and sightings close in time share part of them (first-order Gauss-Markov "
+        "process)."
+    ),
+    "independent": N_(
+        "Every point has its own errors of position and attitude, independent of all others."
+    ),
+}
+LOSS_TEXTS: Mapping[str, str] = {
+    "none": N_("No robust estimation."),
+    "huber": N_("Loss function: Huber."),
+    "tukey": N_("Loss function: Tukey."),
+}
+LOSS_MEANINGS: Mapping[str, str] = {
+    "none": N_("All points have the same weight, including outliers."),
+    "huber": N_(
+        "Points farther than 1.3 standard deviations from the surface have a smaller "
+        "weight; outliers have little effect."
+    ),
+    "tukey": N_(
+        "The weight of a point decreases with its distance from the surface; beyond 4.7 standard "
+        "deviations it is zero."
+    ),
+}
+OFFSET_TITLES: Mapping[str, str] = {
+    "range_offset": N_("Given range offset"),
+    "scan_angle_offset": N_("Given scan-angle offset"),
+    "latency": N_("Given latency"),
+}
+"""Titles of the offsets, by the name of the value."""
+
+CORRELATION_TIMES_TEXT = N_(
+    "{position} s and {attitude} s: time over which a POS error persists. Use the values of the "
+    "processing report if it gives them. Too short a time is safer than too long a time."
+)
+
+
+@dataclass(frozen=True)
+class SettingsUsed:
+    """Settings of a result; the POS sigmas are None if an accuracy file was given.
+
+    The LiDAR noise is given along x, y, z, or for range and angle; if both are None,
+    ``lidar_sigma_m`` applies to each axis. ``averaged``: close points are averaged, not thinned.
+    ``surface_sigma_m`` is the value used; it is None before it is estimated and with uncorrelated
+    POS errors. ``surface_from_data`` is None with uncorrelated POS errors. ``offset_sigma_m`` is
+    None if it equals the surface sigma.
+    """
+
+    lever_arm_m: tuple[float, ...]
+    origin_deg_m: tuple[float, ...] | None
+    position_sigma_m: tuple[float, ...] | None
+    attitude_sigma_deg: tuple[float, ...] | None
+    lidar_sigma_m: float
+    lidar_sigma_xyz_m: tuple[float, ...] | None
+    lidar_range_sigma_m: float | None
+    lidar_angle_sigma_deg: float | None
+    range_offset_m: float
+    scan_angle_offset_deg: float
+    latency_s: float
+    subsample_m: float
+    accept_single_orientation: bool
+    averaged: bool
+    pos_errors: str
+    position_correlation_time_s: float | None
+    attitude_correlation_time_s: float | None
+    pos_errors_text: str
+    surface_sigma_m: float | None
+    offset_sigma_m: float | None
+    surface_from_data: bool | None
+    loss: str
+    loss_text: str
+    convention: str
+
+
+def settings_used(project: Project) -> SettingsUsed:
+    """Settings of the result, or of the project if it has no result yet."""
+    settings, result = project.settings, project.result
+    typed = project.accuracy is None
+    model = result.model if result else settings.stochastic_model
+    beam = settings.lidar_beam_sigma
+    found = result.surface if result else model.surface
+    return SettingsUsed(
+        lever_arm_m=settings.lever_arm,
+        origin_deg_m=settings.origin_deg_m,
+        position_sigma_m=settings.position_sigma if typed else None,
+        attitude_sigma_deg=settings.attitude_sigma_deg if typed else None,
+        lidar_sigma_m=settings.lidar_sigma,
+        lidar_sigma_xyz_m=settings.lidar_sigma_xyz,
+        lidar_range_sigma_m=beam[0] if beam else None,
+        lidar_angle_sigma_deg=beam[1] if beam else None,
+        range_offset_m=settings.range_offset,
+        scan_angle_offset_deg=settings.scan_angle_offset_deg,
+        latency_s=settings.latency,
+        subsample_m=settings.subsample,
+        accept_single_orientation=settings.accept_single_orientation,
+        averaged=model.correlated,
+        pos_errors=model.pos_errors,
+        position_correlation_time_s=model.position_time if model.correlated else None,
+        attitude_correlation_time_s=model.attitude_time if model.correlated else None,
+        pos_errors_text=POS_ERROR_MEANINGS[model.pos_errors],
+        surface_sigma_m=found if model.correlated else None,
+        offset_sigma_m=result.offset if result else None,
+        surface_from_data=model.surface is None if model.correlated else None,
+        loss=model.loss,
+        loss_text=LOSS_MEANINGS[model.loss],
+        convention=CONVENTION_TEXT,
+    )
+
+
+def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
+    """Mounting, local frame, estimated parameters and point spacing, in the language in use."""
+    names = [p.name for p in adjustment.parameters] if adjustment else []
+    lever_arm = gettext("{values} m", values=triple_text(used.lever_arm_m, 4))
+    if any(name.startswith("lever") for name in names):
+        values = [Fact(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
+    else:
+        values = [Fact(gettext("Lever arm (forward, left, up)"), lever_arm)]
+    values.append(Fact(gettext("Origin of the local frame"), origin_text(used.origin_deg_m)))
+    for name, value in (
+        ("range_offset", used.range_offset_m),
+        ("scan_angle_offset", used.scan_angle_offset_deg),
+        ("latency", used.latency_s),
+    ):
+        if value:
+            values.append(Fact(gettext(OFFSET_TITLES[name]), quantity_text(name, value, sign=True)))
+    if names:
+        estimated = [gettext("boresight"), *map(parameter_name, names)]
+        values.append(
+            Fact(
+                gettext("Parameters selected for estimation"),
+                gettext("{names:names}", names=estimated),
+            )
+        )
+    if used.accept_single_orientation:
+        values.append(Fact(gettext("Targets of a single orientation"), gettext("accepted")))
+    return [*values, Fact(gettext("Point spacing"), _subsampling_text(used))]
+
+
+def _subsampling_text(used: SettingsUsed) -> str:
+    if not used.subsample_m:
+        return gettext("none: all points are used")
+    spacing = fixed_number(used.subsample_m, 3)
+    if used.averaged:
+        return gettext(
+            "averaged: the points of a plane within a square of {spacing} m are replaced by their "
+            "mean; points of spheres are not averaged",
+            spacing=spacing,
+        )
+    return gettext(
+        "thinned: where points are closer than {spacing} m to each other, one is kept",
+        spacing=spacing,
+    )
+
+
+def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
+    """Stochastic model, in the language in use."""
+    from_file = gettext("from the trajectory accuracy file")
+    values = [
+        Fact(
+            gettext("POS errors"),
+            f"{gettext(POS_ERROR_TEXTS[used.pos_errors])} {gettext(used.pos_errors_text)}",
+        ),
+        Fact(
+            gettext("Position sigma (north, east, down)"),
+            gettext("{values} m", values=triple_text(used.position_sigma_m, 3))
+            if used.position_sigma_m
+            else from_file,
+        ),
+        Fact(
+            gettext("Attitude sigma (roll, pitch, heading)"),
+            gettext("{values} deg", values=triple_text(used.attitude_sigma_deg, 4))
+            if used.attitude_sigma_deg
+            else from_file,
+        ),
+    ]
+    if used.position_correlation_time_s and used.attitude_correlation_time_s:
+        times = gettext(
+            CORRELATION_TIMES_TEXT,
+            position=shortest_number(used.position_correlation_time_s),
+            attitude=shortest_number(used.attitude_correlation_time_s),
+        )
+        values.append(Fact(gettext("Correlation times (position, attitude)"), times))
+    values.append(Fact(gettext("LiDAR noise, 1 sigma"), _lidar_noise_text(used)))
+    if adjustment is not None and used.pos_errors == "correlated":
+        values.append(Fact(gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
+    if used.surface_from_data is not None:
+        values.append(
+            Fact(gettext("Form error of the targets (1 sigma)"), _surface_sigma_text(used))
+        )
+    loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
+    return [*values, Fact(gettext("Outliers"), loss)]
+
+
+def _lidar_noise_text(used: SettingsUsed) -> str:
+    if used.lidar_range_sigma_m is not None and used.lidar_angle_sigma_deg is not None:
+        return gettext(
+            "range {range:mm.1} mm, beam direction {angle} deg",
+            range=used.lidar_range_sigma_m, angle=fixed_number(used.lidar_angle_sigma_deg, 4),
+        )  # fmt: skip
+    if used.lidar_sigma_xyz_m is not None:
+        x, y, z = used.lidar_sigma_xyz_m
+        return gettext("x {x:mm.1} mm, y {y:mm.1} mm, z {z:mm.1} mm", x=x, y=y, z=z)
+    return gettext("{sigma:mm.1} mm on each axis", sigma=used.lidar_sigma_m)
+
+
+def _noise_factor_text(adjustment: AdjustmentValues) -> str:
+    larger = [t for t in adjustment.targets if (t.noise_factor or 1.0) >= MIN_REPORTED_NOISE_FACTOR]
+    applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
+    if not larger:
+        if applied:
+            return gettext("not larger than the sigma from the variance components on any target")
+        return gettext("not larger than the given noise on any target")
+    found = [
+        gettext(
+            "{target}: {factor}\u00a0times",
+            factor=fixed_number(t.noise_factor or 1.0, 1),
+            target=t.target,
+        )
+        for t in larger
+    ]
+    if applied:
+        return gettext(
+            "{factors:names} the sigma from the variance components; the sigmas of the angles are "
+            "computed with this noise",
+            factors=found,
+        )
+    return gettext(
+        "{factors:names} the given noise; the sigmas of the angles are computed with this noise",
+        factors=found,
+    )
+
+
+def _surface_sigma_text(used: SettingsUsed) -> str:
+    if used.surface_sigma_m is None:
+        return gettext("to be estimated from the data")
+    if used.surface_sigma_m == 0:
+        return gettext("zero: all sightings of a target lie on the same surface")
+    if used.offset_sigma_m is None:
+        sigmas = gettext("{surface}\u00a0mm", surface=_tenths_of_millimetre(used.surface_sigma_m))
+    else:
+        sigmas = gettext(
+            "offsets {offset}\u00a0mm, tilts {surface}\u00a0mm",
+            offset=_tenths_of_millimetre(used.offset_sigma_m),
+            surface=_tenths_of_millimetre(used.surface_sigma_m),
+        )
+    if used.surface_from_data:
+        return gettext("{sigmas}, estimated from the data", sigmas=sigmas)
+    return gettext("{sigmas}, as given", sigmas=sigmas)
+
+
+def _tenths_of_millimetre(metres: float) -> str:
+    if round(1000 * metres, 1) == 0.0:
+        return gettext("below {limit}", limit=fixed_number(0.1, 1))
+    return millimetres(metres)
