@@ -10,8 +10,9 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QToolTip, QWidget
 
+from lispac.message_texts import message_text
 from lispac.messages import Message
 
 _SPACES = dict.fromkeys(map(ord, "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}\N{THIN SPACE}"), " ")
@@ -204,9 +205,24 @@ class NumberDialog(QDialog):
     """Dialogue that is not accepted while a text in one of its number fields is not accepted."""
 
     def accept(self) -> None:
-        """Close the dialogue, or move the focus to the first wrong field."""
+        """Close the dialogue, or show the first wrong field."""
+        if not self._show_wrong_field():
+            super().accept()
+
+    def _show_wrong_field(self) -> bool:
+        """Show the first wrong field and the reason; return whether there is one."""
         commit_focused_field()
-        for field, _ in wrong_fields(self):
-            field.setFocus()
-            return
-        super().accept()
+        field, problem = next(wrong_fields(self), (None, None))
+        if field is None or problem is None:
+            return False
+        page: QWidget = field
+        while page is not self:
+            parent = page.parentWidget()
+            tabs = parent.parentWidget()
+            if isinstance(tabs, QTabWidget) and tabs.indexOf(page) >= 0:
+                tabs.setCurrentWidget(page)
+            page = parent
+        field.setFocus()
+        place = field.mapToGlobal(field.rect().bottomLeft())
+        QToolTip.showText(place, message_text(problem), field)
+        return True

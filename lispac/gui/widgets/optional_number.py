@@ -109,9 +109,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
         try:
             self.value()
         except InputError as failure:
-            reason = failure.reason
-            assert isinstance(reason, Message)
-            return reason
+            return failure.message
         return None
 
     def commit(self) -> bool:

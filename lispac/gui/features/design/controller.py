@@ -170,6 +170,7 @@ class SiteDesign(QObject):
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
             "compare": self.compare, "keys": self._show_keys,
         })  # fmt: skip
+        window.actions_.refused.connect(self._dialogs.show_error)
         guarded = window.actions_.guarded
         window.search.requested.connect(guarded(self.search))
         window.system.library_requested.connect(self.choose_sensors)

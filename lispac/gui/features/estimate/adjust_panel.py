@@ -169,7 +169,7 @@ class AdjustPanel(QWidget):
         try:
             self.settings()
         except InputError as failure:
-            return failure.reason if isinstance(failure.reason, Message) else None
+            return failure.message
         return None
 
     def _request_estimate(self) -> None:
