@@ -1,14 +1,22 @@
 """Tests that a typed value is used by the next action, or that the action is refused."""
 
+from html import unescape
 from pathlib import Path
 
+import numpy as np
 import pytest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
 
 from lispac.errors import InputError
+from lispac.gui.app.docks import raise_panel
+from lispac.gui.features.design.window import DesignWindow
+from lispac.gui.features.preferences.preferences import Preferences
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.widgets.number_field import NumberField
 from lispac.project import Project
 from lispac.workflow.project.projects import open_project
+from tests.gui.design_support import type_cell
 from tests.gui.support import (
     Control,
     Demo,
@@ -16,6 +24,7 @@ from tests.gui.support import (
     Key,
     Left,
     click,
+    in_front,
     open_step,
     press,
     seed,
@@ -135,7 +144,7 @@ def test_save_stores_the_value_being_typed(driver: Driver, picked_folder: Path) 
     assert not driver.window.document.is_modified
 
 
-def test_no_action_runs_with_a_former_value(picked: Driver, tmp_path: Path) -> None:
+def test_no_action_runs_with_a_former_value(picked: Driver) -> None:
     before = picked.project
     field = type_lever_x(picked, "abc")
     picked.bot.keyClick(field, Key.Key_F9)
@@ -223,3 +232,91 @@ def test_a_click_elsewhere_commits_the_value(picked: Driver) -> None:
     label = picked.window.data.findChild(QWidget, "trajectory_name")
     picked.bot.mouseClick(label, Left)  # a label does not take the focus
     assert picked.project.settings.lever_arm[0] == 5.0
+
+
+# -- other panels, tables and dialogues ----------------------------------------------------------
+
+
+def test_no_angles_are_converted_from_a_wrong_text(opened: Driver) -> None:
+    panel = opened.window.convention
+    raise_panel(panel)
+    assert panel.table.isVisible()
+    roll = panel.inputs.boresight.fields[0]
+    type_into(opened, roll, "1.2.3")
+    assert not panel.table.isVisible()
+    assert is_shown("window.not_a_number_in", unescape(panel.assumption.text()))
+    type_into(opened, roll, "1,25")
+    assert panel.table.isVisible()
+    assert np.degrees(panel.inputs.mounting.boresight[0]) == pytest.approx(1.25)
+
+
+def test_a_patch_test_does_not_search_from_a_former_angle(opened: Driver) -> None:
+    controller = opened.window.tools.patch_test_controller
+    controller.open()
+    click(opened, controller.panel.propose)
+    opened.rest()
+    angles = controller.panel.angles
+    before = angles.boresight
+    type_into(opened, angles.fields[0], "e1")
+    click(opened, angles.find_buttons[0])
+    assert refusals(opened) == ["window.not_a_number_in"]
+    assert not opened.window.runner.busy
+    assert (angles.boresight == before).all()
+
+
+def test_a_dialogue_is_not_accepted_with_a_wrong_number(qtbot: QtBot, tmp_path: Path) -> None:
+    dialog = SettingsDialog(Preferences(), tmp_path / "sensors")
+    qtbot.addWidget(dialog)
+    dialog.show()
+    qtbot.waitUntil(lambda: in_front(dialog))
+    field = dialog.point_size
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "99")
+    qtbot.mouseClick(dialog.keep, Left)
+    assert dialog.isVisible()
+    assert field.hasFocus()
+    assert field.cleanText() == "99"
+    field.selectAll()
+    qtbot.keyClicks(field, "4")
+    qtbot.keyClick(field, Key.Key_Return)
+    assert not dialog.isVisible()
+    assert dialog.preferences.point_size == 4
+
+
+def test_a_cell_keeps_a_wrong_text_and_the_plan_is_not_used(
+    driver: Driver, design: DesignWindow
+) -> None:
+    table, before = design.lines.table, design.workspace.titled
+    editor = type_cell(driver, table, 2, 2, "2..5")
+    place = table.visualRect(table.model().index(0, 2)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=place)
+    assert table.findChild(QLineEdit) is editor
+    assert editor.text() == "2..5"
+    assert design.workspace.titled is before
+    driver.bot.keyClick(design, Key.Key_S, Control)
+    design.actions_["save_as"].trigger()
+    assert refusals(driver) == ["window.not_a_number_in"]
+    driver.bot.keyClick(editor, Key.Key_Escape)
+    assert editor.isHidden() or table.findChild(QLineEdit) is not editor
+
+
+def test_a_shortcut_commits_the_cell_being_typed(driver: Driver, design: DesignWindow) -> None:
+    editor = type_cell(driver, design.lines.table, 2, 2, "2050 cm")
+    driver.bot.keyClick(editor, Key.Key_L, Control)
+    assert design.workspace.titled.plan.lines[2].distance == 20.5
+
+
+def test_a_field_of_the_survey_system_keeps_a_wrong_text(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.tabs.setCurrentWidget(design.system)
+    field = design.system.max_range
+    type_into(driver, field, "0.15 km")
+    driver.bot.keyClick(field, Key.Key_Return)
+    assert design.workspace.titled.plan.system.scanner.max_range == 150.0
+    type_into(driver, field, "far")
+    design.actions_["save_as"].trigger()
+    assert refusals(driver) == ["window.not_a_number_in"]
+    assert field.cleanText() == "far"
+    assert design.workspace.titled.plan.system.scanner.max_range == 150.0

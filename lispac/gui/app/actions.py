@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.appearance import theme
-from lispac.gui.widgets.number_input import commit_focused_field
+from lispac.gui.widgets.number_input import commit_focused_field, first_input_error
 from lispac.language import gettext
 from lispac.messages import Message
 
@@ -131,14 +131,22 @@ class Actions(QObject):
             guarded = self.guarded(slot) if self._records[name].uses_values else slot
             self[name].triggered.connect(lambda _=False, slot=guarded: slot())
 
-    def guarded(self, slot: Callable[[], object]) -> Callable[[], None]:
-        """Function that calls ``slot`` with committed values, or is refused if one is wrong."""
+    def guarded(
+        self, slot: Callable[..., object], fields: QWidget | None = None
+    ) -> Callable[..., None]:
+        """Function that calls ``slot`` with committed values, or is refused if one is wrong.
 
-        def call() -> None:
+        Parameters
+        ----------
+        fields : QWidget, optional
+            Widget with the fields that ``slot`` uses, instead of those of all actions.
+        """
+
+        def call(*arguments: object) -> None:
             commit_focused_field()
-            problem = self.find_input_error()
+            problem = self.find_input_error() if fields is None else first_input_error(fields)
             if problem is None:
-                slot()
+                slot(*arguments)
             else:
                 self.refused.emit(InputError(problem))
 

@@ -106,8 +106,8 @@ class NumberField(NumberEntry, QDoubleSpinBox):
 
     @property
     def input_error(self) -> Message | None:
-        """Reason why the text is not accepted; None if it is."""
-        return None if self._kept is None else self._problem(self._kept)
+        """Reason why the text is not accepted; None if it is, or while a number is being typed."""
+        return None if self._kept is None or self._is_unfinished else self._problem(self._kept)
 
     def commit(self) -> bool:
         """Make the typed number the value; return whether the text is accepted."""
@@ -178,6 +178,17 @@ class NumberField(NumberEntry, QDoubleSpinBox):
     def _is_edited(self) -> bool:
         return self._before is not None or self._kept is not None
 
+    @property
+    def _is_unfinished(self) -> bool:
+        """Whether more digits can make a number of the text being typed."""
+        kept = self._kept
+        return (
+            self.is_typing
+            and kept is not None
+            and self._parsed(kept) is None
+            and is_start_of_number(kept)
+        )
+
     def _begin(self) -> None:
         """Store the value when the user begins to change it."""
         if self._before is None:
@@ -193,12 +204,8 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         """Keep and mark a text that is not accepted."""
         problem = self._problem(text)
         self._kept = None if problem is None else self._without_unit(text)
-        is_unfinished = self._before is not None and is_start_of_number(self._kept or "")
-        out_of_range = problem is not None and problem.code == "window.out_of_range"
-        self._mark(
-            problem is not None and (out_of_range or not is_unfinished), self._reason(problem)
-        )
-        if out_of_range and self._before is not None:
+        self._mark(problem is not None and not self._is_unfinished, self._reason(problem))
+        if problem is not None and problem.code == "window.out_of_range" and self.is_typing:
             self._show_tip(self._range_text())
 
     def _problem(self, text: str) -> Message | None:

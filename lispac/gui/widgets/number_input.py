@@ -12,6 +12,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QToolTip, QWidget
 
+from lispac.errors import InputError
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
@@ -199,6 +200,24 @@ def wrong_fields(widget: QWidget) -> Iterator[tuple[QWidget, Message]]:
             problem = field.input_error
             if problem is not None:
                 yield field, problem
+
+
+def first_input_error(widget: QWidget) -> Message | None:
+    """Reason why a text in a number field of a widget is not accepted; None if all are."""
+    return next((problem for _, problem in wrong_fields(widget)), None)
+
+
+def require_accepted_texts(widget: QWidget) -> None:
+    """Refuse a widget with a wrong number field.
+
+    Raises
+    ------
+    InputError
+        If the text of a number field is not accepted.
+    """
+    problem = first_input_error(widget)
+    if problem is not None:
+        raise InputError(problem)
 
 
 class NumberDialog(QDialog):

@@ -43,7 +43,7 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
-from lispac.gui.widgets.number_input import NumberEntry, commit_focused_field, wrong_fields
+from lispac.gui.widgets.number_input import NumberEntry, commit_focused_field, first_input_error
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS, STEP_ACTIONS
 from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
@@ -158,8 +158,8 @@ class MainWindow(QMainWindow):
         control.accepted.connect(self._select_accepted)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
-        export = DataExport(document, runner, scene, control, dialogs, actions)
-        panels.report.lines_requested.connect(actions.guarded(export.export))
+        DataExport(document, runner, scene, control, dialogs, actions)
+        panels.report.lines_requested.connect(actions["lines"].trigger)
         report = ReportExport(
             document, runner, scene, viewport, control, computations, dialogs, settings, actions,
             panels.report,
@@ -319,7 +319,10 @@ class MainWindow(QMainWindow):
         self.workflow.open(status.TARGETS)
 
     def _on_seed_clicked(self, point: PickedPoint) -> None:
-        self.actions_.guarded(lambda: self.controller.seed(point, self.targets.seed_options))()
+        def seed() -> None:
+            self.controller.seed(point, self.targets.seed_options)
+
+        self.actions_.guarded(seed, self.targets)()
 
     def _estimate(self) -> None:
         settings = self.adjust.settings()
@@ -328,8 +331,7 @@ class MainWindow(QMainWindow):
 
     def _find_input_error(self) -> Message | None:
         """Reason why a value typed for a workflow step is not accepted; None if there is none."""
-        problems = (problem for _, problem in wrong_fields(self.panels.workflow))
-        return next(problems, self.adjust.input_error)
+        return first_input_error(self.panels.workflow) or self.adjust.input_error
 
     def _discard_typed_texts(self) -> None:
         for field in self.panels.workflow.findChildren(QWidget):

@@ -32,10 +32,9 @@ from lispac.gui.features.design.wall_view import WallView
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
-from lispac.gui.widgets.number_input import wrong_fields
+from lispac.gui.widgets.number_input import first_input_error
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.messages import Message
 from lispac.present.planning import PlanComparison
 
 if TYPE_CHECKING:
@@ -174,7 +173,7 @@ class DesignWindow(QMainWindow):
         self._build()
         workspace.changed.connect(self._show)
         workspace.refused.connect(self.note)
-        self.actions_.find_input_error = self._find_input_error
+        self.actions_.find_input_error = lambda: first_input_error(self)
         self.actions_.connect_slots({
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
@@ -185,10 +184,6 @@ class DesignWindow(QMainWindow):
             "surveys": self.open_surveys_tab,
         })  # fmt: skip
         self._show()
-
-    def _find_input_error(self) -> Message | None:
-        """Reason why a value typed in this window is not accepted; None if there is none."""
-        return next((problem for _, problem in wrong_fields(self)), None)
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""

@@ -23,8 +23,7 @@ from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.foldable_group import FoldableGroup
-from lispac.gui.widgets.number_field import NumberField
-from lispac.gui.widgets.number_input import wrong_fields
+from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.project import Project, Settings
@@ -155,9 +154,7 @@ class AdjustPanel(QWidget):
         """
         if self._settings is None:
             return None
-        for field, problem in wrong_fields(self):
-            if isinstance(field, NumberField):
-                raise InputError(problem)
+        require_accepted_texts(self)
         chosen = replace(self._settings, subsample=self._spacing, pos_errors=self.pos_errors)
         chosen = self.model.with_chosen_values(self.parameters.with_chosen_values(chosen))
         chosen.require_sound()
