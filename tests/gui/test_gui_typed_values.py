@@ -205,10 +205,14 @@ def test_settings_of_the_adjustment_belong_to_the_project(
     assert driver.project.settings.position_time == 120.0
     assert driver.project.result is None
     assert driver.window.document.is_modified
+    type_into(driver, panel.distance, "0.2 m")  # the field is in centimetres
+    assert panel.distance.value() == 20.0
+    driver.bot.keyClick(panel.distance, Key.Key_Tab)
+    assert driver.project.settings.subsample == 0.2
     type_into(driver, panel.model.surface, "0,5")
     driver.bot.keyClick(panel.model.surface, Key.Key_S, Control)
     assert driver.project.settings.surface == 0.0005
-    for _ in range(2):
+    for _ in range(3):
         press(driver, Key.Key_Z, Control)
     assert driver.project is estimated
     assert time.value() == estimated.settings.position_time

@@ -56,6 +56,8 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         self._decimals = 2
         self.title = ""
         """Name of the field in messages, in the user's language; the tip if empty."""
+        self.unit = ""
+        """Unit of the number if it is shown beside the field; otherwise it is the suffix."""
         self.whole = False
         """Whether only whole numbers are accepted."""
         self._pending = PendingInput(self)
@@ -214,7 +216,7 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         if plain and self.specialValueText() in (text, plain):
             return None
         number = self._parsed(text)
-        name, unit = self.title or self.accessibleName(), self.suffix().strip()
+        name, unit = self.title or self.accessibleName(), self._sign
         if not plain:
             return error("window.empty_number", field=name)
         if number is None and unit:
@@ -241,7 +243,11 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         return limits[0], limits[1]
 
     def _parsed(self, text: str) -> float | None:
-        return parse_number(self._without_unit(text), self.suffix().strip())
+        return parse_number(self._without_unit(text), self._sign)
+
+    @property
+    def _sign(self) -> str:
+        return self.unit or self.suffix().strip()
 
     def _without_unit(self, text: str) -> str:
         """Text without the unit that Qt adds after every text."""

@@ -340,7 +340,7 @@ class AdjustPanel(QWidget):
         return row
 
     def _show_distance(self) -> None:
-        _, per_metre = SPACING_UNITS[self.unit.currentIndex()]
+        self.distance.unit, per_metre = SPACING_UNITS[self.unit.currentIndex()]
         self.distance.blockSignals(True)
         self.distance.setDecimals(1 if per_metre > 1 else 3)
         self.distance.setRange(0, 10 * per_metre)
