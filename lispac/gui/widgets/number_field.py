@@ -117,6 +117,8 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         if before is None:
             return self._kept is None
         kept = self._kept
+        if kept is None:
+            self.interpretText()  # without keyboard tracking, the value is still the former one
         self._end()
         self._kept = kept
         if kept is not None:
