@@ -105,6 +105,10 @@ TEXTS: Mapping[str, Template] = {
     "window.not_a_number_in": N_(
         "{field:title}: “{text}” is not a number. Enter a number in {unit}."
     ),
+    "window.empty_number": N_("{field:title}: the field is empty. Enter a number."),
+    "window.not_a_whole_number": N_(
+        "{field:title}: “{text}” is not a whole number. Enter a number without decimals."
+    ),
     "window.out_of_range": N_(
         "{field:title}: {text} {unit} is out of range. Enter a value from {low} to {high} {unit}."
     ),

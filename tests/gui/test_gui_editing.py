@@ -131,7 +131,7 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         (lambda: control.use_target("T1", False), "exclusion of T1"),
         (lambda: control.use_sighting("T2", line, False), f"exclusion of T2 in {line}"),
         (lambda: control.use_line(line, False), f"exclusion of line {line}"),
-        (lambda: control.change_settings(settings), "change of mounting settings"),
+        (lambda: control.change_settings(settings), "change of LiDAR noise"),
         (lambda: control.remove("V1"), "removal of V1"),
     ):
         count, before = stack.count(), picked.project

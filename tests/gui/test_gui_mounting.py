@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
@@ -18,7 +17,7 @@ from lispac.message_texts import message_text
 from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
-from tests.gui.support import Driver, open_step, type_into
+from tests.gui.support import Control, Driver, Key, open_step, press, type_into
 
 RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
             "starboard": (lambda n, w, u: n, lambda n, w, u: u)}  # fmt: skip
@@ -93,7 +92,7 @@ def test_a_typed_lever_arm_is_drawn_where_georeferencing_places_it(
         colour = theme.WARNING if up < -1 else theme.ACCENT
         dot = dot_in_picture(sketch, view, colour) / sketch.pixels_per_metre
         assert dot == pytest.approx([right, above], abs=1.6 / sketch.pixels_per_metre)
-    assert opened.window.data.apply.isEnabled()  # the typed values are not applied yet
+    assert opened.project.settings.lever_arm == tuple(map(float, lever_arm))
 
 
 def test_a_changed_sign_moves_the_scanner_to_the_other_side_while_typing(opened: Driver) -> None:
@@ -188,11 +187,13 @@ def is_whole(widget: QWidget) -> bool:
     )
 
 
-def test_reverting_draws_the_applied_lever_arm(opened: Driver) -> None:
-    in_use = opened.project.settings.lever_arm
+def test_undo_draws_the_former_lever_arm(opened: Driver) -> None:
+    before = opened.project.settings.lever_arm
     sketch = type_mounting(opened, ("1.2", "0.35", "2.1"))
-    opened.bot.mouseClick(opened.window.data.revert, Qt.MouseButton.LeftButton)
-    assert tuple(sketch.lever_arm) == pytest.approx(in_use)
+    for _ in range(3):
+        press(opened, Key.Key_Z, Control)
+    assert tuple(sketch.lever_arm) == pytest.approx(before)
+    assert opened.project.settings.lever_arm == before
 
 
 @pytest.mark.parametrize("size", [(262, 220), (330, 220), (620, 220)])

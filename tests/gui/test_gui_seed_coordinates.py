@@ -59,6 +59,22 @@ def find(dialog: SeedCoordinatesDialog) -> QPushButton:
     return dialog.findChild(QPushButton, "seed_find")
 
 
+def test_coordinates_are_read_as_in_all_number_fields(opened: Driver) -> None:
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
+        texts = (f"{T1[0]:.3f} m", f"{100 * T1[1]:.1f} cm", f"{T1[2] / 10:.4f}e1".replace(".", ","))
+        for field, text in zip(dialog.fields, texts, strict=True):
+            field.setFocus()
+            opened.bot.keyClicks(field, text)
+        assert dialog.seed is not None
+        assert dialog.seed[1] == pytest.approx(T1, abs=1e-3)
+        opened.bot.keyClicks(dialog.fields[2], " kg")
+        assert dialog.fields[2].property("wrong")
+        assert not find(dialog).isEnabled()
+
+    use_next_dialog(opened, use_dialog)
+    press(opened, Key.Key_F3)
+
+
 def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     before = opened.project
 

@@ -191,7 +191,7 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
     assert [f.text() for f in arm] == [f"{v / FOOT:.4f} ft" for v in lever_arm]
     for each in window.findChildren(NumberField):
         each.interpretText()
-    assert not window.data.apply.isEnabled()
+    assert window.document.project is project
     assert window.adjust.settings() == project.settings
     assert not window.document.is_modified
 
@@ -209,9 +209,10 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
             assert "(mm)" not in head
             assert "°" not in head
 
-    arm[0].lineEdit().setText("1.0000")
-    arm[0].interpretText()
-    qtbot.mouseClick(window.data.apply, Qt.MouseButton.LeftButton)
+    arm[0].setFocus()
+    arm[0].selectAll()
+    qtbot.keyClicks(arm[0], "1")
+    qtbot.keyClick(arm[0], Qt.Key.Key_Tab)
     lever_arm_shown = window.document.project.settings.lever_arm
     assert lever_arm_shown == (pytest.approx(FOOT, abs=1e-12), *lever_arm[1:])
 

@@ -3,12 +3,15 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
+from lispac.errors import InputError
 from lispac.gui.appearance import theme
+from lispac.gui.widgets.number_input import commit_focused_field, first_input_error
 from lispac.language import gettext
+from lispac.messages import Message
 
 Keys = QKeySequence.StandardKey
 Key = str | QKeySequence.StandardKey
@@ -31,6 +34,7 @@ class ActionRecord:
     toggles : whether it can be switched on and off, independently of others
     choice : name of a group of exclusive actions, of which the first is on initially
     number : number of the workflow step, shown in the tip
+    uses_values : whether it is refused while a typed value is not accepted
     """
 
     name: str
@@ -44,6 +48,7 @@ class ActionRecord:
     toggles: bool = False
     choice: str = ""
     number: int = 0
+    uses_values: bool = False
 
     @property
     def texts(self) -> tuple[str, str]:
@@ -96,6 +101,9 @@ class Actions(QObject):
     prefix : beginning of the object names of the actions
     """
 
+    refused = Signal(object)
+    """The error because of which an action was not started."""
+
     def __init__(
         self,
         window: QMainWindow,
@@ -106,6 +114,8 @@ class Actions(QObject):
         super().__init__(window)
         self._window, self._records, self._menus = window, records, menus
         self._prefix = prefix
+        self.find_input_error: Callable[[], Message | None] = lambda: None
+        """Function that returns why a typed value is not accepted, or None."""
         self.submenus = {
             name: QMenu(gettext(each.title), window) for name, each in menus.items() if each.menu
         }
@@ -118,7 +128,29 @@ class Actions(QObject):
     def connect_slots(self, slots: Mapping[str, Callable[[], object]]) -> None:
         """Call each function, without arguments, when the action of that name is triggered."""
         for name, slot in slots.items():
-            self[name].triggered.connect(lambda _=False, slot=slot: slot())
+            guarded = self.guarded(slot) if self._records[name].uses_values else slot
+            self[name].triggered.connect(lambda _=False, slot=guarded: slot())
+
+    def guarded(
+        self, slot: Callable[..., object], fields: QWidget | None = None
+    ) -> Callable[..., None]:
+        """Function that calls ``slot`` with committed values, or is refused if one is wrong.
+
+        Parameters
+        ----------
+        fields : QWidget, optional
+            Widget with the fields that ``slot`` uses, instead of those of all actions.
+        """
+
+        def call(*arguments: object) -> None:
+            commit_focused_field()
+            problem = self.find_input_error() if fields is None else first_input_error(fields)
+            if problem is None:
+                slot(*arguments)
+            else:
+                self.refused.emit(InputError(problem))
+
+        return call
 
     def connect_undo_stack(self, stack: QUndoStack) -> None:
         """Connect the actions ``undo`` and ``redo``, with the name of the edit in their texts."""

@@ -112,6 +112,10 @@ class TaskRunner(QObject):
         """Whether a task is running or queued that the user waits for."""
         return any(not task.quiet for task in self._unfinished_tasks())
 
+    def is_busy_beside(self, key: str) -> bool:
+        """Whether the user waits for a task that has another key."""
+        return any(not task.quiet and task.key != key for task in self._unfinished_tasks())
+
     @property
     def active(self) -> bool:
         """Whether any task is running or queued."""

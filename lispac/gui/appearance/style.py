@@ -129,8 +129,9 @@ QTabWidget > QTabBar::tab {{ padding: 6px 14px; background: transparent; border:
 QTabWidget > QTabBar::tab:selected {{ color: {s.text}; border-bottom-color: {s.accent}; }}
 QTabWidget > QTabBar::tab:hover {{ background: {s.hover}; }}
 QTabWidget > QTabBar::tab:focus {{ color: {s.accent}; }}
-QLineEdit[wrong="true"], QDoubleSpinBox[wrong="true"] {{ background: {s.wrong_ground};
-    border: 1px solid {s.error}; border-radius: 2px; }}
+QLineEdit[wrong="true"] {{ background: {s.wrong_ground}; border: 1px solid {s.error};
+    border-radius: 2px; }}
+QDoubleSpinBox[wrong="true"] {{ background: {s.wrong_ground}; color: {s.error}; }}
 QAbstractSpinBox {{ min-height: 1.15em; }}
 QPlainTextEdit, QTextEdit {{ border: 1px solid {s.edge_strong}; }}
 QPlainTextEdit:focus, QTextEdit:focus {{ border-color: {s.accent}; }}

@@ -15,7 +15,7 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.viewport.base import PickedPoint
-from lispac.language import N_, Plural, gettext
+from lispac.language import N_, Plural, Template, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.progress import Progress, sub_progress
@@ -26,6 +26,14 @@ from lispac.workflow.importing.input_files import ImportRequest
 from lispac.workflow.project.survey import Survey, load_survey
 
 OpenedProject = tuple[Project, Survey]
+GEOREFERENCING_KEY = "survey"
+"""Key of the task that georeferences the lines again after an edit."""
+SETTINGS_EDIT_NAMES = {
+    "lever_arm": N_("change of lever arm"),
+    "boresight_deg": N_("change of prior boresight"),
+    "lidar_sigma": N_("change of LiDAR noise"),
+}
+"""Names of the undo steps of changed settings, by the name of the setting."""
 
 
 class Controller(QObject):
@@ -269,7 +277,7 @@ class Controller(QObject):
             gettext("Georeferencing the lines"),
             lambda progress: load_survey(project, progress=progress),
             done,
-            key="survey",
+            key=GEOREFERENCING_KEY,
         )
 
     def cancel_on_edit(self, task: Task) -> None:
@@ -426,7 +434,7 @@ class Controller(QObject):
             self._document.edit(title, edited, recompute=True, line=line)
 
     def change_settings(self, settings: Settings) -> None:
-        """Apply edited settings to the project."""
+        """Apply edited settings to the project: one undo step."""
         if self._project is None:
             return
         try:
@@ -434,12 +442,21 @@ class Controller(QObject):
         except LispacError as error:
             self.refused.emit(error)
             return
-        edited = self._project.with_settings(settings)
-        self._document.edit(N_("change of mounting settings"), edited)
+        if settings != self._project.settings:
+            name = _settings_edit_name(self._project.settings, settings)
+            self._document.edit(name, self._project.with_settings(settings))
 
     @property
     def _project(self) -> Project | None:
         return self._document.project
+
+
+def _settings_edit_name(before: Settings, after: Settings) -> Template:
+    """Name of the undo step of a change of settings."""
+    changed = [
+        name for name in SETTINGS_EDIT_NAMES if getattr(before, name) != getattr(after, name)
+    ]
+    return SETTINGS_EDIT_NAMES[changed[0]] if changed else N_("change of adjustment settings")
 
 
 def demo_folder() -> Path:

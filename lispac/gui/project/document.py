@@ -83,6 +83,7 @@ class Document(QObject):
         self._key: tuple[object, ...] | None = None
         self._survey_announced = True
         self._reported: tuple[Project | None, str] = (None, "")
+        self._had_result = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._on_clean_changed)
 
@@ -113,6 +114,11 @@ class Document(QObject):
         return "" if self._state is None else self._state.refused_since
 
     @property
+    def is_result_outdated(self) -> bool:
+        """Whether an edit has removed the result of this project."""
+        return self._had_result and self.project is not None and self.project.result is None
+
+    @property
     def reported(self) -> str:
         """Name of the report of the current project; empty if there is none."""
         reported_project, name = self._reported
@@ -137,6 +143,7 @@ class Document(QObject):
         """Set a project that is not modified, and clear the undo history."""
         self.undo_stack.clear()
         self._state = None if project is None else _ProjectState(project)
+        self._had_result = project is not None and project.result is not None
         self._folder = None if project is None else project.folder
         self.file_digest = "" if project is None else project.file_digest
         self.survey = survey
@@ -195,6 +202,7 @@ class Document(QObject):
         """Store the result of the last edit within the undo step of that edit."""
         assert self._state is not None
         self._state.project = self._with_current_folder(project)
+        self._had_result = True
         if self.undo_stack.isClean():
             self.undo_stack.resetClean()  # the saved project lacks the result
         self.changed.emit()
@@ -233,7 +241,7 @@ class Document(QObject):
     def copy_for_new_window(self, parent: QObject | None = None) -> "Document":
         """Copy of the document with its undo steps, for a rebuilt window."""
         copy = Document(parent)
-        copy._reported = self._reported
+        copy._reported, copy._had_result = self._reported, self._had_result
         copy._folder, copy.file_digest = self._folder, self.file_digest
         copy.survey, copy._key = self.survey, self._key
         stack = self.undo_stack
@@ -263,6 +271,7 @@ class Document(QObject):
     def _set_state(self, state: _ProjectState) -> None:
         state.project = self._with_current_folder(state.project)
         self._state = state
+        self._had_result |= state.project.result is not None
         if not self._survey_announced:
             self._survey_announced = True
             self.survey_changed.emit()

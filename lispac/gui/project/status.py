@@ -63,6 +63,10 @@ class ProjectState:
         Reason why this computation gave no result; empty if there is none.
     refused_since : Message or str
         Reason why an estimate after the present result failed; empty if there is none.
+    can_estimate : bool
+        Whether an estimate can be requested; it starts when the lines are georeferenced.
+    is_outdated : bool
+        Whether an edit has removed the result.
     """
 
     project: Project | None
@@ -72,6 +76,8 @@ class ProjectState:
     is_waiting: bool = False
     refusal: str = ""
     refused_since: Message | str = ""
+    can_estimate: bool = False
+    is_outdated: bool = False
 
 
 def point_count(number: int) -> str:

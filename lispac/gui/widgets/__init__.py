@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFrame,
     QGridLayout,
     QLabel,
@@ -129,13 +128,18 @@ def number(
     high: float,
     step: float,
     tip: str = "",
+    title: str = "",
     ranged: bool = False,
     fixed: bool = False,
 ) -> NumberField:
     """Create a number field with a unit; the mouse wheel changes it only if it has the focus.
 
+    Without unit and decimals it accepts whole numbers only.
+
     Parameters
     ----------
+    title : str
+        Name of the field in messages; the tip if empty.
     suffix, decimals, low, high, step : unit of the value, and its properties in this unit
     ranged : bool
         Whether the range and the unit are added to the tip.
@@ -150,6 +154,7 @@ def number(
     field = NumberField(base)
     field.setObjectName(name)
     field.setAccessibleName(tip or name)
+    field.title, field.whole = title, not suffix and not decimals
     field.setDecimals(decimals)
     field.setRange(low, high)
     field.setSingleStep(step if base is None else units.shown_step(step, base))
@@ -228,7 +233,7 @@ class VerticalScrollArea(QScrollArea):
 class TripleField(QWidget):
     """Three number fields side by side with a title above each."""
 
-    def __init__(self, titles: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
+    def __init__(self, titles: Sequence[str], fields: Sequence[NumberField]) -> None:
         super().__init__()
         self.fields = tuple(fields)
         grid = QGridLayout(self)
@@ -257,20 +262,22 @@ class TripleField(QWidget):
 
 
 _LEVER_ARM_TEXTS = (
-    (N_("X forward"),
+    (N_("X forward"), N_("Lever arm X"),
      N_("Lever arm X from the POS centre to the LiDAR optical centre, metres, positive forward")),
-    (N_("Y left"),
+    (N_("Y left"), N_("Lever arm Y"),
      N_("Lever arm Y from the POS centre to the LiDAR optical centre, metres, positive left")),
-    (N_("Z up"),
+    (N_("Z up"), N_("Lever arm Z"),
      N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
 )  # fmt: skip
 _BORESIGHT_TEXTS = (
-    (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
-    (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
-    (N_("Yaw"),
+    (N_("Roll"), N_("Prior roll"),
+     N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
+    (N_("Pitch"), N_("Prior pitch"),
+     N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
+    (N_("Yaw"), N_("Prior yaw"),
      N_("Prior yaw of the LiDAR in the body frame, degrees, positive clockwise from above")),
 )  # fmt: skip
-"""Title and tip of each field."""
+"""Title above each field, its name in messages, and its tip."""
 
 
 def lever_arm_fields(prefix: str) -> TripleField:
@@ -278,11 +285,11 @@ def lever_arm_fields(prefix: str) -> TripleField:
     fields = [
         number(
             f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
-            tip=gettext(tip),
+            tip=gettext(tip), title=gettext(title),
         )
-        for axis, (_, tip) in zip("xyz", _LEVER_ARM_TEXTS, strict=True)
+        for axis, (_, title, tip) in zip("xyz", _LEVER_ARM_TEXTS, strict=True)
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _LEVER_ARM_TEXTS], fields)
+    return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
 
 
 def boresight_fields(prefix: str) -> TripleField:
@@ -290,11 +297,13 @@ def boresight_fields(prefix: str) -> TripleField:
     fields = [
         number(
             f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
-            tip=gettext(tip),
+            tip=gettext(tip), title=gettext(title),
         )
-        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT_TEXTS, strict=True)
+        for angle, (_, title, tip) in zip(
+            ("roll", "pitch", "yaw"), _BORESIGHT_TEXTS, strict=True
+        )
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _BORESIGHT_TEXTS], fields)
+    return TripleField([gettext(title) for title, *_ in _BORESIGHT_TEXTS], fields)
 
 
 def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:

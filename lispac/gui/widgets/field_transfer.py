@@ -33,6 +33,8 @@ def _copy_choices(before: QWidget, after: QWidget) -> None:
 def _copy_numbers(before: QWidget, after: QWidget) -> None:
     for number, copied in _matching_fields(NumberField, before, after):
         copied.setValue(number.value())
+        if number.input_error is not None:
+            copied.lineEdit().setText(number.text())
     for optional, copied in _matching_fields(OptionalNumber, before, after):
         try:
             copied.show_value(optional.value())

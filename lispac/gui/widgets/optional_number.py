@@ -1,21 +1,29 @@
 """Field for a number with its unit that may be empty."""
 
-import math
-
-from PySide6.QtCore import QLocale, Qt
+from PySide6.QtCore import QEvent, QLocale, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit
 
 from lispac.errors import InputError
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
+from lispac.gui.widgets.number_input import (
+    NumberEntry,
+    PendingInput,
+    handle_shortcut_override,
+    parse_number,
+)
 from lispac.language import gettext
-from lispac.messages import error
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
 
 BASE_OF_SIGN: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
 
-class OptionalNumber(QLineEdit):
+class OptionalNumber(NumberEntry, QLineEdit):
     """Field for a number with its unit; an empty field means unknown.
+
+    `parse_number` reads the text. A text that is not a number is kept and marked.
 
     Parameters
     ----------
@@ -25,6 +33,9 @@ class OptionalNumber(QLineEdit):
     empty : meaning of an empty field, or the expected content of a ``needed`` field
     description : description of the number, without its unit
     """
+
+    committed = Signal()
+    """The user changed the value."""
 
     def __init__(
         self,
@@ -37,6 +48,7 @@ class OptionalNumber(QLineEdit):
         needed: bool = False,
     ) -> None:
         super().__init__()
+        self._pending = PendingInput(self)
         self.setObjectName(name)
         base = BASE_OF_SIGN.get(unit)
         shown = units.shown_unit(base) if units.is_converted(base) else units.Unit(unit)
@@ -55,7 +67,9 @@ class OptionalNumber(QLineEdit):
         self.setMinimumWidth(48)
         self._title, self._unit, self._scale = title, shown.sign, scale * shown.factor
         self._shown_value: tuple[str, float] | None = None
+        self.textEdited.connect(self._pending.begin)
         self.textChanged.connect(self._mark_invalid)
+        self.editingFinished.connect(self.commit)
 
     def value(self) -> float | None:
         """Value in metres, radians or seconds; None if the field is empty.
@@ -67,24 +81,21 @@ class OptionalNumber(QLineEdit):
         """
         if self._shown_value is not None and self.text() == self._shown_value[0]:
             return self._shown_value[1]  # an unchanged value keeps all its digits
-        text = self.text().strip().replace(",", ".").replace("−", "-")
+        text = self.text().strip()
         if not text:
             return None
-        try:
-            number = float(text)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
+        number = parse_number(text, self._unit)
+        if number is None:
             raise InputError(
-                error(
-                    "window.not_a_number_in", field=self._title, text=self.text().strip(),
-                    unit=self._unit,
-                )
-            )  # fmt: skip
+                error("window.not_a_number_in", field=self._title, text=text, unit=self._unit)
+            )
         return number / self._scale
 
     def show_value(self, value: float | None) -> None:
-        """Fill in a value without emitting a signal."""
+        """Fill in a value without emitting a signal; a wrong text of the same value is kept."""
+        if self._is_shown(value) and (self.is_typing or self.input_error is not None):
+            return
+        self._pending.end()
         self.blockSignals(True)
         shown = "" if value is None else f"{value * self._scale:.6g}"
         self.setText(shown.replace(".", QLocale().decimalPoint()))
@@ -92,12 +103,52 @@ class OptionalNumber(QLineEdit):
         self.blockSignals(False)
         self._mark_invalid()
 
+    @property
+    def input_error(self) -> Message | None:
+        """Reason why the text is not accepted; None if it is."""
+        try:
+            self.value()
+        except InputError as failure:
+            return failure.message
+        return None
+
+    def commit(self) -> bool:
+        """Make the typed number the value; return whether the text is accepted."""
+        is_typed = self.is_typing
+        self._pending.end()
+        self._mark_invalid()
+        if self.input_error is not None:
+            return False
+        value = self.value()
+        if is_typed and not self._is_shown(value):
+            self.show_value(value)
+            self.committed.emit()
+        return True
+
+    def restore(self) -> None:
+        """Discard the typed text and show the value again."""
+        self._pending.end()
+        self.setText("" if self._shown_value is None else self._shown_value[0])
+
+    def event(self, event: QEvent) -> bool:
+        """Use the keys that concern the typed text; leave Undo to the window if there is none."""
+        is_handled = handle_shortcut_override(event, self.is_typing)
+        return super().event(event) if is_handled is None else is_handled
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Discard a text that is not accepted with Escape."""
+        if event.key() == Qt.Key.Key_Escape and self.input_error is not None:
+            self.restore()
+            event.accept()
+            return
+        super().keyPressEvent(event)
+
+    def _is_shown(self, value: float | None) -> bool:
+        """Whether the last value that was shown equals this one."""
+        return value == (None if self._shown_value is None else self._shown_value[1])
+
     def _mark_invalid(self) -> None:
         """Mark the field as wrong if its text is not a number or is negative."""
-        try:
-            wrong = (self.value() or 0.0) < 0
-        except InputError:
-            wrong = True
-        self.setProperty("wrong", wrong)
-        self.style().unpolish(self)
-        self.style().polish(self)
+        problem = self.input_error
+        wrong = problem is not None or (self.value() or 0.0) < 0
+        self._mark(wrong, "" if problem is None else message_text(problem))

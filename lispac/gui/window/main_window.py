@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
-from PySide6.QtWidgets import QMainWindow
+from PySide6.QtWidgets import QMainWindow, QWidget
 
 from lispac.gui.app import docks
 from lispac.gui.app.actions import Actions
@@ -43,6 +43,7 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.widgets.number_input import NumberEntry, commit_focused_field, first_input_error
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS, STEP_ACTIONS
 from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
@@ -52,6 +53,7 @@ from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
+from lispac.messages import Message
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -103,6 +105,8 @@ class MainWindow(QMainWindow):
         self.lifecycle = ProjectLifecycle(
             self.document, self.controller, self.dialogs, self.settings, self.actions_
         )
+        self.actions_.find_input_error = self._find_input_error
+        self.actions_.refused.connect(self.dialogs.show_error)
         self.view_menu = ViewMenu(
             viewport, self.scene, self.controller, self.computations, self.actions_, self.settings
         )
@@ -146,6 +150,7 @@ class MainWindow(QMainWindow):
             document, runner, control, computations, scene, settings, actions, panels,
             self.central_widget,
         )  # fmt: skip
+        document.about_to_open.connect(self._discard_typed_texts)
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
@@ -153,8 +158,8 @@ class MainWindow(QMainWindow):
         control.accepted.connect(self._select_accepted)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
-        export = DataExport(document, runner, scene, control, dialogs, actions)
-        panels.report.lines_requested.connect(export.export)
+        DataExport(document, runner, scene, control, dialogs, actions)
+        panels.report.lines_requested.connect(actions["lines"].trigger)
         report = ReportExport(
             document, runner, scene, viewport, control, computations, dialogs, settings, actions,
             panels.report,
@@ -242,9 +247,10 @@ class MainWindow(QMainWindow):
         self.diagnostics.row_activated.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
-        self.adjust.estimate_requested.connect(self.estimation.request_estimate)
+        self.adjust.settings_edited.connect(control.change_settings)
+        self.adjust.estimate_requested.connect(self.actions_["estimate"].trigger)
         self.adjust.cancel_requested.connect(self.runner.cancel)
-        self.validate.validate_requested.connect(self.computations.validate)
+        self.validate.validate_requested.connect(self.actions_["validate"].trigger)
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
@@ -257,7 +263,7 @@ class MainWindow(QMainWindow):
                 "quit": self.close,
                 "seed_target": lambda: self._set_seed_role("target"),
                 "seed_validation": lambda: self._set_seed_role("validation"),
-                "estimate": self.adjust.request_estimate,
+                "estimate": self._estimate,
                 "validate": self.computations.validate,
                 "cancel": self.runner.cancel,
                 **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
@@ -313,7 +319,24 @@ class MainWindow(QMainWindow):
         self.workflow.open(status.TARGETS)
 
     def _on_seed_clicked(self, point: PickedPoint) -> None:
-        self.controller.seed(point, self.targets.seed_options)
+        def seed() -> None:
+            self.controller.seed(point, self.targets.seed_options)
+
+        self.actions_.guarded(seed, self.targets)()
+
+    def _estimate(self) -> None:
+        settings = self.adjust.settings()
+        if settings is not None:
+            self.estimation.request_estimate(settings, self.adjust.cross_check.isChecked())
+
+    def _find_input_error(self) -> Message | None:
+        """Reason why a value typed for a workflow step is not accepted; None if there is none."""
+        return first_input_error(self.panels.workflow) or self.adjust.input_error
+
+    def _discard_typed_texts(self) -> None:
+        for field in self.panels.workflow.findChildren(QWidget):
+            if isinstance(field, NumberEntry):
+                field.restore()
 
     def _select(self, name: str, line: str) -> None:
         self.scene.focus_on(name, line)
@@ -376,6 +399,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the window, unless the user keeps unsaved changes."""
+        commit_focused_field()
         if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return

@@ -6,7 +6,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.project.computations import Computations, PointCount
-from lispac.gui.project.controller import Controller
+from lispac.gui.project.controller import GEOREFERENCING_KEY, Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import (
@@ -83,8 +83,17 @@ class PanelRefresh(QObject):
         )
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
-            document.refused_since,
+            document.refused_since, self._can_estimate(), document.is_result_outdated,
         )  # fmt: skip
+
+    def _can_estimate(self) -> bool:
+        """Whether an estimate can be requested, also while the lines are georeferenced again."""
+        project = self._document.project
+        has_targets = project is not None and any(
+            target.used for target in project.targets_of_role("target")
+        )
+        is_busy = self._runner.is_busy_beside(GEOREFERENCING_KEY)
+        return has_targets and self._document.survey is not None and not is_busy
 
     def _enable_controls(self, state: ProjectState) -> None:
         project, statuses, busy = state.project, state.steps, state.is_busy
@@ -100,7 +109,7 @@ class PanelRefresh(QObject):
             "report": statuses[REPORT].ready and not busy,
             "accept": self._controller.candidate is not None,
             "reject": self._controller.candidate is not None,
-            "estimate": statuses[ADJUST].ready and not busy,
+            "estimate": state.can_estimate,
             "validate": statuses[VALIDATE].ready and not busy,
             "cancel": self._runner.active,
             "before": project is not None,

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
+from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.language import N_, capitalised, gettext
 from lispac.messages import Message
 from lispac.project import Project
@@ -82,6 +83,7 @@ class BoresightInputs(QWidget):
             field.setToolTip(gettext(meaning))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
             field.valueChanged.connect(self._on_typed)
+            field.lineEdit().textChanged.connect(self.changed)
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
         self.use_project = widgets.button(
@@ -194,7 +196,7 @@ class CurrentSettingsInputs(QWidget):
         self.matrix.textChanged.connect(self.changed)
         self._show_fields()
         for field in fields:
-            field.valueChanged.connect(self.changed)
+            field.lineEdit().textChanged.connect(self.changed)
 
     def of(self, setup: ConventionSetup) -> CurrentMountingInSystem | None:
         """Mounting set in the other program; None if it is not to be corrected.
@@ -202,11 +204,12 @@ class CurrentSettingsInputs(QWidget):
         Raises
         ------
         InputError
-            If the typed text is not a matrix.
+            If a typed text is not a number or not a matrix.
         """
         if not self.known.isChecked():
             return None
         if not self.as_matrix.isChecked():
+            require_accepted_texts(self.fields)
             return CurrentMountingInSystem(np.radians(self.fields.value()))
         return current_mounting_of_matrix(
             setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Current matrix"))

@@ -30,6 +30,7 @@ from lispac.gui.features.conventions.convention_inputs import (
 )
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
+from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext, in_english
 from lispac.message_texts import message_text
@@ -279,6 +280,7 @@ class ConventionPanel(QWidget):
     def _refresh(self) -> None:
         convention, inputs = self.convention, self.inputs
         try:
+            require_accepted_texts(inputs)
             body_axes = self.imu.axes if convention.open_axes else None
             setup = ConventionSetup(convention, body_axes, self.scanner.currentData())
             new = replace_mounting(

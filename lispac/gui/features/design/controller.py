@@ -170,10 +170,12 @@ class SiteDesign(QObject):
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
             "compare": self.compare, "keys": self._show_keys,
         })  # fmt: skip
-        window.search.requested.connect(self.search)
+        window.actions_.refused.connect(self._dialogs.show_error)
+        guarded = window.actions_.guarded
+        window.search.requested.connect(guarded(self.search))
         window.system.library_requested.connect(self.choose_sensors)
         window.search.cancel_requested.connect(self.runner.cancel)
-        window.surveys.requested.connect(self.surveys)
+        window.surveys.requested.connect(guarded(self.surveys))
         window.surveys.cancel_requested.connect(self.runner.cancel)
         window.search.file_requested.connect(self.read_site)
         window.task_bar.cancel_requested.connect(self.runner.cancel)

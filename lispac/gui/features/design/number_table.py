@@ -13,14 +13,17 @@ from PySide6.QtWidgets import (
     QStyledItemDelegate,
     QTableWidget,
     QTableWidgetItem,
+    QWidget,
 )
 
 from lispac.errors import InputError
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
+from lispac.gui.widgets.number_input import NumberEntry, PendingInput, parse_number
 from lispac.language import gettext
-from lispac.messages import error
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
 
 
 @dataclass(frozen=True)
@@ -87,11 +90,8 @@ class TableColumn:
             return text
         if not text and self.empty:
             return None
-        try:
-            typed = float(text.replace(",", ".").replace("−", "-"))
-        except ValueError:
-            typed = math.nan
-        if not math.isfinite(typed):
+        typed = parse_number(text, self.sign)
+        if typed is None:
             raise InputError(
                 error("window.not_a_number_in", field=self.title, text=text, unit=self.sign)
             )
@@ -201,9 +201,63 @@ class NumberTable(QTableWidget):
             self.setCurrentCell(current, max(self.currentColumn(), 0))
         self._showing = False
 
+    def closeEditor(self, editor: QWidget, hint: QStyledItemDelegate.EndEditHint) -> None:
+        """Close an editor; one with a wrong text is closed by Escape only."""
+        is_reverted = hint == QStyledItemDelegate.EndEditHint.RevertModelCache
+        if is_reverted or not isinstance(editor, _CellEditor) or editor.input_error is None:
+            super().closeEditor(editor, hint)
+
     def _emit_chosen(self, row: int, _column: int, before: int, _was: int) -> None:
         if not self._showing and row != before and row >= 0:
             self.row_selected.emit(row)
+
+
+_END_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
+"""Keys that close an editor unless its text is wrong."""
+
+
+class _CellEditor(NumberEntry, QLineEdit):
+    """Editor of a cell; a wrong text is kept and marked."""
+
+    input_checked = Signal(str)
+    """Message on the error in the typed text; empty if there is none."""
+
+    def __init__(self, delegate: QStyledItemDelegate, column: TableColumn, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._delegate, self._column = delegate, column
+        self._pending = PendingInput(self)
+        self.setFont(theme.tabular_font(self.font()))
+        self.textEdited.connect(self._pending.begin)
+        self.textEdited.connect(self._check_text)
+
+    @property
+    def input_error(self) -> Message | None:
+        """Reason why the text is not accepted; None if it is."""
+        try:
+            self._column.read(self.text())
+        except InputError as failure:
+            return failure.message
+        return None
+
+    def commit(self) -> bool:
+        """Edit the cell and close the editor, unless its text is wrong."""
+        self._pending.end()
+        if self.input_error is not None:
+            return False
+        self._delegate.commitData.emit(self)
+        self._delegate.closeEditor.emit(self)
+        return True
+
+    def restore(self) -> None:
+        """Close the editor without an edit of the cell."""
+        self._pending.end()
+        self._delegate.closeEditor.emit(self, QStyledItemDelegate.EndEditHint.RevertModelCache)
+
+    def _check_text(self) -> None:
+        problem = self.input_error
+        text = "" if problem is None else message_text(problem)
+        self._mark(problem is not None, text)
+        self.input_checked.emit(text)
 
 
 class _Delegate(QStyledItemDelegate):
@@ -222,9 +276,8 @@ class _Delegate(QStyledItemDelegate):
             box.activated.connect(lambda _index: (self.commitData.emit(box),
                                                   self.closeEditor.emit(box)))  # fmt: skip
         else:
-            box = QLineEdit(parent)
-            box.setFont(theme.tabular_font(box.font()))
-            box.textEdited.connect(lambda _text: self._check_input(box, field))
+            box = _CellEditor(self, field, parent)
+            box.input_checked.connect(self._table.input_error)
             box.destroyed.connect(self._on_editor_closed)
         title = gettext(field.title)
         box.setAccessibleName(f"{title}, {field.sign}" if field.unit else title)
@@ -235,18 +288,6 @@ class _Delegate(QStyledItemDelegate):
             self._table.input_error.emit("")
         except RuntimeError:  # the table was deleted before its editor
             return
-
-    def _check_input(self, editor: QLineEdit, field: TableColumn) -> bool:
-        try:
-            field.read(editor.text())
-            input_error = ""
-        except InputError as failure:
-            input_error = str(failure)
-        editor.setProperty("wrong", bool(input_error))
-        editor.style().unpolish(editor)
-        editor.style().polish(editor)
-        self._table.input_error.emit(input_error)
-        return not input_error
 
     def setEditorData(self, editor, index) -> None:
         if isinstance(editor, QComboBox):
@@ -271,13 +312,11 @@ class _Delegate(QStyledItemDelegate):
             self._table.edited.emit(index.row(), field.name, value)
 
     def eventFilter(self, editor, event) -> bool:
-        if (
-            event.type() == QEvent.Type.KeyPress
-            and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-            and isinstance(editor, QLineEdit)
-            and editor.property("wrong")
-        ):
-            return True
+        if isinstance(editor, _CellEditor) and editor.property("wrong"):
+            if event.type() == QEvent.Type.FocusOut:
+                return False  # it stays open
+            if event.type() == QEvent.Type.KeyPress and event.key() in _END_KEYS:
+                return True
         return super().eventFilter(editor, event)
 
 

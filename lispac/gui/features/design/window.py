@@ -32,6 +32,7 @@ from lispac.gui.features.design.wall_view import WallView
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.gui.widgets.number_input import first_input_error
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.present.planning import PlanComparison
@@ -172,6 +173,7 @@ class DesignWindow(QMainWindow):
         self._build()
         workspace.changed.connect(self._show)
         workspace.refused.connect(self.note)
+        self.actions_.find_input_error = lambda: first_input_error(self)
         self.actions_.connect_slots({
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,

@@ -6,5 +6,6 @@ from lispac.language import N_
 ACTIONS = by_name(
     ActionRecord("estimate", N_("&Estimate boresight"),
         N_("Adjust boresight and targets together by least squares"), ("Adjust", 1, 1),
-        toolbar=(4, 1), short=N_("Estimate"), icon="calculator-variant-outline", keys="F9"),
+        toolbar=(4, 1), short=N_("Estimate"), icon="calculator-variant-outline", keys="F9",
+        uses_values=True),
 )  # fmt: skip

@@ -67,6 +67,9 @@ class ModelSettings(QWidget):
     """Fields of the stochastic model."""
 
     changed = Signal()
+    """A value is being changed."""
+    committed = Signal()
+    """A value was changed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -99,7 +102,7 @@ class ModelSettings(QWidget):
         )  # fmt: skip
         for k, (_, _, tip) in enumerate(LOSSES):
             self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
-        self.loss.currentIndexChanged.connect(self.changed)
+        self.loss.currentIndexChanged.connect(self.committed)
         form.addRow(gettext("Outliers"), self.loss)
         self.noise = widgets.ChoiceBox(
             "lidar_noise", [gettext(noise) for noise in NOISE_TITLES],
@@ -144,7 +147,7 @@ class ModelSettings(QWidget):
                 "POS are uncertain."
             )
         )
-        self.components.toggled.connect(self.changed)
+        self.components.toggled.connect(self.committed)
         form.addRow(self.components)
         self.accept_single_orientation = QCheckBox(gettext("Accept a single orientation"))
         self.accept_single_orientation.setObjectName("accept_single_orientation")
@@ -156,7 +159,7 @@ class ModelSettings(QWidget):
                 "is better."
             )
         )
-        self.accept_single_orientation.toggled.connect(self.changed)
+        self.accept_single_orientation.toggled.connect(self.committed)
         form.addRow(self.accept_single_orientation)
         self._form = form
         self._show_noise()
@@ -243,12 +246,14 @@ class ModelSettings(QWidget):
 
     def _time_field(self, name: str, tip: str):
         field = widgets.number(name, suffix=" s", decimals=1, low=0, high=1e6, step=30, tip=tip)
-        field.valueChanged.connect(self.changed)
+        field.lineEdit().textChanged.connect(self.changed)
+        field.committed.connect(self.committed)
         return field
 
     def _optional_field(self, *parts) -> OptionalNumber:
         field = OptionalNumber(*parts)
         field.textChanged.connect(self.changed)
+        field.committed.connect(self.committed)
         return field
 
     def _show_noise(self) -> None:
@@ -257,7 +262,7 @@ class ModelSettings(QWidget):
             (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row)
         ):
             self._form.setRowVisible(each, k == kind)
-        self.changed.emit()
+        self.committed.emit()
 
 
 def _field_row(*fields: QWidget) -> QWidget:

@@ -23,7 +23,9 @@ from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.foldable_group import FoldableGroup
+from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.language import N_, Plural, gettext
+from lispac.messages import Message
 from lispac.project import Project, Settings
 
 DEBOUNCE_MS = 250
@@ -54,8 +56,9 @@ SIGHTING_COUNT_TEXT = Plural("{count:n} sighting", "{count:n} sightings")
 class AdjustPanel(QWidget):
     """Settings of the adjustment and the button that starts it."""
 
-    estimate_requested = Signal(object, bool)
-    """Settings of the adjustment, and whether to cross-check the result."""
+    settings_edited = Signal(object)
+    """Settings with the value that was changed."""
+    estimate_requested = Signal()
     subsample_changed = Signal(float)
     """New point spacing, metres; the points that it keeps are then counted."""
     cancel_requested = Signal()
@@ -64,6 +67,7 @@ class AdjustPanel(QWidget):
         super().__init__()
         self._spacing = 0.10
         self._settings: Settings | None = None
+        self._showing = False
         self._ready = False
         self._project: Project | None = None
         self._counted: tuple[int | None, int, int, str] = (None, 0, 0, "")
@@ -110,7 +114,7 @@ class AdjustPanel(QWidget):
             primary=True,
             tip=gettext("Adjust boresight and targets together by least squares (F9)"),
         )  # fmt: skip
-        self.estimate.clicked.connect(self.request_estimate)
+        self.estimate.clicked.connect(self._request_estimate)
         layout.addWidget(self.estimate)
         layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
@@ -119,9 +123,10 @@ class AdjustPanel(QWidget):
         self._debounce.setSingleShot(True)
         self._debounce.setInterval(DEBOUNCE_MS)
         self._debounce.timeout.connect(lambda: self.subsample_changed.emit(self._spacing))
-        self._models.idToggled.connect(lambda _id, on: self._check_input() if on else None)
-        self.parameters.changed.connect(self._check_input)
-        self.model.changed.connect(self._check_input)
+        self._models.idToggled.connect(lambda _id, on: self._emit_edit() if on else None)
+        for each in (self.parameters, self.model):
+            each.changed.connect(self._check_input)
+            each.committed.connect(self._emit_edit)
         self._check_input()
 
     @property
@@ -149,31 +154,49 @@ class AdjustPanel(QWidget):
         """
         if self._settings is None:
             return None
+        require_accepted_texts(self)
         chosen = replace(self._settings, subsample=self._spacing, pos_errors=self.pos_errors)
         chosen = self.model.with_chosen_values(self.parameters.with_chosen_values(chosen))
         chosen.require_sound()
         return chosen
 
-    def request_estimate(self) -> None:
-        """Request an adjustment with the values of the panel."""
-        if self.estimate.isEnabled():
-            self._debounce.stop()
-            self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
+    @property
+    def input_error(self) -> Message | None:
+        """Reason why the values of the panel cannot be used; None if they can."""
+        try:
+            self.settings()
+        except InputError as failure:
+            return failure.message
+        return None
+
+    def _request_estimate(self) -> None:
+        self._debounce.stop()
+        self.estimate_requested.emit()
+
+    def _emit_edit(self) -> None:
+        """Emit the settings if they are valid and were changed by the user."""
+        self._check_input()
+        if self._showing or not self.is_valid:
+            return
+        settings = self.settings()
+        if settings is not None and settings != self._settings:
+            self.settings_edited.emit(settings)
 
     def show_state(self, state: ProjectState) -> None:
         """Fill in the settings of the project if they have changed."""
         project, status = state.project, state.steps[ADJUST]
-        self._ready, self._project = status.ready and not state.is_busy, project
+        self._ready, self._project = state.can_estimate, project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
-            self._settings = settings
+            self._settings, self._showing = settings, True
             self._spacing = settings.subsample
             self._show_distance()
             for k, (model, _title, _sentence) in enumerate(POS_ERROR_MODELS):
                 self._models.button(k).setChecked(model == settings.pos_errors)
             self.parameters.show_settings(settings)
             self.model.show_settings(settings)
+            self._showing = False
         self._check_input()
 
     @property
@@ -291,6 +314,7 @@ class AdjustPanel(QWidget):
     def _distance_row(self) -> QHBoxLayout:
         self.distance = widgets.number(
             "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
+            title=gettext("Point spacing"),
             tip=gettext(
                 "Minimum spacing to which the points of each sighting are thinned; 0 uses all "
                 "points"
@@ -305,6 +329,8 @@ class AdjustPanel(QWidget):
         )
         self._show_distance()
         self.distance.valueChanged.connect(self._on_distance_changed)
+        self.distance.lineEdit().textChanged.connect(self._check_input)
+        self.distance.committed.connect(self._emit_edit)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
         row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
@@ -314,7 +340,7 @@ class AdjustPanel(QWidget):
         return row
 
     def _show_distance(self) -> None:
-        _, per_metre = SPACING_UNITS[self.unit.currentIndex()]
+        self.distance.unit, per_metre = SPACING_UNITS[self.unit.currentIndex()]
         self.distance.blockSignals(True)
         self.distance.setDecimals(1 if per_metre > 1 else 3)
         self.distance.setRange(0, 10 * per_metre)

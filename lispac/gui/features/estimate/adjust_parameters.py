@@ -107,6 +107,9 @@ class ParameterSwitches(QWidget):
     """Rows of parameters, each with a switch, the prior and its standard deviation."""
 
     changed = Signal()
+    """A value is being changed."""
+    committed = Signal()
+    """A value was changed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -142,6 +145,7 @@ class ParameterSwitches(QWidget):
                 gettext("unknown"), gettext("Standard deviation of the prior"),
             )  # fmt: skip
             sigma.textChanged.connect(self.changed)
+            sigma.committed.connect(self.committed)
             sigma.setFixedWidth(78)
             self.sigmas[kind.name] = sigma
             grid.addWidget(sigma, row, 2)
@@ -173,6 +177,7 @@ class ParameterSwitches(QWidget):
     def show_settings(self, settings: Settings) -> None:
         """Fill in the settings without emitting `changed`."""
         sigma = {parameter.name: parameter.sigma for parameter in settings.parameters}
+        self.blockSignals(True)
         for name, switch in self.switches.items():
             switch.blockSignals(True)
             switch.setChecked(name in sigma)
@@ -192,6 +197,7 @@ class ParameterSwitches(QWidget):
             field.blockSignals(True)
             field.setValue(self._shown[name] * _unit_scale(name))
             field.blockSignals(False)
+        self.blockSignals(False)
         self._enable_controls()
 
     @property
@@ -217,10 +223,11 @@ class ParameterSwitches(QWidget):
         field = widgets.number(
             f"prior_{kind.name}", suffix=f" {kind.unit}", decimals=kind.decimals,
             low=-kind.limit, high=kind.limit, step=10 ** (1 - kind.decimals),
-            tip=gettext(PRIOR_TIPS[kind.name]),
+            tip=gettext(PRIOR_TIPS[kind.name]), title=gettext(kind.title),
         )  # fmt: skip
         field.setFixedWidth(92)
-        field.valueChanged.connect(self.changed)
+        field.lineEdit().textChanged.connect(self.changed)
+        field.committed.connect(self.committed)
         self.priors[kind.name] = field
         return field
 
@@ -233,7 +240,7 @@ class ParameterSwitches(QWidget):
 
     def _on_switched(self) -> None:
         self._enable_controls()
-        self.changed.emit()
+        self.committed.emit()
 
     def _enable_controls(self) -> None:
         for name, switch in self.switches.items():

@@ -112,6 +112,10 @@ class Estimation(QObject):
         runner.idle.connect(self._wait_for_result)
         runner.failed.connect(self._record_refusal)
         self._last_task: Task | None = None
+        self._requested: tuple[Project, bool] | None = None
+        document.changed.connect(self._start_requested)
+        runner.failed.connect(lambda _error: self._discard_request())
+        runner.stopped.connect(lambda _title: self._discard_request())
 
     def request_estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight; asks first about a candidate that is not yet accepted."""
@@ -127,9 +131,15 @@ class Estimation(QObject):
         self.estimate(settings, cross_check)
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
-        """Adjust the boresight with these settings and show the lines after the adjustment."""
+        """Adjust the boresight with these settings and show the lines after the adjustment.
+
+        The adjustment starts when the lines are georeferenced with the settings of the project.
+        """
         project, survey = self._document.current_data
-        if project is None or survey is None:
+        if project is None:
+            return
+        if survey is None:
+            self._requested = (project, cross_check)
             return
         source = project if settings == project.settings else project.with_settings(settings)
         data_changed = data_key(source) != data_key(project)
@@ -155,6 +165,20 @@ class Estimation(QObject):
         task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
         self._last_task = task
         self._controller.cancel_on_edit(task)
+
+    def _start_requested(self) -> None:
+        """Start an adjustment that was requested while the lines were georeferenced."""
+        if self._requested is None:
+            return
+        project, cross_check = self._requested
+        is_current = self._document.survey_is_current
+        if is_current or self._document.project is not project:
+            self._requested = None
+        if is_current and self._document.project is project:
+            self.estimate(project.settings, cross_check)
+
+    def _discard_request(self) -> None:
+        self._requested = None
 
     def stop(self) -> None:
         """Stop the timer."""

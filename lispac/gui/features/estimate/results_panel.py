@@ -32,7 +32,7 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.messages import Message
+from lispac.messages import Message, note
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
 from lispac.present.tables import cell_text
 from lispac.project import Project, Triple
@@ -42,6 +42,7 @@ EMPTY_TEXT = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
     "step 3."
 )
+OUTDATED_NOTE = note("project.out_of_date")
 WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal distribution, in standard deviations."""
@@ -80,7 +81,7 @@ class ResultsPanel(QWidget):
         if waiting:
             self._empty.setText(gettext(WAITING_TEXT))
         else:
-            self._empty.setText("" if refusal else gettext(EMPTY_TEXT))
+            self._empty.setText("" if refusal else self._empty_text(state.is_outdated))
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
@@ -88,6 +89,9 @@ class ResultsPanel(QWidget):
             self._fill_texts(project, result, state.refused_since)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
+
+    def _empty_text(self, is_outdated: bool) -> str:
+        return message_text(OUTDATED_NOTE) if is_outdated else gettext(EMPTY_TEXT)
 
     def _create_body(self) -> QScrollArea:
         outer = QWidget()

@@ -23,6 +23,7 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.number_input import parse_number
 from lispac.gui.widgets.system_choice import (
     CHECK_DELAY_MS,
     HEIGHT_PLACEHOLDER,
@@ -198,11 +199,10 @@ class ExportDialog(QDialog):
         """Datum and epoch of the trajectory from the fields; None for those of the line files."""
         if not self.datum.isEnabled():
             return None, None
-        text = self.epoch.text().strip().replace(",", ".")
-        try:
-            epoch = float(text) if text else None
-        except ValueError:
-            raise InputError(error("window.not_a_decimal_year", text=text)) from None
+        text = self.epoch.text().strip()
+        epoch = parse_number(text)
+        if text and epoch is None:
+            raise InputError(error("window.not_a_decimal_year", text=text))
         datum = self.datum.text().strip()
         return (None if self._datums_differ and not datum else datum), epoch
 

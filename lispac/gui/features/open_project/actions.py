@@ -16,8 +16,9 @@ ACTIONS = by_name(
     ActionRecord("add_lines", N_("Add &lines…"), N_("Add lines to the open project"),
         ("File", 2, 1), icon="file-plus-outline"),
     ActionRecord("save", N_("&Save"), N_("Save the project"), ("File", 2, 2), toolbar=(1, 3),
-        short=N_("Save"), icon="content-save-outline", keys=QKeySequence.StandardKey.Save),
+        short=N_("Save"), icon="content-save-outline", keys=QKeySequence.StandardKey.Save,
+        uses_values=True),
     ActionRecord("save_as", N_("Save &as…"),
         N_("Save the project in another folder and continue to work on the copy"), ("File", 2, 3),
-        keys=QKeySequence.StandardKey.SaveAs),
+        keys=QKeySequence.StandardKey.SaveAs, uses_values=True),
 )  # fmt: skip

@@ -32,7 +32,7 @@ class DataPanel(QWidget):
     line_shown = Signal(str, bool)
     """Name of a line, and whether it is to be shown."""
     settings_edited = Signal(object)
-    """Settings with the values of the edited fields."""
+    """Settings with the value of the edited field."""
     new_requested = Signal()
     open_requested = Signal()
     demo_requested = Signal()
@@ -67,6 +67,7 @@ class DataPanel(QWidget):
         self.lidar_sigma = widgets.number(
             "lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
             tip=gettext("Standard deviation of one LiDAR point on each axis"),
+            title=gettext("LiDAR noise (1 σ)"),
         )  # fmt: skip
         filled.addWidget(widgets.label(gettext("Lever arm, POS to LiDAR"), "heading"))
         filled.addWidget(self.lever_arm)
@@ -80,21 +81,6 @@ class DataPanel(QWidget):
         noise.addWidget(self.lidar_sigma)
         filled.addLayout(noise)
 
-        self.apply = widgets.button(
-            gettext("Apply"), "apply_mounting", primary=True,
-            tip=gettext(
-                "Georeference the lines with these values; the results from the previous "
-                "values are discarded"
-            ),
-        )  # fmt: skip
-        self.revert = widgets.button(
-            gettext("Revert"), "revert_mounting", tip=gettext("Restore the values in use")
-        )
-        row = QHBoxLayout()
-        row.addStretch(1)
-        row.addWidget(self.revert)
-        row.addWidget(self.apply)
-        filled.addLayout(row)
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",
             icon="card-account-details-outline",
@@ -103,11 +89,10 @@ class DataPanel(QWidget):
         )  # fmt: skip
         self.details.clicked.connect(self.details_requested)
         filled.addWidget(self.details)
-        self.apply.clicked.connect(self._apply)
-        self.revert.clicked.connect(lambda: self._fill(self._settings))
         for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
-            field.valueChanged.connect(self._show_changes)
+            field.committed.connect(self._emit_edit)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
+            field.valueChanged.connect(self._draw_mounting)
             field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
         self._show_empty()
 
@@ -185,7 +170,7 @@ class DataPanel(QWidget):
             self.lidar_sigma.blockSignals(True)
             self.lidar_sigma.setValue(settings.lidar_sigma * 1000)
             self.lidar_sigma.blockSignals(False)
-        self._show_changes()
+        self._draw_mounting()
 
     def _edited_settings(self) -> Settings | None:
         """Settings with the changed fields; None if no field was changed."""
@@ -200,11 +185,13 @@ class DataPanel(QWidget):
             edited = replace(edited, lidar_sigma=self.lidar_sigma.value() / 1000)
         return None if edited is self._settings else edited
 
-    def _show_changes(self) -> None:
+    def _emit_edit(self) -> None:
+        edited = self._edited_settings()
+        if edited is not None:
+            self.settings_edited.emit(edited)
+
+    def _draw_mounting(self) -> None:
         self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())
-        differs = self._edited_settings() is not None
-        self.apply.setEnabled(differs)
-        self.revert.setEnabled(differs)
 
     def _ensure_visible(self, field: QWidget) -> None:
         """Scroll to the focused field so that the sketch is also visible on a small screen."""
@@ -214,11 +201,6 @@ class DataPanel(QWidget):
         if above is not None and field.hasFocus():
             for each in (self.mounting.sketch, field):
                 above.ensureWidgetVisible(each, 0, 4)
-
-    def _apply(self) -> None:
-        edited = self._edited_settings()
-        if edited is not None:
-            self.settings_edited.emit(edited)
 
 
 class _EmptyState(QWidget):

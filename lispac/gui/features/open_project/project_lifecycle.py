@@ -38,7 +38,7 @@ class ProjectLifecycle(QObject):
     ) -> None:
         super().__init__(controller)
         self._document, self._controller = document, controller
-        self._dialogs, self._settings = dialogs, settings
+        self._dialogs, self._settings, self._actions = dialogs, settings, actions
         controller.files_missing.connect(self._find_missing_files)
         actions.connect_slots(
             {
@@ -55,11 +55,15 @@ class ProjectLifecycle(QObject):
         )
 
     def may_leave(self) -> bool:
-        """Whether the project may be closed; asks if it has unsaved changes."""
+        """Whether the project may be closed; asks if there are unsaved changes or wrong texts."""
         project = self._document.project
-        if project is None or not self._document.is_modified:
+        problem = self._actions.find_input_error()
+        if project is None or not (self._document.is_modified or problem):
             return True
         choice = self._dialogs.ask_to_save_changes(project.name)
+        if choice == "save" and problem is not None:
+            self._dialogs.show_error(InputError(problem))
+            return False
         if choice == "save":
             return self._controller.save()
         return choice == "discard"

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QDialog, QFileDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
@@ -14,6 +14,7 @@ from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFi
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.features.pick_targets.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.project.seed_options import SeedOptions
+from lispac.gui.widgets.number_input import NumberDialog
 from lispac.language import gettext
 from lispac.project import Project, Target, Triple
 from lispac.survey.trajectory import LocalTrajectory
@@ -22,7 +23,7 @@ from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 
 
-class FindAgainDialog(QDialog):
+class FindAgainDialog(NumberDialog):
     """Dialogue with the settings with which the target was found, to search again."""
 
     def __init__(self, target: Target, parent: QWidget | None = None) -> None:

@@ -11,6 +11,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.number_input import parse_number
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
@@ -165,8 +166,7 @@ class SeedCoordinatesDialog(QDialog):
         values = []
         for field, axis in zip(self.fields, axes, strict=True):
             text = field.text().strip()
-            degrees = axis in ("longitude", "latitude")
-            values.append(parse_coordinate(text, degrees=degrees) if text else None)
+            values.append(_parse_coordinate(text, axis))
             wrong = bool(text) and values[-1] is None
             field.setProperty("wrong", wrong)
             field.style().unpolish(field)
@@ -206,6 +206,14 @@ def _introduction(seed_options: SeedOptions) -> str:
         "is shown before it is added."
     )
     return f"{first}\n{second}"
+
+
+def _parse_coordinate(text: str, axis: str) -> float | None:
+    """Coordinate in metres or degrees; None if the text is not a number."""
+    if axis not in ("longitude", "latitude"):
+        return parse_number(text, "m")
+    number = parse_number(text, "°")
+    return parse_coordinate(text, degrees=True) if number is None else number
 
 
 def _axis_label(axis: str) -> str:

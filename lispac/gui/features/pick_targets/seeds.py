@@ -28,8 +28,8 @@ class SeedActions(SurveyActions):
         tools.actions.connect_slots(
             {"seed_coordinates": self.type_seed, "seed_list": self.list_seeds}
         )
-        tools.panel.type_seed.clicked.connect(lambda: self.type_seed())
-        tools.panel.list_seeds.clicked.connect(lambda: self.list_seeds())
+        tools.panel.type_seed.clicked.connect(tools.actions["seed_coordinates"].trigger)
+        tools.panel.list_seeds.clicked.connect(tools.actions["seed_list"].trigger)
 
     def type_seed(self) -> None:
         """Ask for coordinates and search for the target there."""

@@ -86,7 +86,7 @@ class TargetActions(SurveyActions):
         controller.candidate_changed.connect(
             lambda: self.quality_computation.rate_candidate(controller.candidate)
         )
-        panel.propose_requested.connect(self.propose)
+        panel.propose_requested.connect(actions["propose"].trigger)
         panel.accepted.connect(controller.accept)
         panel.rejected.connect(controller.reject)
         panel.removed.connect(controller.remove)

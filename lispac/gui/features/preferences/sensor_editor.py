@@ -4,12 +4,13 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QFocusEvent
-from PySide6.QtWidgets import QCheckBox, QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.number_input import NumberDialog
 from lispac.io.config.sensor_file import (
     GNSS_SOLUTIONS,
     PosAccuracy,
@@ -49,7 +50,7 @@ class _TextField(QLineEdit):
         self.focus_lost.emit()
 
 
-class SensorEditor(QDialog):
+class SensorEditor(NumberDialog):
     """Dialogue that checks the specifications during typing and writes them to a file.
 
     An empty field is reported after it has lost the focus, or when the sensor is to be saved.
@@ -147,6 +148,8 @@ class SensorEditor(QDialog):
             self._first_empty_field.setFocus()
             self._visited_fields.update(self._lines)
             self._check_input()
+            return
+        if self._show_wrong_field():
             return
         try:
             self.name = store_sensor(self._folder, self.figures, self.name)

@@ -4,7 +4,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -27,6 +26,7 @@ from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
 from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.number_input import NumberDialog
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.language import LANGUAGES, N_, gettext
 from lispac.survey.conventions.systems import OTHER_SYSTEMS
@@ -174,7 +174,7 @@ SCALE_NAMES: dict[Scale, str] = {
 """Names of the colour scales."""
 
 
-class SettingsDialog(QDialog):
+class SettingsDialog(NumberDialog):
     """Dialogue with a page of general preferences and one of sensors.
 
     Parameters

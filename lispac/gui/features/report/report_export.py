@@ -66,8 +66,8 @@ class ReportExport(QObject):
         self._computations = computations
         self._panel, self._settings = panel, settings
         self.show_choice()
-        panel.report_requested.connect(self.export)
-        panel.preview_requested.connect(self.preview)
+        panel.report_requested.connect(actions["report"].trigger)
+        panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
         panel.details_requested.connect(self.ask_details)
         panel.changed.connect(self._store_choice)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -18,6 +17,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
+from lispac.gui.widgets.number_input import NumberDialog
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, system_text
 from lispac.language import N_, gettext
@@ -52,7 +52,7 @@ class CheckRequest:
     search_distance: float
 
 
-class CheckDialog(QDialog):
+class CheckDialog(NumberDialog):
     """Dialogue for a reference: file, coordinate system and standard deviation."""
 
     def __init__(

@@ -50,13 +50,11 @@ class WarningList(QObject):
         self._worker = ThreadPoolExecutor(1, "lispac-warnings")
         self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
         self._requested = self._shown_request = 0
-        self._had_result = False
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
         self._debounce.setInterval(DEBOUNCE_MS)
         self._debounce.timeout.connect(self._collect_warnings)
         self._collected.connect(self._show)
-        document.opened.connect(self._on_project_opened)
         document.changed.connect(self.update)
         actions.connect_slots({"warnings": self.open})
         button.clicked.connect(self.open)
@@ -85,10 +83,6 @@ class WarningList(QObject):
         self._qualities = qualities
         self.update()
 
-    def _on_project_opened(self) -> None:
-        """Reset the flag of an earlier result when another project is opened."""
-        self._had_result = False
-
     def update(self) -> None:
         """Collect the warnings again."""
         if self._document.project is None:
@@ -98,7 +92,6 @@ class WarningList(QObject):
             self._panel.show_nothing()
             self._button.show_warnings(None)
             return
-        self._had_result |= self._document.project.result is not None
         if self._document.awaits_result:
             self._panel.show_waiting()  # the former list is kept until then
         else:
@@ -110,7 +103,7 @@ class WarningList(QObject):
         refused_since = document.refused_since
         survey = document.survey if document.survey_is_current else None
         qualities, storage = self._qualities, self._storage_problem()
-        outdated = self._had_result
+        outdated = document.is_result_outdated
         if project is None or document.awaits_result:
             return
         self._requested += 1

@@ -36,6 +36,7 @@ from lispac.gui.features.open_project.import_survey.quality_page import QualityP
 from lispac.gui.features.open_project.import_survey.timeline_page import TimelinePage
 from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.widgets.number_input import NumberDialog
 from lispac.identity import EMPTY_IDENTITY
 from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
@@ -62,7 +63,7 @@ def survey_file_filters() -> str:
     )
 
 
-class ImportDialog(QDialog):
+class ImportDialog(NumberDialog):
     """Dialogue that reads the added files, checks their consistency, and defines the project.
 
     Parameters

@@ -1,0 +1,247 @@
+"""Numbers typed by the user: one parser for all fields and tables, and their commit.
+
+A typed text becomes the value of its field, the *commit*, when Enter is pressed, when the focus
+leaves the field, and before a shortcut, a click elsewhere or an action is processed.
+"""
+
+import math
+import re
+from collections.abc import Iterator
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QToolTip, QWidget
+
+from lispac.errors import InputError
+from lispac.message_texts import message_text
+from lispac.messages import Message
+
+_SPACES = dict.fromkeys(map(ord, "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}\N{THIN SPACE}"), " ")
+_NUMBER_PATTERN = re.compile(
+    r"(?P<sign>[+-]?)\s*(?P<whole>\d{1,3}(?: \d{3})+|\d*)(?:[.,](?P<part>\d*))?"
+    r"(?P<exponent>[eE][+-]?\d+)?\s*(?P<unit>.*)"
+)
+_UNITS: dict[str, tuple[str, float]] = {
+    **{sign: ("length", metres) for sign, metres in (
+        ("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6), ("ft", 0.3048),
+        ("ftUS", 1200 / 3937), ("in", 0.0254),
+    )},
+    **{sign: ("angle", degrees) for sign, degrees in (
+        ("°", 1.0), ("deg", 1.0), ("′", 1 / 60), ("'", 1 / 60), ("″", 1 / 3600), ('"', 1 / 3600),
+        ("rad", math.degrees(1)), ("mrad", math.degrees(1e-3)), ("µrad", math.degrees(1e-6)),
+        ("gon", 0.9),
+    )},
+    **{sign: ("time", seconds) for sign, seconds in (
+        ("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("min", 60.0), ("h", 3600.0),
+    )},
+    **{sign: ("frequency", hertz) for sign, hertz in (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6))},
+}  # fmt: skip
+"""Quantity of a unit, and its size in the base unit of the quantity."""
+
+
+def parse_number(text: str, unit: str = "") -> float | None:
+    """Number in a text, in ``unit``; None if the text is not a finite number.
+
+    Accepted are a decimal point or comma, spaces between thousands, an exponent, any minus sign,
+    and after the number ``unit`` or another unit of the same quantity, which is converted.
+    """
+    plain = text.translate(_SPACES).replace("\N{MINUS SIGN}", "-").replace("\u03bc", "µ").strip()
+    match = _NUMBER_PATTERN.fullmatch(plain)
+    if match is None or not (match["whole"] or match["part"]):
+        return None
+    factor = _conversion_factor(match["unit"], unit)
+    if factor is None:
+        return None
+    digits = f"{match['whole'].replace(' ', '')}.{match['part'] or ''}"
+    number = float(f"{match['sign']}{digits}{match['exponent'] or ''}")
+    number = number if factor == 1.0 else number * factor
+    return number if math.isfinite(number) else None
+
+
+def is_start_of_number(text: str) -> bool:
+    """Whether a text becomes a number if more digits are typed."""
+    return parse_number(text.rstrip() + "0") is not None
+
+
+def _conversion_factor(typed: str, unit: str) -> float | None:
+    if typed in ("", unit):
+        return 1.0
+    if typed not in _UNITS or unit not in _UNITS or _UNITS[typed][0] != _UNITS[unit][0]:
+        return None
+    return _UNITS[typed][1] / _UNITS[unit][1]
+
+
+class NumberEntry:
+    """Base of the widgets in which a number is typed."""
+
+    is_typing = False
+    """Whether a text was typed that is not committed. Qt sends events to unfinished objects too."""
+    _usual_tip: str | None = None
+
+    @property
+    def input_error(self) -> Message | None:
+        """Reason why the text is not accepted; None if it is."""
+        raise NotImplementedError
+
+    def commit(self) -> bool:
+        """Make the typed number the value; return whether the text is accepted."""
+        raise NotImplementedError
+
+    def restore(self) -> None:
+        """Discard the typed text and show the value again."""
+        raise NotImplementedError
+
+    def _mark(self, wrong: bool, reason: str = "") -> None:
+        """Mark the widget as wrong, with the reason in its tip, or remove the mark."""
+        assert isinstance(self, QWidget)
+        if wrong:
+            self._usual_tip = self.toolTip() if self._usual_tip is None else self._usual_tip
+            self.setToolTip(reason or self._usual_tip)
+        elif self._usual_tip is not None:
+            self.setToolTip(self._usual_tip)
+            self._usual_tip = None
+        if bool(self.property("wrong")) != wrong:
+            self.setProperty("wrong", wrong)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+
+class PendingInput(QObject):
+    """Commits the typed text of a field before a shortcut or a click elsewhere is processed.
+
+    Actions are thus enabled or disabled according to the committed value.
+    """
+
+    def __init__(self, field: NumberEntry) -> None:
+        assert isinstance(field, QWidget)
+        super().__init__(field)
+        self._field, self._widget = field, field
+
+    def begin(self) -> None:
+        """Start when the user types."""
+        if not self._field.is_typing:
+            self._field.is_typing = True
+            QApplication.instance().installEventFilter(self)
+
+    def end(self) -> None:
+        """End when the text is committed or discarded."""
+        if self._field.is_typing:
+            self._field.is_typing = False
+            QApplication.instance().removeEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Commit the text before another part of the window receives the event."""
+        kind, field = event.type(), self._widget
+        if (
+            kind == QEvent.Type.MouseButtonPress
+            and isinstance(watched, QWidget)
+            and watched is not field
+            and not field.isAncestorOf(watched)
+            and watched.window() is field.window()
+        ) or (kind == QEvent.Type.ShortcutOverride and _is_shortcut(event)):
+            self._field.commit()
+        return False
+
+
+def handle_shortcut_override(event: QEvent, is_edited: bool) -> bool | None:
+    """Decide whether a key is for a field or an action; None if Qt decides.
+
+    Enter and Escape are for the field while it contains a typed text. Undo and Redo are for the
+    window otherwise.
+
+    Returns
+    -------
+    bool or None
+        Whether the field has used the event.
+    """
+    if event.type() != QEvent.Type.ShortcutOverride:
+        return None
+    assert isinstance(event, QKeyEvent)
+    if is_edited and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape):
+        event.accept()
+        return True
+    if not is_edited and _is_undo_key(event):
+        event.ignore()
+        return False
+    return None
+
+
+def _is_undo_key(event: QKeyEvent) -> bool:
+    """Whether a key event is that of Undo or Redo."""
+    keys = QKeySequence.StandardKey
+    return event.matches(keys.Undo) or event.matches(keys.Redo)
+
+
+def _is_shortcut(event: QEvent) -> bool:
+    """Whether a key starts an action of a window; Undo reverts the typing itself."""
+    modifiers = Qt.KeyboardModifier
+    assert isinstance(event, QKeyEvent)
+    special = modifiers.ControlModifier | modifiers.AltModifier | modifiers.MetaModifier
+    if _is_undo_key(event) or (event.text() and not event.modifiers() & special):
+        return False
+    pressed = QKeySequence(event.keyCombination())
+    return any(
+        pressed in action.shortcuts()
+        for window in QApplication.topLevelWidgets()
+        for action in window.findChildren(QAction)
+    )
+
+
+def commit_focused_field() -> bool:
+    """Commit the number typed in the focused field; return whether it was accepted."""
+    field = QApplication.focusWidget()
+    return field.commit() if isinstance(field, NumberEntry) else True
+
+
+def wrong_fields(widget: QWidget) -> Iterator[tuple[QWidget, Message]]:
+    """Enabled number fields of a widget whose text is not accepted, and the reasons."""
+    for field in widget.findChildren(QWidget):
+        if isinstance(field, NumberEntry) and field.isEnabled():
+            problem = field.input_error
+            if problem is not None:
+                yield field, problem
+
+
+def first_input_error(widget: QWidget) -> Message | None:
+    """Reason why a text in a number field of a widget is not accepted; None if all are."""
+    return next((problem for _, problem in wrong_fields(widget)), None)
+
+
+def require_accepted_texts(widget: QWidget) -> None:
+    """Refuse a widget with a wrong number field.
+
+    Raises
+    ------
+    InputError
+        If the text of a number field is not accepted.
+    """
+    problem = first_input_error(widget)
+    if problem is not None:
+        raise InputError(problem)
+
+
+class NumberDialog(QDialog):
+    """Dialogue that is not accepted while a text in one of its number fields is not accepted."""
+
+    def accept(self) -> None:
+        """Close the dialogue, or show the first wrong field."""
+        if not self._show_wrong_field():
+            super().accept()
+
+    def _show_wrong_field(self) -> bool:
+        """Show the first wrong field and the reason; return whether there is one."""
+        commit_focused_field()
+        field, problem = next(wrong_fields(self), (None, None))
+        if field is None or problem is None:
+            return False
+        page: QWidget = field
+        while page is not self:
+            parent = page.parentWidget()
+            tabs = parent.parentWidget()
+            if isinstance(tabs, QTabWidget) and tabs.indexOf(page) >= 0:
+                tabs.setCurrentWidget(page)
+            page = parent
+        field.setFocus()
+        place = field.mapToGlobal(field.rect().bottomLeft())
+        QToolTip.showText(place, message_text(problem), field)
+        return True
