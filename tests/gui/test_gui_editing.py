@@ -196,6 +196,7 @@ def test_a_validation_plane_is_coloured_by_the_distances_between_its_lines(
     """The lines differ by decimetres before the calibration and by millimetres after it."""
     window, project = adjusted.window, adjusted.project
     survey = window.document.survey
+    window.actions_["before"].trigger()
     window.actions_["colour_residual"].trigger()
     wait_until_idle(adjusted)
     keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}

@@ -163,6 +163,7 @@ def test_numbers_are_accepted_with_comma_or_point(french: Driver, demo: Demo) ->
     open_step(french, 0)
     for typed in ("-0,1234", "-0.1234"):
         type_into(french, field, typed)
+        french.bot.keyClick(field, Key.Key_Tab)
         assert field.value() == -0.1234
         assert field.text() == "-0,1234 m"
 

@@ -98,7 +98,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     apart = [float(each.get_title(loc="left").split()[-2]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
-    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[0].section)
+    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)  # after
     panel.orientation.setCurrentIndex(1)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"

@@ -1,5 +1,6 @@
 """Tests that a typed value is used by the next action, or that the action is refused."""
 
+from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
@@ -193,8 +194,9 @@ def test_another_edit_keeps_a_wrong_text(picked: Driver) -> None:
 
 
 def test_settings_of_the_adjustment_belong_to_the_project(
-    driver: Driver, demo: Demo, estimated: Project
+    driver: Driver, demo: Demo, estimated: Project, demo_copy: Path
 ) -> None:
+    estimated = replace(estimated, folder=demo_copy)  # the project is saved
     open_estimated(driver, demo, estimated)
     open_step(driver, 2)
     panel = driver.window.adjust

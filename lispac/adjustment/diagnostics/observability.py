@@ -23,6 +23,9 @@ Array = NDArray[np.float64]
 MAX_SIGMA_RATIO = 4.0
 """Ratio of the sigma of an angle without a sighting or target to that with it, above which the
 angle depends on it alone: an error of it is then hardly visible in the others."""
+MAX_CHECK_SIGMA = np.radians(0.1)
+"""Largest sigma of an angle without a target, radians, with which the others check the angle well
+enough; a survey that is less precise has a warning (`MAX_ANGLE_SIGMA_DEG`)."""
 MAX_CLUSTER_RATIO = 0.05
 """Ratio of the largest distance between targets to the range below which they act as one target.
 
@@ -91,16 +94,17 @@ def _find_unchecked_parts(
     if whole is None:
         return
 
-    def dependent_angles(omitted: NDArray[np.bool_]) -> tuple[str, ...] | None:
+    def dependent_angles(omitted: NDArray[np.bool_], least: float = 0.0) -> tuple[str, ...] | None:
         """Angles with a much larger sigma without some sightings; None if undetermined."""
         sigma = sigmas_without(linearised, omitted)
         if sigma is None or sigma.max() > MAX_ANGLE_SIGMA:
             return None
-        return tuple(np.array(ANGLES)[sigma > MAX_SIGMA_RATIO * whole].tolist())
+        depends = (sigma > MAX_SIGMA_RATIO * whole) & (sigma > least)
+        return tuple(np.array(ANGLES)[depends].tolist())
 
     targets = observations.targets
     for k, target in enumerate(targets if len(targets) > 1 else ()):
-        angles = dependent_angles(observations.target_of_sighting == k)
+        angles = dependent_angles(observations.target_of_sighting == k, MAX_CHECK_SIGMA)
         if angles is None:
             yield UncontrolledObservations("target", target)
         elif angles:
@@ -110,10 +114,13 @@ def _find_unchecked_parts(
             names = tuple(np.array(targets)[members].tolist())
             if len(members) == len(targets):
                 yield UncontrolledObservations("clustered", size=size)
-            elif angles := dependent_angles(np.isin(observations.target_of_sighting, members)):
-                yield UncontrolledObservations("clustered", angles=angles, size=size, targets=names)
-            elif angles is None:
-                yield UncontrolledObservations("clustered", angles=ANGLES, size=size, targets=names)
+                continue
+            own = np.isin(observations.target_of_sighting, members)
+            angles = dependent_angles(own, MAX_CHECK_SIGMA)
+            if angles != ():
+                yield UncontrolledObservations(
+                    "clustered", angles=angles or ANGLES, size=size, targets=names
+                )
     if needed or count > MAX_TESTED_SIGHTINGS:
         return
     for k, sighting in enumerate(observations.sightings):
