@@ -39,33 +39,42 @@ WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)
 
 @pytest.fixture(scope="session")
 def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The demo survey as made, and with some planes picked."""
-    survey = load_survey(demo_project)
+    """The demo survey as made, and with some planes picked.
+
+    Each process has its own folder, which a window locks while it writes a recovery copy.
+    """
+    folder = tmp_path_factory.mktemp("demo") / demo_project.folder.name
+    shutil.copytree(demo_project.folder, folder, ignore=WINDOW_FILES)
+    project = replace(demo_project, folder=folder)
+    survey = load_survey(project)
 
     def pick_some(_folder: Path) -> Project:
-        picked = demo_project
+        picked = project
         for name in PICKED_NAMES:
             role, seed = demo_seeds()[name]
             picked = pick_target(picked, survey, seed, name=name, role=role)
         return picked
 
-    return Demo(demo_project, make_once(tmp_path_factory, "picked", pick_some), survey)
+    picked = make_once(tmp_path_factory, "picked", pick_some)
+    return Demo(project, replace(picked, folder=folder), survey)
 
 
 @pytest.fixture(scope="session")
 def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The picked demo survey with its estimated boresight and all cross-checks."""
-    return make_once(
+    made = make_once(
         tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey)
     )
+    return replace(made, folder=demo.project.folder)
 
 
 @pytest.fixture(scope="session")
 def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The estimated demo survey with one validation plane compared."""
-    return make_once(
+    made = make_once(
         tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey)
     )
+    return replace(made, folder=demo.project.folder)
 
 
 @pytest.fixture
