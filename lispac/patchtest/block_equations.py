@@ -1,4 +1,4 @@
-"""Normal equations of the distances in each block, and their derivatives by POS errors."""
+"""Normal equations of each block of points, and their derivatives by errors of the POS."""
 
 from dataclasses import dataclass
 

@@ -179,7 +179,7 @@ class TargetActions(SurveyActions):
 
 
 def _with_exclusions_of(target: Target, before: Target) -> Target:
-    """``target`` with the use of ``before``, and with its sightings excluded on the same lines."""
+    """Exclude ``target`` and its sightings as they are excluded in ``before``."""
     excluded = {sighting.line for sighting in before.sightings if not sighting.used}
     sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
     return replace(target, used=before.used, sightings=sightings)

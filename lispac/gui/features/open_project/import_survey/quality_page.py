@@ -24,7 +24,7 @@ _FIGURE_TIPS = {
 
 
 class QualityPage(QWidget):
-    """Page with buttons for the figures and the canvas."""
+    """Page with the diagrams of the trajectory quality, and buttons to choose a diagram."""
 
     drawn = Signal()
 
