@@ -178,7 +178,8 @@ def values_at_inclination(
     j = int(np.argmin(np.abs(np.degrees(study.site.inclinations) - inclination_deg)))
     table, rows = criterion_table(study, error, criterion, shown.decimals)
     return gettext(
-        "{quantity} with targets inclined by {inclination:deg.0} deg, by heading of the line: {values}",
+        "{quantity} with targets inclined by {inclination:deg.0} deg, by heading of the line: "
+        "{values}",
         quantity=gettext(shown.label), inclination=study.site.inclinations[j],
         values="; ".join(f"{each.title}: {cell_text(each, rows[j])}" for each in table.columns[1:]),
     )  # fmt: skip
