@@ -39,15 +39,20 @@ def shares_on_board(seen: Site, target: Target) -> list[float]:
     return [float(seen.on(each.line, "T1")[each.indices].mean()) for each in target.sightings]
 
 
+def require_all_board_points(seen: Site, third: Target, again: Target) -> None:
+    """Require the points of the board, of which ``third`` has every third one, without the wall."""
+    assert min(shares_on_board(seen, again)) > 0.95
+    for before, after in zip(third.sightings, again.sightings, strict=True):
+        assert len(after.indices) > 2 * len(before.indices)
+
+
 @pytest.mark.parametrize("distance", [0.1, 0.15, 0.3])
 def test_points_of_a_board_are_selected_again_and_none_of_the_wall(distance: float) -> None:
     seen = board_before_wall(distance)
     _, survey = seen.opened()
     target = picked(seen, survey, dict.fromkeys(seen.echoes, "T1"), one_in=3)
     again = reselect_target(target, survey.clouds, survey.clouds)
-    assert min(shares_on_board(seen, again)) > 0.95
-    for before, after in zip(target.sightings, again.sightings, strict=True):
-        assert len(after.indices) > 2 * len(before.indices)
+    require_all_board_points(seen, target, again)
 
 
 def test_a_sighting_of_the_wall_is_corrected_if_the_others_are_of_the_board() -> None:
@@ -66,9 +71,7 @@ def test_the_board_is_selected_again_if_the_seed_is_on_the_wall(distance: float)
     target = picked(seen, survey, dict.fromkeys(seen.echoes, "T1"), one_in=3)
     moved = replace(target, seed=(2.0, WALL - distance, 7.0))
     again = reselect_target(moved, survey.clouds, survey.clouds)
-    assert min(shares_on_board(seen, again)) > 0.95
-    for before, after in zip(target.sightings, again.sightings, strict=True):
-        assert len(after.indices) > 2 * len(before.indices)
+    require_all_board_points(seen, target, again)
 
 
 def test_a_board_is_kept_if_the_wall_is_found_again() -> None:
@@ -113,9 +116,7 @@ def test_a_board_picked_with_a_wrong_prior_is_selected_again(off_deg: tuple[floa
     target = picked(seen, right, dict.fromkeys(seen.echoes, "T1"), one_in=3)
     seed = wrong.clouds["L1"][target.sightings[0].indices].mean(axis=0)
     again = reselect_target(replace(target, seed=tuple(seed)), wrong.clouds, right.clouds)
-    assert min(shares_on_board(seen, again)) > 0.95
-    for before, after in zip(target.sightings, again.sightings, strict=True):
-        assert len(after.indices) > 2 * len(before.indices)
+    require_all_board_points(seen, target, again)
 
 
 @pytest.mark.parametrize("seed", [25, pytest.param(8, marks=pytest.mark.long)])

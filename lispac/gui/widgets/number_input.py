@@ -6,6 +6,7 @@ leaves the field, and before a shortcut, a click elsewhere or an action is proce
 
 import math
 import re
+from abc import abstractmethod
 from collections.abc import Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
@@ -79,17 +80,17 @@ class NumberEntry:
     _usual_tip: str | None = None
 
     @property
+    @abstractmethod
     def input_error(self) -> Message | None:
         """Reason why the text is not accepted; None if it is."""
-        raise NotImplementedError
 
+    @abstractmethod
     def commit(self) -> bool:
         """Make the typed number the value; return whether the text is accepted."""
-        raise NotImplementedError
 
+    @abstractmethod
     def restore(self) -> None:
         """Discard the typed text and show the value again."""
-        raise NotImplementedError
 
     def _mark(self, wrong: bool, reason: str = "") -> None:
         """Mark the widget as wrong, with the reason in its tip, or remove the mark."""
