@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
@@ -155,12 +156,14 @@ class SurveyResult:
 
 
 def simulate_and_adjust(kind: str, seed: int) -> SurveyResult:
-    result = adjust(survey(kind, seed), PRIOR, MODEL)
+    data = survey(kind, seed)
+    result = adjust(data, PRIOR, MODEL)
+    messages = result_warnings(result, cross_checks(data, PRIOR, result))
     return SurveyResult(
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
-        tuple(message.code for message in result_warnings(result, None) if message.is_serious),
+        tuple(message.code for message in messages if message.is_serious),
         result.given_correlation_times is not None,
     )
 
