@@ -30,7 +30,7 @@ def test_a_name_that_is_not_utf_8_is_shown_with_replacements() -> None:
     )  # halves of surrogate pairs, not bytes
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+@pytest.mark.parametrize("encoding", ["ascii", pytest.param("utf-8", marks=pytest.mark.long)])
 def test_any_name_can_be_printed_on_any_terminal(tmp_path: Path, encoding: str) -> None:
     folder = write_survey(tmp_path)
     first = folder / os.fsdecode(b"l\xff\xe9.las")
