@@ -71,11 +71,12 @@ def test_picking_from_a_list_equals_single_picks(
     assert err.splitlines()[-1] == f"lispac: {message_text(not_found)}"
     named = note("assumed.columns_as_named", columns=("name", "north", "west", "up"))
     assert f"note: {message_text(named)}" in err
-    table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
+    rows_printed = (line.split() for line in out.splitlines() if line[:5].strip().isdigit())
+    table = {name: rest for _, name, *rest in rows_printed}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
-    assert "6 of 6" in table["T1"]
-    assert "validation" in table["V1"]
-    assert "none  " in table["Lost"]
+    assert table["T1"][:4] == ["Target", "6", "of", "6"]
+    assert table["V1"][:2] == ["Validation", "plane"]
+    assert table["Lost"] == ["Target", "none", "-", "-"]
     assert out.endswith("Targets found for 3 of 4 seeds\n")
     project = read_project(folder)
     assert [t.name for t in project.targets] == ["T1", "T2", "V1"]

@@ -17,9 +17,15 @@ from lispac.cli.argument_types import (
     positive_number,
     whole_number_from,
 )
-from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.console import (
+    ConsoleProgress,
+    UsageError,
+    opened_project,
+    print_json,
+    print_table,
+)
 from lispac.cli.messages import print_messages
-from lispac.message_texts import english_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
@@ -369,27 +375,14 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
     return content | {"lines": lines, "missing": json_values(target.missing)}
 
 
-def _message_text(outcome: SeedOutcome) -> str:
-    return "" if outcome.message is None else english_text(outcome.message)
-
-
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
-    """Print a row for each seed: lines, points and RMS, or why no target was found."""
-    width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
-    print(f"{'row':>4}  {'name':{width}}  {'role':10}  {'lines':>7}  {'points':>9}  RMS (mm)")
-    for outcome in outcomes:
-        seed, target = outcome.seed, outcome.target
-        head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
-        if target is None:
-            print(f"{head}  {'none':>7}  {_message_text(outcome)}")
-            continue
-        found = target.sightings
-        points = sum(len(sighting.indices) for sighting in found)
-        rms = 1000 * max(sighting.rms for sighting in found)
-        print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
-        if outcome.message is not None:
-            print(f"      {_message_text(outcome)}")
-        for line, reason in target.missing.items():
-            print(f"      not on {line}: {message_text(reason)}")
+    """Print a row for each seed, and below the table the reasons of what was not found."""
+    from lispac.present.seeds import SEED_OUTCOMES_TABLE, seed_outcome_rows
+
+    rows = seed_outcome_rows(outcomes, lines)
+    print_table(SEED_OUTCOMES_TABLE, rows)
+    for row in rows:
+        for text in row.notes:
+            print(f"{row.name}: {text}")
     count = sum(outcome.target is not None for outcome in outcomes)
     print(f"Targets found for {count} of {len(outcomes)} seeds")

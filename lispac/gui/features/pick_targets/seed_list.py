@@ -20,23 +20,28 @@ from PySide6.QtWidgets import (
 from lispac.errors import LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.appearance import theme
+from lispac.gui.appearance import quantities, theme
 from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
-from lispac.project import Project, Role, Target
+from lispac.present.seeds import (
+    ROLE_TEXTS,
+    SEED_OUTCOMES_TABLE,
+    SeedOutcomeRow,
+    seed_outcome_rows,
+)
+from lispac.present.tables import Column, cell_text, title_text
+from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
 from lispac.workflow.project.coordinates import distances_from_trajectory
 
-ROLE_NAMES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 SEED_COLUMN_TITLES = (
     N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
     N_("Distance from trajectory (m)"), N_("Note"),
 )  # fmt: skip
-RESULT_COLUMN_TITLES = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Note"))
 ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -84,7 +89,9 @@ class SeedListDialog(QDialog):
         self.choice.add_to(form)
         layout.addLayout(form)
         self.table = _create_table(
-            "seed_list_table", gettext("Seeds of the list"), SEED_COLUMN_TITLES
+            "seed_list_table",
+            gettext("Seeds of the list"),
+            [gettext(title) for title in SEED_COLUMN_TITLES],
         )
         self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
@@ -181,24 +188,17 @@ class SeedsFoundDialog(QDialog):
         self.resize(860, 520)
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
+        columns = SEED_OUTCOMES_TABLE.columns[1:]
+        heads = [*(title_text(column.title) for column in columns), gettext("Note")]
         self.table = _create_table(
-            "seeds_found_table", gettext("Targets found"), RESULT_COLUMN_TITLES
+            "seeds_found_table", title_text(SEED_OUTCOMES_TABLE.title), heads
         )
         self.table.setRowCount(len(outcomes))
-        for row, outcome in enumerate(outcomes):
-            seed, target = outcome.seed, outcome.target
-            if target is None:
-                numbers = [gettext("none"), ""]
-            else:
-                points = sum(len(sighting.indices) for sighting in target.sightings)
-                visible = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
-                numbers = [visible, number(points)]
-            messages = [] if outcome.message is None else [message_text(outcome.message)]
-            if target is not None:
-                messages += _missing_lines_text(target)
+        for k, row in enumerate(seed_outcome_rows(outcomes, lines)):
             _set_row(
-                self.table, row, _name_item(seed.name, seed.role), seed.role, numbers,
-                "\n".join(messages),
+                self.table, k, _name_item(row.name, row.role), row.role,
+                [_number_text(column, row) for column in columns[2:]],
+                "\n".join(row.notes),
             )  # fmt: skip
         layout.addWidget(self.table, 1)
         close = widgets.button(gettext("Close"), "close_found", primary=True)
@@ -232,12 +232,12 @@ def _summary(outcomes: Sequence[SeedOutcome]) -> str:
     )
 
 
-def _missing_lines_text(target: Target) -> list[str]:
-    """Text with the lines on which a target was not found, and the reasons."""
-    return [
-        gettext("Not found on line {line}: {reason}", line=line, reason=message_text(reason))
-        for line, reason in target.missing.items()
-    ]
+def _number_text(column: Column[SeedOutcomeRow], row: SeedOutcomeRow) -> str:
+    """Text of a cell, with a length in the unit of the user."""
+    value, form = column.value_of(row), column.format_of(row)
+    if value is None or form is None or form.unit != "mm":
+        return cell_text(column, row)
+    return quantities.amount(form.factor * value, "mm", form.decimals)
 
 
 def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
@@ -245,7 +245,7 @@ def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
     table.setAccessibleName(title)
-    table.setHorizontalHeaderLabels([gettext(head) for head in heads])
+    table.setHorizontalHeaderLabels(heads)
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     for column in range(2, len(heads) - 1):
@@ -278,6 +278,6 @@ def _set_row(
     last = QTableWidgetItem(comment)
     last.setToolTip(widgets.plain_tip(comment))
     for column, item in enumerate(
-        (name, QTableWidgetItem(gettext(ROLE_NAMES[role])), *items, last)
+        (name, QTableWidgetItem(gettext(ROLE_TEXTS[role])), *items, last)
     ):
         table.setItem(row, column, item)
