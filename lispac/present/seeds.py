@@ -1,13 +1,12 @@
 """Targets found from a list of seeds, as rows and table."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.present.tables import COUNT, MILLIMETRES, Column, Table
-from lispac.project import Role
-from lispac.workflow.calibration.seed_lists import SeedOutcome
+from lispac.project import Role, Target
 
 ROLE_TEXTS: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 
@@ -46,24 +45,20 @@ SEED_OUTCOMES_TABLE = Table[SeedOutcomeRow](
 )
 
 
-def seed_outcome_rows(outcomes: Sequence[SeedOutcome], lines: int) -> list[SeedOutcomeRow]:
-    """Rows in the language in use; ``lines`` is the number of lines of the project."""
-    return [_row(outcome, lines) for outcome in outcomes]
-
-
-def _row(outcome: SeedOutcome, lines: int) -> SeedOutcomeRow:
-    seed, target = outcome.seed, outcome.target
-    notes = () if outcome.message is None else (message_text(outcome.message),)
+def seed_outcome_row(
+    row: int, name: str, role: Role, target: Target | None, message: Message | None, lines: int
+) -> SeedOutcomeRow:
+    """Row in the language in use; ``lines`` is the number of lines of the project."""
+    notes = () if message is None else (message_text(message),)
     if target is None:
-        return SeedOutcomeRow(seed.row, seed.name, seed.role, gettext("none"), None, None, notes)
+        return SeedOutcomeRow(row, name, role, gettext("none"), None, None, notes)
     missing = (
         gettext("Not found on line {line}: {reason}", line=line, reason=message_text(reason))
         for line, reason in target.missing.items()
     )
     found = target.sightings
     return SeedOutcomeRow(
-        seed.row, seed.name, seed.role,
-        gettext("{seen:n} of {total:n}", seen=len(found), total=lines),
+        row, name, role, gettext("{seen:n} of {total:n}", seen=len(found), total=lines),
         sum(len(sighting.indices) for sighting in found),
         max(sighting.rms for sighting in found),
         (*notes, *missing),

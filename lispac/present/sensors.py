@@ -3,12 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
 from lispac.language import N_, gettext
 from lispac.present.tables import DEGREES, MILLIMETRES, Column, Format, Table
-from lispac.workflow.planning.sensors import Sensor, source_text
-
-USER_DEFINED_TEXT = N_("{title} (user-defined)")
 
 
 @dataclass(frozen=True)
@@ -21,21 +17,33 @@ class ScannerRow:
     divergence_mrad: float
     title: str
     source: str
+    is_user_defined: bool
 
 
 @dataclass(frozen=True)
 class PosRow:
-    """A POS of the library with one GNSS solution; standard deviations of 1 sigma.
+    """A POS of the library with one GNSS solution, which its name contains.
 
-    ``name`` also has the name of the solution. The lists are north, east and down, and roll, pitch
-    and heading.
+    The standard deviations of 1 sigma are north, east and down, and roll, pitch and heading.
     """
 
     name: str
-    position_sigma_m: str
-    attitude_sigma_deg: str
+    position_sigma_m: Sequence[float]
+    attitude_sigma_deg: Sequence[float]
     title: str
     source: str
+    is_user_defined: bool
+
+
+def title_with_mark(row: ScannerRow | PosRow) -> str:
+    """Title of a sensor, marked if the user defined it."""
+    if row.is_user_defined:
+        return gettext("{title} (user-defined)", title=row.title)
+    return row.title
+
+
+def _list_text(values: Sequence[float], decimals: int) -> str:
+    return " ".join(Format("", decimals).text(value) for value in values)
 
 
 SCANNERS_TABLE = Table[ScannerRow](
@@ -45,7 +53,7 @@ SCANNERS_TABLE = Table[ScannerRow](
         Column("range_sigma_m", N_("Range"), MILLIMETRES),
         Column("angle_sigma_deg", N_("Direction"), DEGREES),
         Column("divergence_mrad", N_("Divergence (mrad)"), Format("", 2)),
-        Column("title", N_("Title")),
+        Column(title_with_mark, N_("Title")),
         Column("source", N_("Source"), is_wide=True),
     ),
 )
@@ -53,40 +61,9 @@ POS_TABLE = Table[PosRow](
     N_("INS/GNSS (1 sigma)"),
     (
         Column("name", N_("Name")),
-        Column("position_sigma_m", N_("North, east, down (m)")),
-        Column("attitude_sigma_deg", N_("Roll, pitch, heading (deg)")),
-        Column("title", N_("Title")),
+        Column(lambda row: _list_text(row.position_sigma_m, 3), N_("North, east, down (m)")),
+        Column(lambda row: _list_text(row.attitude_sigma_deg, 4), N_("Roll, pitch, heading (deg)")),
+        Column(title_with_mark, N_("Title")),
         Column("source", N_("Source"), is_wide=True),
     ),
 )
-
-
-def scanner_rows(sensors: Sequence[Sensor[ScannerSpecification]]) -> list[ScannerRow]:
-    """Scanners in the given order."""
-    return [
-        ScannerRow(
-            each.name, each.figures.range_sigma, each.figures.angle_sigma_deg,
-            each.figures.divergence_mrad, _title(each), source_text(each.figures),
-        )
-        for each in sensors
-    ]  # fmt: skip
-
-
-def pos_rows(sensors: Sequence[Sensor[PosSpecification]]) -> list[PosRow]:
-    """INS/GNSS in the given order, with a row for each GNSS solution."""
-    metres, degrees = Format("", 3), Format("", 4)
-    return [
-        PosRow(
-            f"{each.name}:{state.name}",
-            " ".join(map(metres.text, state.position_sigma)),
-            " ".join(map(degrees.text, state.attitude_sigma_deg)),
-            _title(each), source_text(state),
-        )
-        for each in sensors
-        for state in each.figures.states
-    ]  # fmt: skip
-
-
-def _title(sensor: Sensor[ScannerSpecification] | Sensor[PosSpecification]) -> str:
-    title = sensor.figures.title
-    return gettext(USER_DEFINED_TEXT, title=title) if sensor.is_user_defined else title

@@ -377,9 +377,9 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
     """Print a row for each seed, and below the table the reasons of what was not found."""
-    from lispac.present.seeds import SEED_OUTCOMES_TABLE, seed_outcome_rows
+    from lispac.present.seeds import SEED_OUTCOMES_TABLE
 
-    rows = seed_outcome_rows(outcomes, lines)
+    rows = [outcome.row(lines) for outcome in outcomes]
     print_table(SEED_OUTCOMES_TABLE, rows)
     for row in rows:
         for text in row.notes:

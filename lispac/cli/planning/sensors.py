@@ -15,8 +15,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print all sensors of the library."""
-    from lispac.present.sensors import POS_TABLE, SCANNERS_TABLE, pos_rows, scanner_rows
-    from lispac.workflow.planning.sensors import read_library, user_sensors_folder
+    from lispac.present.sensors import POS_TABLE, SCANNERS_TABLE, PosRow, ScannerRow
+    from lispac.workflow.planning.sensors import read_library, source_text, user_sensors_folder
 
     folder = user_sensors_folder()
     found = read_library(folder)
@@ -36,6 +36,22 @@ def run(arguments: Namespace) -> None:
             }
         )
         return
-    print_table(SCANNERS_TABLE, scanner_rows(found.scanners))
-    print_table(POS_TABLE, pos_rows(found.pos))
+    scanners = [
+        ScannerRow(
+            each.name, each.figures.range_sigma, each.figures.angle_sigma_deg,
+            each.figures.divergence_mrad, each.figures.title, source_text(each.figures),
+            each.is_user_defined,
+        )
+        for each in found.scanners
+    ]  # fmt: skip
+    pos = [
+        PosRow(
+            f"{each.name}:{state.name}", state.position_sigma, state.attitude_sigma_deg,
+            each.figures.title, source_text(state), each.is_user_defined,
+        )
+        for each in found.pos
+        for state in each.figures.states
+    ]  # fmt: skip
+    print_table(SCANNERS_TABLE, scanners)
+    print_table(POS_TABLE, pos)
     print(f"User-defined sensors are stored in {folder}")

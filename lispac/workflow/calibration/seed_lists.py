@@ -12,6 +12,7 @@ from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.text.seed_file import PointList, read_point_list
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error, note
+from lispac.present.seeds import SeedOutcomeRow, seed_outcome_row
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
@@ -51,6 +52,11 @@ class SeedOutcome:
     seed: ListedSeed
     target: Target | None
     message: Message | None = None
+
+    def row(self, lines: int) -> SeedOutcomeRow:
+        """Row of the table of results, for a project with a number of lines."""
+        seed = self.seed
+        return seed_outcome_row(seed.row, seed.name, seed.role, self.target, self.message, lines)
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,6 @@ from lispac.present.seeds import (
     ROLE_TEXTS,
     SEED_OUTCOMES_TABLE,
     SeedOutcomeRow,
-    seed_outcome_rows,
 )
 from lispac.present.tables import Column, cell_text, title_text
 from lispac.project import Project, Role
@@ -194,7 +193,7 @@ class SeedsFoundDialog(QDialog):
             "seeds_found_table", title_text(SEED_OUTCOMES_TABLE.title), heads
         )
         self.table.setRowCount(len(outcomes))
-        for k, row in enumerate(seed_outcome_rows(outcomes, lines)):
+        for k, row in enumerate(outcome.row(lines) for outcome in outcomes):
             _set_row(
                 self.table, k, _name_item(row.name, row.role), row.role,
                 [_number_text(column, row) for column in columns[2:]],
