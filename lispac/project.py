@@ -132,6 +132,20 @@ class Settings:
         """Default RANSAC threshold, metres: that of the thesis, or 3 LiDAR sigma if larger."""
         return max(DEFAULT_THRESHOLD_M, 3 * self.lidar_sigma)
 
+    def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
+        """Copy with the LiDAR standard deviations times ``ratio``, rounded to two digits."""
+
+        def scaled(value: float) -> float:
+            return float(f"{ratio * value:.2g}")
+
+        xyz, beam = self.lidar_sigma_xyz, self.lidar_beam_sigma
+        return replace(
+            self,
+            lidar_sigma=scaled(self.lidar_sigma),
+            lidar_sigma_xyz=xyz and (scaled(xyz[0]), scaled(xyz[1]), scaled(xyz[2])),
+            lidar_beam_sigma=beam and (scaled(beam[0]), scaled(beam[1])),
+        )
+
     def require_sound(self) -> None:
         """Refuse invalid settings.
 

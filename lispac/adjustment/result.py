@@ -2,7 +2,7 @@
 
 from collections import Counter
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,12 @@ Array = NDArray[np.float64]
 ANGLES = ("roll", "pitch", "yaw")
 
 
+FitOutcome = Literal["passed", "conservative", "failed"]
+"""Outcome of the chi-square test."""
+MAX_NOISE_SPREAD = 1.5
+"""Largest ratio of the noise of two targets that is attributed to the LiDAR, not to a surface."""
+
+
 @dataclass(frozen=True)
 class ChiSquare:
     """Two-sided chi-square test of the variance factor against 1, at a level of 5 %."""
@@ -32,6 +38,13 @@ class ChiSquare:
     def passed(self) -> bool:
         """Whether the statistic lies within its bounds."""
         return self.lower <= self.statistic <= self.upper
+
+    @property
+    def outcome(self) -> FitOutcome:
+        """Outcome; with smaller residuals than predicted, the given sigmas are conservative."""
+        if self.passed:
+            return "passed"
+        return "conservative" if self.statistic < self.lower else "failed"
 
 
 @dataclass(frozen=True, eq=False)
@@ -406,6 +419,24 @@ class AdjustmentResult:
     def noise_factors(self) -> dict[str, float]:
         """Ratio of the noise of each target to the given one, as in `TargetResidual`."""
         return {target.target: target.noise for target in self.targets}
+
+    @property
+    def lidar_noise_ratio(self) -> float | None:
+        """Ratio of the LiDAR noise in the residuals to the given one; None without a difference.
+
+        It is also None if the residuals contain POS errors (independent), if the LiDAR variance is
+        estimated, or if the residuals are larger than predicted on some of the targets only, so
+        that their surfaces are rough.
+        """
+        outcome = self.chi_square.outcome
+        if outcome == "passed" or not self.model.correlated:
+            return None
+        if any(component.applied for component in self.components):
+            return None
+        noise = [target.noise for target in self.targets]
+        if outcome == "failed" and max(noise) > MAX_NOISE_SPREAD * min(noise):
+            return None
+        return float(np.sqrt(self.variance_factor))
 
     @property
     def boresight(self) -> Array:

@@ -37,9 +37,17 @@ TEXTS: Mapping[str, Template] = {
         "deviations, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The chi-square test failed: the residuals are smaller than the given standard deviations "
+        "The given standard deviations are conservative: the residuals are smaller than they "
         "predict. Unless there is another warning, the standard deviations of the angles are "
         "probably too large."
+    ),
+    "report.lidar_noise": N_(
+        "The residuals show a LiDAR standard deviation of {measured:mm.1} mm instead of "
+        "{given:mm.1} mm. Use the measured value in step 1 and estimate again."
+    ),
+    "report.lidar_noise_ratio": N_(
+        "The residuals show LiDAR standard deviations of {ratio:x.2} times the given ones. Use the "
+        "measured values in step 1 and estimate again."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."

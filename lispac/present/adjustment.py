@@ -16,6 +16,7 @@ from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
     ContradictedParameter,
+    FitOutcome,
     Observability,
     PossibleCause,
 )
@@ -107,29 +108,34 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "angles are then too small as well."
 )
 TOO_SMALL_TEXT = N_(
-    "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too "
-    "large. If there is no other warning, the sigmas of the angles are too large as well."
+    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
+    "is no other warning, the sigmas of the angles are too large as well."
 )
 
 
 @dataclass(frozen=True)
 class VarianceFactorTest:
-    """Two-sided test of the variance factor at 95 %; bounds are None without redundancy."""
+    """Two-sided test of the variance factor at 95 %; bounds are None without redundancy.
+
+    ``lidar_noise_ratio`` is that of `AdjustmentResult`.
+    """
 
     statistic: float
     lower: float | None
     upper: float | None
     passed: bool | None
     text: LazyText
+    outcome: FitOutcome | None = None
+    lidar_noise_ratio: float | None = None
 
 
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
         return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
-    if test.passed:
+    if test.outcome == "passed":
         finding = PASSED_TEXT
-    elif test.statistic <= test.upper:
+    elif test.outcome == "conservative":
         finding = TOO_SMALL_TEXT
     elif not result.model.correlated:
         finding = TOO_LARGE_CLASSICAL_TEXT
@@ -138,8 +144,9 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     else:
         finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
-        test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding)
-    )
+        test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding), test.outcome,
+        result.lidar_noise_ratio,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -31,8 +31,8 @@ LARGE_RESIDUAL_CODES = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
     "adjustment.cause_not_identified",
 }  # fmt: skip
-"""Codes of messages on large residuals. If there is one of them, the message on a small chi-square
-is omitted."""
+"""Codes of messages on large residuals. If there is one of them, the messages on the noise of all
+targets are omitted."""
 NORMAL_FACTOR_95 = NormalDist().inv_cdf(0.975)
 """Half the width of the 95 % interval of a normal variable, in standard deviations."""
 NOTE_RMS_RATIO, WARNING_RMS_RATIO = 2.0, 3.0
@@ -56,7 +56,7 @@ def report_warnings(
             *(
                 each
                 for each in _fit_warnings(content)
-                if not (has_large_residuals and each.code == CHI_SQUARE_LOW_CODE)
+                if not (has_large_residuals and each.code in NOISE_CODES)
             ),
             *warnings_found,
             *_parameter_warnings(content),
@@ -93,7 +93,16 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
         return
     independent = content.settings.pos_errors == "independent"
     noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
-    yield from _chi_square_warnings(content.adjustment.chi_square, independent, noisy)
+    test = content.adjustment.chi_square
+    yield from _chi_square_warnings(test, independent, noisy)
+    if (ratio := test.lidar_noise_ratio) is None:
+        return
+    settings, field = content.settings, Cause.of_field("lidar_sigma")
+    if settings.lidar_sigma_xyz_m is None and settings.lidar_range_sigma_m is None:
+        given = settings.lidar_sigma_m
+        yield note("report.lidar_noise", given=given, measured=ratio * given, subject=field)
+    else:
+        yield note("report.lidar_noise_ratio", ratio=ratio, subject=field)
 
 
 def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
@@ -121,6 +130,7 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
 
 
 CHI_SQUARE_LOW_CODE = "report.chi_square_low"
+NOISE_CODES = {CHI_SQUARE_LOW_CODE, "report.lidar_noise", "report.lidar_noise_ratio"}
 
 
 def _chi_square_warnings(
@@ -130,7 +140,7 @@ def _chi_square_warnings(
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
     elif test.passed:
         return
-    elif test.upper is None or test.statistic <= test.upper:
+    elif test.outcome == "conservative":
         yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
     elif independent:
         yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)

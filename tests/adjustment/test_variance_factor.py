@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 import scipy.stats
 
 from lispac.adjustment.least_squares import adjust
@@ -10,12 +11,14 @@ from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import PosErrorKnots, StochasticModel
 from lispac.geometry.frames import LocalFrame
+from lispac.project import Settings
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Scene
 from lispac.simulation.simulated_survey import SurveySetup, simulate_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.planning.simulated_setup import read_simulation
+from tests.studies import coverage_of_errors
 
 SURVEYS = 6
 
@@ -107,3 +110,36 @@ def test_mean_of_points_deviates_less_from_the_chord_than_the_points() -> None:
     knots = PosErrorKnots.of(mean, model)
     np.testing.assert_allclose(knots.bridge_variance, pairs.mean(), atol=1e-9)
     assert knots.bridge_variance[0] < 0.8 * np.mean(u * (1 - u))
+
+
+@pytest.mark.parametrize("scale", [2.5, 1.0, 0.5])
+def test_the_lidar_noise_is_that_of_the_residuals(scale: float) -> None:
+    """Given sigmas that are too large are conservative, not an error."""
+    data = coverage_of_errors.survey("none", 3)
+    given = replace(data, sigma_lidar=scale * data.sigma_lidar)
+    result = adjust(given, coverage_of_errors.PRIOR, coverage_of_errors.MODEL, diagnostics=False)
+    outcome = {2.5: "conservative", 1.0: "passed", 0.5: "failed"}[scale]
+    assert result.chi_square.outcome == outcome
+    if outcome == "passed":
+        assert result.lidar_noise_ratio is None
+    else:
+        assert result.lidar_noise_ratio == pytest.approx(1 / scale, rel=0.05)
+        settings = Settings((0.0, 0.0, 0.0), lidar_sigma=scale * 0.004)
+        scaled = settings.with_lidar_noise_scaled(result.lidar_noise_ratio)
+        assert scaled.lidar_sigma == pytest.approx(0.004, rel=0.06)
+
+
+def test_a_rough_target_is_not_taken_for_lidar_noise() -> None:
+    data = coverage_of_errors.survey("none", 3)
+    own = data.target_of_sighting[data.sighting] == data.targets.index("T5")
+    given = replace(data, sigma_lidar=np.where(own[:, None], 0.3, 1.0) * data.sigma_lidar)
+    result = adjust(given, coverage_of_errors.PRIOR, coverage_of_errors.MODEL, diagnostics=False)
+    assert result.chi_square.outcome == "failed"
+    assert result.lidar_noise_ratio is None
+
+
+def test_all_given_lidar_sigmas_are_scaled() -> None:
+    settings = Settings((0.0, 0.0, 0.0), lidar_sigma_xyz=(0.001, 0.002, 0.004))
+    assert settings.with_lidar_noise_scaled(2.04).lidar_sigma_xyz == (0.002, 0.0041, 0.0082)
+    settings = Settings((0.0, 0.0, 0.0), lidar_beam_sigma=(0.01, 0.05))
+    assert settings.with_lidar_noise_scaled(0.333).lidar_beam_sigma == (0.0033, 0.017)

@@ -209,7 +209,12 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     low = replace(result, chi_square=replace(test, statistic=test.lower * 0.9))
     none = replace(result, degrees_of_freedom=0, variance_factor=float("nan"))
     assert "report.chi_square_high" in _codes(sample_content(replace(project, result=high)))
-    assert "report.chi_square_low" in _codes(sample_content(replace(project, result=low)))
+    conservative = sample_content(replace(project, result=replace(low, variance_factor=0.25)))
+    assert "report.chi_square_low" in _codes(conservative)
+    (noise,) = (each for each in conservative.warnings if each.code == "report.lidar_noise")
+    assert not noise.is_serious
+    given = project.settings.lidar_sigma
+    assert noise.params == {"given": given, "measured": pytest.approx(given / 2)}
     assert "report.no_redundancy" in _codes(sample_content(replace(project, result=none)))
     thesis = replace(result, model=StochasticModel("independent"))
     assert "adjustment.independent_pos_errors" in _codes(

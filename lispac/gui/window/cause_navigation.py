@@ -87,6 +87,7 @@ class CauseNavigation(QObject):
         step, field = {
             "lever_arm": (DATA, longest),
             "boresight_deg": (DATA, data.boresight.fields[0]),
+            "lidar_sigma": (DATA, data.lidar_sigma),
             "pos_errors": (ADJUST, adjust.chosen_model),
             "surface": (ADJUST, adjust.model.surface),
             "position_time": (ADJUST, adjust.model.position_time),

@@ -115,11 +115,13 @@ def chi_square_text(result: AdjustmentResult) -> str:
     statistic, lower, upper = (
         units.localised(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
     )
-    if test.passed:
+    interval = N_("{value} not in [{lower}, {upper}]")
+    if test.outcome == "passed":
         title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")
+    elif test.outcome == "conservative":
+        title, colour = gettext("conservative"), theme.MUTED
     else:
         title, colour = gettext("failed"), theme.WARNING
-        interval = N_("{value} not in [{lower}, {upper}]")
     values = gettext(interval, value=statistic, lower=lower, upper=upper)
     bold = f'<b style="color:{colour}">{title}</b>'
     return gettext("{name}: {text}", name=bold, text=values)
