@@ -35,7 +35,7 @@ def test_orthographic_picture_agrees_with_the_projection(viewport, qtbot):
     widths = [np.ptp(viewport.to_pixels(p)[:, 0]) / np.ptp(p[:, 0]) for p in clouds.values()]
     assert widths[0] == pytest.approx(widths[1], rel=1e-6)
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
-    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
+    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW, YELLOW)])
     assert count(picture(viewport), YELLOW) > 300, "it lies over its line"
     with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, clouds["red"][600]))
@@ -176,7 +176,7 @@ def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
-    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
+    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW, YELLOW)])
     whole = {c: count(picture(viewport), c) for c in (RED, BLUE, YELLOW)}
     low = clouds["red"][clouds["red"][:, 2] < 1.5]
     viewport.clip(Box.around(low, np.array([0.0, 1.0, 0.0]), 0.01))

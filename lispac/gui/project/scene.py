@@ -290,18 +290,24 @@ class Scene(QObject):
         if self.candidate is not None:
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
         highlights, markers = [], []
+        line_colours = theme.line_colours(list(self.clouds))
+        result = None if project is None else project.result
+        rejected = {
+            (each.target, each.line) for each in (result.rejected_sightings if result else ())
+        }
         for target in targets:
             groups = self._points_by_line(target, "")
             for sighting in target.sightings:
-                used = target.used and sighting.used
-                colour = self._colour(target) if used else theme.UNUSED_COLOUR
                 points = groups.get(sighting.line)
                 if points is not None:
                     key = target.name, sighting.line
+                    used = target.used and sighting.used and key not in rejected
+                    colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
+                    halo = self._colour(target) if used else theme.UNUSED_COLOUR
                     shades = self._residuals.get(key)
                     if shades is not None and len(shades) != len(points):
                         shades = None  # edited since the adjustment
-                    highlights.append(Highlight(key, points, colour, shades))
+                    highlights.append(Highlight(key, points, colour, halo, shades))
             label = f"{target.name}?" if target is self.candidate else target.name
             markers.append(Marker(label, _label_position(target, groups), self._colour(target)))
         self._viewport.show_highlights(highlights)

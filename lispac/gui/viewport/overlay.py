@@ -37,6 +37,8 @@ AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 
 MARGIN_PX = 14.0
 """Distance of axes, scale bar, legend and help from the edges."""
+SCALE_PX = 110.0
+"""Smallest length of the colour scale of the legend."""
 NEIGHBOUR_RADIUS_PX = 40.0
 """Distance of two points on the screen below which their labels would overlap."""
 
@@ -210,29 +212,33 @@ class Overlay(QWidget):
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
         ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high)
-        width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
-        return QRectF(MARGIN_PX, MARGIN_PX, width + 24.0, 66.0)
+        width = max(metrics.horizontalAdvance(title), ends + SCALE_PX + 12.0)
+        return QRectF(MARGIN_PX, MARGIN_PX, width + 20.0, 46.0)
 
     def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
         box = self.legend_rect(shading)
         title, low, high = legend_texts(shading)
-        width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.88))
         painter.drawRoundedRect(box, 8.0, 8.0)
-        bar = QRectF(box.left() + 12.0, box.top() + 28.0, width, 12.0)
+        metrics = QFontMetricsF(painter.font())
+        text = box.adjusted(10.0, 4.0, -10.0, 0.0)
+        text.setHeight(18.0)
+        ends = text.translated(0.0, 19.0)
+        bar = ends.adjusted(
+            metrics.horizontalAdvance(low) + 6.0, 4.0, -metrics.horizontalAdvance(high) - 6.0, -3.0
+        )
         gradient = QLinearGradient(bar.topLeft(), bar.topRight())
         for share in np.linspace(0.0, 1.0, 33):
             red, green, blue = shading.scale[round(share * (len(shading.scale) - 1))].tolist()
             gradient.setColorAt(float(share), QColor(red, green, blue))
         painter.fillRect(bar, gradient)
         painter.setPen(QColor(theme.TEXT))
-        text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, title)
-        text.moveTop(bar.bottom() + 3.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, low)
-        painter.drawText(text, Qt.AlignmentFlag.AlignRight, high)
+        centred = Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft | centred, title)
+        painter.drawText(ends, Qt.AlignmentFlag.AlignLeft | centred, low)
+        painter.drawText(ends, Qt.AlignmentFlag.AlignRight | centred, high)
 
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled_font(self.font(), 0.9)

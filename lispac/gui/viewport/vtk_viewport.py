@@ -181,7 +181,7 @@ class VtkViewport:
         self.show_highlights(self._highlight_layer.highlights)
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Emphasise one sighting, (target, line), and grey the others of its target."""
+        """Highlight one sighting, (target, line), and dim the others of its target."""
         self._highlight_layer.selected = key
         self._style_points()
 
