@@ -160,15 +160,19 @@ def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
     emitted = []
     viewport.signals.hovered.connect(emitted.append)
     QTest.mouseMove(viewport.canvas, spot)
-    qtbot.wait(100)
-    assert emitted == []
-    viewport.set_hovering(True)
     QTest.mouseMove(viewport.canvas, spot + QPoint(1, 0))
     qtbot.waitUntil(lambda: len(emitted) == 1, timeout=2000)
     assert emitted[0].line == "red"
     np.testing.assert_allclose(emitted[0].position, clouds["red"][600], atol=0.11)
-    viewport.set_hovering(False)
-    assert emitted[1:] == [None]
+    viewport.view("front")
+    viewport.canvas.setFocus()
+    QTest.keyClick(viewport.canvas, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert emitted[1:] == [None], "the view has moved"
+    qtbot.waitUntil(lambda: len(emitted) == 3, timeout=2000)
+    assert emitted[2].line == "red"
+    QTest.mouseMove(viewport.canvas, QPoint(3, 3))
+    qtbot.waitUntil(lambda: len(emitted) == 4, timeout=2000)
+    assert emitted[3] is None
 
 
 def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):

@@ -15,6 +15,8 @@ from lispac.gui.appearance.colour_schemes import Colour as Colour
 from lispac.gui.viewport.clipping import Box
 
 Array = NDArray[np.float64]
+Place = Array | tuple[float, float, float]
+"""Position of shape (3,), metres, local frame."""
 
 
 @dataclass(frozen=True)
@@ -162,10 +164,13 @@ class ViewportSignals(QObject):
     """Signals that a viewport emits to the window."""
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
-    missed = Signal()  # Ctrl+click in empty space
+    missed = Signal(object)  # QPoint on the screen: a click that picks a point, in empty space
     pointed = Signal(object)  # PickedPoint, on a click in the mode "point"; None in empty space
     outlined = Signal(object)  # pixels (n, 2) of the outline that was drawn
-    hovered = Signal(object)  # PickedPoint under the mouse, or None, while hovering
+    hovered = Signal(object)  # PickedPoint under the resting mouse, or None
+    copy_requested = Signal()  # Ctrl+C while the view has the focus
+    menu_requested = Signal(object, object)  # right click: PickedPoint or None, and QPoint
+    help_used = Signal()  # first use of the mouse while the help is shown
     handle_moved = Signal(str, int, float)  # sketch, index of the handle, metres moved
     handle_released = Signal(str)  # sketch
 
@@ -239,10 +244,10 @@ class Viewport(Protocol):
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Set the mode of the left mouse button and the hint above the picture."""
 
-    def set_hovering(self, hovering: bool) -> None:
-        """Start or stop emitting the point under the resting mouse."""
+    def show_help(self, shown: bool) -> None:
+        """Show the help on the mouse, which fades after its first use, or hide it."""
 
-    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+    def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
