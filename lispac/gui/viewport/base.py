@@ -147,7 +147,7 @@ def sighting_style(highlight: Highlight, selected: tuple[str, str] | None) -> Si
     if selected is None or highlight.key[0] != selected[0]:
         return SightingStyle(highlight.colour, 2, HALO_PIXELS)
     if selected[1] in ("", highlight.key[1]):
-        return SightingStyle(highlight.colour, 3, SELECTED_HALO_PIXELS, above=bool(selected[1]))
+        return SightingStyle(highlight.colour, 4, SELECTED_HALO_PIXELS, above=bool(selected[1]))
     return SightingStyle(dimmed_colour(highlight.colour), 1)
 
 

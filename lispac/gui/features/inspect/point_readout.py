@@ -86,7 +86,7 @@ class PointReadout(QObject):
     def _set_values(self, values: list[tuple[str, str]]) -> None:
         if values != self.values:
             self.values = values
-            self.shown.emit("   ·   ".join(f"{name} {text}" for name, text in values))
+            self.shown.emit("  ·  ".join(f"{name} {text}" for name, text in values))
 
     def _values_of(self, point: PickedPoint) -> list[tuple[str, str]]:
         from lispac.present.measured_point import point_facts
