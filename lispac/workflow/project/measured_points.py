@@ -89,9 +89,13 @@ class PointReader:
 
 
 def incidence_angle(near: Array, beam: Array) -> float | None:
-    """Angle between a beam, shape (3,), and the normal of the plane through points (n, 3), radians.
+    """Angle between a beam and the normal of a plane, radians; None if there is no plane.
 
-    None if the points are too few or not on a plane.
+    Parameters
+    ----------
+    near : ndarray of shape (n, 3), metres, local frame
+        Points through which the plane is fitted.
+    beam : ndarray of shape (3,), local frame
     """
     if len(near) < MIN_PLANE_POINTS:
         return None
