@@ -228,6 +228,7 @@ class VtkViewport:
     def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
+        points = points[np.abs(points[:, 0] - centre[0]) <= radius]  # excludes nearly all at once
         offsets = points - np.asarray(centre)
         return points[np.einsum("ij,ij->i", offsets, offsets) <= radius**2]
 
