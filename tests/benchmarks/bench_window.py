@@ -131,9 +131,9 @@ def report(folder: Path) -> None:
     print(f"  frame while moving {timed(moved, 21)}")
     print(f"  picture at rest {timed(rested, 5)}")
     window.actions_["hover"].trigger()
-    until(lambda: viewport._sketch_layer.hovering and not window.runner.active)
+    until(lambda: not window.runner.active)
     viewport._sketch_layer._mouse_position = tuple(viewport.to_pixels(middle[None])[0])
-    print(f"  hover preview {timed(viewport._sketching._look, 21)}")
+    print(f"  hover preview {timed(viewport._sketch_layer._emit_hovered, 21)}")
     assert "hover" in viewport._sketch_layer._sketches
     assert open_project(folder).lines
     window.close()

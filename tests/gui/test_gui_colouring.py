@@ -9,12 +9,15 @@ from PySide6.QtGui import QColor
 from lispac.gui.app.point_colours import (
     COLOUR_SCALES,
     COLOURINGS,
+    LEGEND_TITLES,
     Scale,
     point_shading,
     set_colour_scale,
 )
 from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME
-from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
+from lispac.gui.features.inspect.actions import ACTIONS, COLOUR_ACTIONS
+from lispac.gui.project.residuals import LEGEND_TITLE as RESIDUAL_TITLE
+from lispac.language import LANGUAGES, gettext, in_language
 from tests.gui.support import Demo, Driver, Key, press
 
 
@@ -88,3 +91,13 @@ def test_lines_without_intensities_are_reported_and_skipped(
     press(opened, Key.Key_C)
     press(opened, Key.Key_C)
     assert opened.window.scene.colouring == "range"
+
+
+@pytest.mark.parametrize("code", LANGUAGES)
+def test_menu_and_legend_have_the_same_name_for_a_colouring(code: str) -> None:
+    titles = {**LEGEND_TITLES, "residual": RESIDUAL_TITLE}
+    assert set(titles) == set(COLOURINGS) - {"line"}
+    with in_language(code):
+        for colouring, title in titles.items():
+            name = ACTIONS[COLOUR_ACTIONS[colouring]].texts[0].replace("&", "").split()[-1]
+            assert gettext(title).partition("(")[0].split()[0].lower() == name.lower()

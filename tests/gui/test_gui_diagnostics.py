@@ -11,7 +11,7 @@ from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui.appearance import theme
 from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
-from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
+from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
@@ -152,9 +152,13 @@ def test_a_row_shows_its_points_by_mouse_and_by_key(shown: Driver, estimated: Pr
     sighting = estimated.result.sightings[2].sighting
     assert shown.viewport.selected == (sighting.target, sighting.line)
     drawn = shown.viewport.highlight_styles
-    beside = [drawn[key].colour for key in drawn if key[0] == sighting.target]
-    assert drawn[sighting.target, sighting.line].colour == SELECTED_COLOUR
-    assert sorted(beside) == sorted([SELECTED_COLOUR] + [UNSELECTED_COLOUR] * (len(beside) - 1))
+    colours = shown.viewport.colours
+    chosen = drawn.pop((sighting.target, sighting.line))
+    assert (chosen.colour, chosen.halo_pixels) == (colours[sighting.line], SELECTED_HALO_PIXELS)
+    others = {line: drawn[name, line] for name, line in drawn if name == sighting.target}
+    assert len(others) > 1
+    for line, style in others.items():
+        assert (style.colour, style.halo_pixels) == (dimmed_colour(colours[line]), 0)
     name, (points,) = shown.viewport.calls[-1]
     assert name == "fit"
     assert len(points) == len(estimated.target(sighting.target).sighting(sighting.line).indices)

@@ -172,7 +172,7 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     for name, fit in targets.items():
         residuals_of_target = np.concatenate([found[key] for key in found if key[0] == name])
         assert np.sqrt(np.mean(residuals_of_target**2)) == pytest.approx(fit.rms_after, rel=0.25)
-    assert view.shading.title == "Distance from the surface (mm)"
+    assert view.shading.title == "Residual (mm)"
     assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {
         OTHER_POINTS_COLOUR
     }

@@ -317,14 +317,14 @@ def test_a_comparison_without_a_result_is_reported(picked: Driver) -> None:
 
 def test_a_preview_shows_the_plane_that_a_click_would_pick(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
-    assert not view.hovering
-    press(picked, Key.Key_H)
-    picked.rest()
-    assert view.hovering
     sighting = picked.project.target("T1").sightings[0]
     board = window.scene.clouds[sighting.line][sighting.indices]
     north, west, up = (float(v) for v in board[np.argmin(np.linalg.norm(
         board - board.mean(axis=0), axis=1))])  # fmt: skip
+    view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
+    assert "hover" not in view.sketches
+    press(picked, Key.Key_H)
+    picked.rest()
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     sketch = view.sketches["hover"]
     assert re.fullmatch(rf"Plane of about 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
@@ -350,4 +350,5 @@ def test_a_preview_shows_the_plane_that_a_click_would_pick(picked: Driver) -> No
     view.signals.hovered.emit(there)
     assert "hover" in view.sketches
     press(picked, Key.Key_H)
-    assert not view.hovering
+    view.signals.hovered.emit(there)
+    assert "hover" not in view.sketches

@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
 from lispac.errors import PlaneNotFound, ProjectError
+from lispac.gui.appearance import theme
 from lispac.gui.viewport.base import PickedPoint
 from lispac.messages import note
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
@@ -80,8 +81,11 @@ def test_a_validation_plane_by_key_gets_its_own_name_and_colour(opened: Driver):
     press(opened, Key.Key_F6)
     seed(opened, "T1")
     press(opened, Key.Key_Return)
-    colours = {h.key[0]: h.colour for h in opened.viewport.highlights}
-    assert colours["T1"] != colours["V1"]
+    opened.rest()
+    halos = {h.key[0]: h.halo for h in opened.viewport.highlights}
+    assert halos == {"T1": theme.TARGET_COLOUR, "V1": theme.VALIDATION_COLOUR}
+    for highlight in opened.viewport.highlights:
+        assert highlight.colour == opened.viewport.colours[highlight.key[1]]
 
 
 def test_a_missing_sighting_is_seeded_on_its_line(opened: Driver, demo: Demo):

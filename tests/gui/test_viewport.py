@@ -15,12 +15,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import (
-    SELECTED_COLOUR,
-    UNSELECTED_COLOUR,
     Highlight,
     Marker,
     PickedPoint,
     PointColouring,
+    dimmed_colour,
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -162,32 +161,85 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
 
 
-def test_highlights_are_drawn_over_their_line_and_show_the_selection(viewport):
+def test_highlights_keep_the_colour_of_their_line_and_have_a_halo(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
+    bare = picture(viewport)
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
     far = clouds["blue"][clouds["blue"][:, 0] > 7.0]
     viewport.show_highlights(
-        [Highlight(("T1", "red"), plate, YELLOW), Highlight(("T2", "blue"), far, GREEN)]
+        [
+            Highlight(("T1", "red"), plate, RED, YELLOW),
+            Highlight(("T2", "blue"), far, BLUE, GREEN),
+        ]
     )
     plain = picture(viewport)
-    assert count(plain, YELLOW) > 300
-    assert count(plain, GREEN) > 300
+    for line, halo in ((RED, YELLOW), (BLUE, GREEN)):
+        assert count(plain, line) > count(bare, line)
+        assert count(plain, halo) > count(bare, halo) + 300
     viewport.select(("T1", "red"))
     one = picture(viewport)
-    assert count(one, YELLOW) == 0
-    assert count(one, SELECTED_COLOUR) > 1.1 * count(plain, YELLOW)
+    assert count(one, RED) > count(plain, RED)
+    wide, narrow = (np.ptp(np.nonzero((image == YELLOW).all(axis=2))[1]) for image in (one, plain))
+    assert wide > narrow + 2
     assert count(one, GREEN) == count(plain, GREEN)
     viewport.select(("T1", "blue"))
     other = picture(viewport)
-    assert count(other, YELLOW) == count(other, SELECTED_COLOUR) == 0
-    assert count(other, UNSELECTED_COLOUR) > 300
+    assert count(other, YELLOW) == 0
+    assert count(other, dimmed_colour(RED)) > 300
     viewport.select(("T2", ""))
-    assert count(picture(viewport), GREEN) > 1.1 * count(plain, GREEN)
+    whole = picture(viewport)
+    assert count(whole, GREEN) > count(bare, GREEN) + 300
+    assert count(whole, BLUE) > count(plain, BLUE)
     viewport.select(None)
     viewport.show_highlights([])
     assert count(picture(viewport), YELLOW) == 0
+
+
+def test_a_halo_hides_no_other_line_of_the_target(viewport):
+    """Two lines 5 cm apart are both visible in their colours, whatever is selected."""
+    front, back = wall(15.0, (-2.0, 0.4), (0.0, 3.0)), wall(15.05, (-0.4, 2.0), (0.0, 3.0))
+    viewport.show_clouds({"red": front, "blue": back}, {"red": RED, "blue": BLUE})
+    viewport.view("front")
+    viewport.show_highlights(
+        [
+            Highlight(("T1", "red"), front, RED, YELLOW),
+            Highlight(("T1", "blue"), back, BLUE, YELLOW),
+        ]
+    )
+    alone = {RED: len(front), BLUE: int((back[:, 0] > 0.4).sum())}
+    for selected in (None, ("T1", "")):
+        viewport.select(selected)
+        image = picture(viewport)
+        for colour, points in alone.items():
+            assert count(image, colour) > 0.9 * 16 * points  # 4 x 4 pixels or more
+
+
+@pytest.mark.parametrize("width", [0.1, 1.0, 30.0, 200.0])
+def test_shaded_sightings_cover_their_line_at_every_distance(viewport, width):
+    """The line, which has noise of centimetres, is not drawn over the coloured sighting."""
+    grey, shade = (188, 194, 200), (12, 200, 90)
+    line = wall(15.0, (-1.0, 1.0), (0.0, 2.0), 0.02)
+    line[:, 1] += np.random.default_rng(1).uniform(-0.015, 0.015, len(line))
+    colouring = PointColouring(
+        {"red": np.full((len(line), 3), grey, np.uint8)}, "Residual (mm)", "", "",
+        np.zeros((2, 3), np.uint8),
+    )  # fmt: skip
+    viewport.show_clouds({"red": line}, {"red": RED}, colouring)
+    viewport.view("front")
+    middle = np.array([0.0, 15.0, 1.0])
+    viewport.set_point_size(6)
+    viewport.fit(middle + 0.5 * width * np.array([[-1.0, 0.0, -0.2], [1.0, 0.0, 0.2]]))
+    centre = np.s_[150:450, 300:500]  # without axes and scale bar
+    before = count(picture(viewport)[centre], grey)
+    assert before > 20
+    viewport.show_highlights(
+        [Highlight(("V1", "red"), line, RED, YELLOW, np.full((len(line), 3), shade, np.uint8))]
+    )
+    image = picture(viewport)[centre]
+    assert count(image, shade) > before
+    assert count(image, grey) < 0.02 * before
 
 
 def test_points_coloured_by_value_have_a_legend(viewport):

@@ -35,7 +35,7 @@ def test_orthographic_picture_agrees_with_the_projection(viewport, qtbot):
     widths = [np.ptp(viewport.to_pixels(p)[:, 0]) / np.ptp(p[:, 0]) for p in clouds.values()]
     assert widths[0] == pytest.approx(widths[1], rel=1e-6)
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
-    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
+    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW, YELLOW)])
     assert count(picture(viewport), YELLOW) > 300, "it lies over its line"
     with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, clouds["red"][600]))
@@ -160,15 +160,19 @@ def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
     emitted = []
     viewport.signals.hovered.connect(emitted.append)
     QTest.mouseMove(viewport.canvas, spot)
-    qtbot.wait(100)
-    assert emitted == []
-    viewport.set_hovering(True)
     QTest.mouseMove(viewport.canvas, spot + QPoint(1, 0))
     qtbot.waitUntil(lambda: len(emitted) == 1, timeout=2000)
     assert emitted[0].line == "red"
     np.testing.assert_allclose(emitted[0].position, clouds["red"][600], atol=0.11)
-    viewport.set_hovering(False)
-    assert emitted[1:] == [None]
+    viewport.view("front")
+    viewport.canvas.setFocus()
+    QTest.keyClick(viewport.canvas, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert emitted[1:] == [None], "the view has moved"
+    qtbot.waitUntil(lambda: len(emitted) == 3, timeout=2000)
+    assert emitted[2].line == "red"
+    QTest.mouseMove(viewport.canvas, QPoint(3, 3))
+    qtbot.waitUntil(lambda: len(emitted) == 4, timeout=2000)
+    assert emitted[3] is None
 
 
 def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
@@ -176,7 +180,7 @@ def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
     plate = clouds["red"][np.abs(clouds["red"][:, 0]) < 0.55]
-    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
+    viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW, YELLOW)])
     whole = {c: count(picture(viewport), c) for c in (RED, BLUE, YELLOW)}
     low = clouds["red"][clouds["red"][:, 2] < 1.5]
     viewport.clip(Box.around(low, np.array([0.0, 1.0, 0.0]), 0.01))

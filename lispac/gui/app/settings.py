@@ -120,6 +120,15 @@ class AppSettings:
         self._store.setValue("point_budget", points)
 
     @property
+    def has_used_mouse(self) -> bool:
+        """Whether the mouse has been used in the 3D view, so that its help is not needed."""
+        return str(self._store.value("has_used_mouse", "")) == "yes"
+
+    @has_used_mouse.setter
+    def has_used_mouse(self, used: bool) -> None:
+        self._store.setValue("has_used_mouse", "yes" if used else "")
+
+    @property
     def chosen_language(self) -> str:
         """Code of the chosen language; empty for the language of the system."""
         chosen = str(self._store.value("language", ""))

@@ -3,7 +3,8 @@
 import time
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QStatusBar
 
 from lispac.gui import widgets
 from lispac.gui.app.tasks import Task
@@ -36,6 +37,9 @@ class TaskStatusBar(QStatusBar):
         )
         self.cancel.setStyleSheet("padding: 1px 10px;")
         self.cancel.clicked.connect(self.cancel_requested)
+        self.point = _ElidedLabel()
+        self.point.setObjectName("point_values")
+        self.addWidget(self.point, 1)
         self._parts = (self.text, self.bar, self.cancel)
         for each in self._parts:
             self.addPermanentWidget(each)
@@ -56,6 +60,22 @@ class TaskStatusBar(QStatusBar):
             self.text.setText(_progress_text(task))
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
+
+
+class _ElidedLabel(QLabel):
+    """Label that shortens its text instead of widening the window."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the text, or its beginning."""
+        width = self.contentsRect().width()
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
+        flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        QPainter(self).drawText(self.contentsRect(), flags, text)
 
 
 def _progress_text(task: Task) -> str:

@@ -145,6 +145,10 @@ class TaskRunner(QObject):
         self._start_next()
         return task
 
+    def is_unfinished(self, task: Task) -> bool:
+        """Whether a task is running or queued, and was not cancelled."""
+        return not task.cancel.is_set() and any(task is own for own in self._unfinished_tasks())
+
     def cancel(self) -> None:
         """Cancel the running and the queued tasks."""
         for task in self._unfinished_tasks():

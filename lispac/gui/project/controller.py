@@ -60,6 +60,9 @@ class Controller(QObject):
         self._document, self._runner, self._scene = document, runner, scene
         self._settings = settings
         self._task_of_project: tuple[Task, Project] | None = None
+        self._search: tuple[Task, Triple, str] | None = None
+        """Running search for a target: task, displayed seed and name of the target."""
+        runner.progress_changed.connect(self._show_search)
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
@@ -294,8 +297,9 @@ class Controller(QObject):
         """
         if self._can_seed():
             self._search_target(
-                self._scene.prior_position_finder(point), seed_options, first_line=point.line
-            )
+                self._scene.prior_position_finder(point), point.position, seed_options,
+                first_line=point.line,
+            )  # fmt: skip
 
     def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
         """Search for the target at a position.
@@ -307,11 +311,12 @@ class Controller(QObject):
         ----------
         position : metres, local frame
         """
-        self._search_target(lambda: position, seed_options, name=name)
+        self._search_target(lambda: position, position, seed_options, name=name)
 
     def _search_target(
         self,
         position: Callable[[], Triple],
+        shown: Triple,
         seed_options: SeedOptions,
         *,
         name: str = "",
@@ -340,7 +345,23 @@ class Controller(QObject):
             title = gettext("Searching for {target} in all lines", target=name)
         else:
             title = gettext("Searching for {target} in {line}", target=name, line=line)
-        self.cancel_on_edit(self._runner.run(title, work, self.set_candidate))
+        task = self._runner.run(title, work, self.set_candidate)
+        self._search = task, shown, name
+        self.cancel_on_edit(task)
+        self._show_search()
+
+    def _show_search(self) -> None:
+        """Mark the seed of the running search, with its progress."""
+        if self._search is None:
+            return
+        task, seed, name = self._search
+        if self._runner.is_unfinished(task):
+            label = gettext("{target}: searching, {share:percent.0} %", target=name,
+                            share=task.fraction)  # fmt: skip
+            self._scene.show_search(seed, label)
+        else:
+            self._search = None
+            self._scene.show_search(None)
 
     def _can_seed(self) -> bool:
         if self._document.project is None:

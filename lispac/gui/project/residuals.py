@@ -19,7 +19,7 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
-LEGEND_TITLE = N_("Distance from the surface (mm)")
+LEGEND_TITLE = N_("Residual (mm)")
 OTHER_POINTS_COLOUR = (188, 194, 200)
 """Colour of points that belong to no target."""
 PERCENT_BEYOND_SCALE = 2.0

@@ -47,6 +47,9 @@ class Scene(QObject):
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: ResidualColours = {}
+        self._markers: list[Marker] = []
+        self._searched: tuple[Marker, ...] = ()
+        """Seed of the running search."""
         self._colour_limit: float | None = None
         self._shaded: ColouredPoints | None = None
         """Colours that were computed but not yet drawn; None if there are none."""
@@ -104,6 +107,23 @@ class Scene(QObject):
             return north, west, up
 
         return find
+
+    def sample_index(self, point: PickedPoint) -> int | None:
+        """Index of a drawn point in the sample of its line; None if the line was drawn again."""
+        cloud = self.clouds.get(point.line)
+        if cloud is None:
+            return None
+        sample, place = cloud.sample, np.array(point.position)
+        rows = np.flatnonzero(sample[:, 0] == place[0])  # few, so that the rest takes no time
+        rows = rows[(sample[rows] == place).all(axis=1)]
+        return int(rows[0]) if len(rows) else None
+
+    def show_search(self, position: Triple | None, label: str = "") -> None:
+        """Mark the seed of a running search, or remove the mark."""
+        searched = () if position is None else (Marker(label, position, theme.CANDIDATE_COLOUR),)
+        if searched != self._searched:
+            self._searched = searched
+            self._viewport.show_markers([*self._markers, *searched])
 
     def colour_by(self, colouring: Colouring) -> None:
         """Colour the points by line or by a value.
@@ -192,6 +212,7 @@ class Scene(QObject):
 
     def _clear(self) -> None:
         self.candidate = self.selected = None
+        self._markers, self._searched = [], ()
         self._viewport.clear()  # not redrawn before the next project
         self._drawn = {}
 
@@ -290,22 +311,29 @@ class Scene(QObject):
         if self.candidate is not None:
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
         highlights, markers = [], []
+        line_colours = theme.line_colours(list(self.clouds))
+        result = None if project is None else project.result
+        rejected = {
+            (each.target, each.line) for each in (result.rejected_sightings if result else ())
+        }
         for target in targets:
             groups = self._points_by_line(target, "")
             for sighting in target.sightings:
-                used = target.used and sighting.used
-                colour = self._colour(target) if used else theme.UNUSED_COLOUR
                 points = groups.get(sighting.line)
                 if points is not None:
                     key = target.name, sighting.line
+                    used = target.used and sighting.used and key not in rejected
+                    colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
+                    halo = self._colour(target) if used else theme.UNUSED_COLOUR
                     shades = self._residuals.get(key)
                     if shades is not None and len(shades) != len(points):
                         shades = None  # edited since the adjustment
-                    highlights.append(Highlight(key, points, colour, shades))
+                    highlights.append(Highlight(key, points, colour, halo, shades))
             label = f"{target.name}?" if target is self.candidate else target.name
             markers.append(Marker(label, _label_position(target, groups), self._colour(target)))
         self._viewport.show_highlights(highlights)
-        self._viewport.show_markers(markers)
+        self._markers = markers
+        self._viewport.show_markers([*markers, *self._searched])
 
     def _points(self, target: Target, line: str) -> Array | None:
         groups = self._points_by_line(target, line)

@@ -10,10 +10,13 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import Colour as Colour
 from lispac.gui.viewport.clipping import Box
 
 Array = NDArray[np.float64]
+Place = Array | tuple[float, float, float]
+"""Position of shape (3,), metres, local frame."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,8 @@ class Highlight:
     ----------
     key : (target name, line name)
     points : ndarray of shape (n, 3), metres, local frame
+    colour : colour of the points: that of their line, so that differences of the lines stay visible
+    halo : colour of the edge around the points, which shows that they belong to a target
     shades : uint8 ndarray of shape (n, 3), optional
         A colour of its own for each point.
     """
@@ -39,6 +44,7 @@ class Highlight:
     key: tuple[str, str]
     points: Array
     colour: Colour
+    halo: Colour
     shades: NDArray[np.uint8] | None = None
 
 
@@ -108,10 +114,10 @@ class Sketch:
 MouseMode = Literal["navigate", "point", "outline"]
 """Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
-SELECTED_COLOUR: Colour = (60, 255, 30)
-"""Colour of the selected sighting: bright green, which no other object has."""
-UNSELECTED_COLOUR: Colour = (165, 171, 178)
-"""Colour of the other sightings of the target of a selected sighting."""
+HALO_PIXELS, SELECTED_HALO_PIXELS = 1, 2
+"""Width of the edge around a sighting, and around a selected one, pixels."""
+DIMMED_SHARE = 0.3
+"""Share of its own colour that a dimmed point keeps; the rest is that of the background."""
 
 
 @dataclass(frozen=True)
@@ -120,36 +126,51 @@ class SightingStyle:
 
     Attributes
     ----------
+    colour : colour of its points, unless they have separate colours
     extra_pixels : difference between the size of its points and that of the points of lines, pixels
-    outlined : whether its points have a dark edge
+    halo_pixels : width of the edge around its points; 0 for none
     above : whether it is drawn over the other sightings
     """
 
     colour: Colour
     extra_pixels: int
-    outlined: bool = False
+    halo_pixels: int = 0
     above: bool = False
 
 
 def sighting_style(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
-    """Style of a sighting while ``selected``, (target, line), is selected."""
+    """Style of a sighting while ``selected``, (target, line), is selected.
+
+    The selection has a wide halo. The other sightings of the target of a selected sighting are
+    dimmed.
+    """
     if selected is None or highlight.key[0] != selected[0]:
-        return SightingStyle(highlight.colour, 2)
-    if not selected[1]:
-        return SightingStyle(highlight.colour, 4, outlined=True)
-    if highlight.key == selected:
-        return SightingStyle(SELECTED_COLOUR, 5, outlined=True, above=True)
-    return SightingStyle(UNSELECTED_COLOUR, 1)
+        return SightingStyle(highlight.colour, 2, HALO_PIXELS)
+    if selected[1] in ("", highlight.key[1]):
+        return SightingStyle(highlight.colour, 4, SELECTED_HALO_PIXELS, above=bool(selected[1]))
+    return SightingStyle(dimmed_colour(highlight.colour), 1)
+
+
+def dimmed_colour(colour: Colour) -> Colour:
+    """Colour that is mixed with the background of the view."""
+    red, green, blue = (
+        round(DIMMED_SHARE * own + (1.0 - DIMMED_SHARE) * ground)
+        for own, ground in zip(colour, theme.rgb("ground"), strict=True)
+    )
+    return red, green, blue
 
 
 class ViewportSignals(QObject):
     """Signals that a viewport emits to the window."""
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
-    missed = Signal()  # Ctrl+click in empty space
+    missed = Signal(object)  # QPoint on the screen: a click that picks a point, in empty space
     pointed = Signal(object)  # PickedPoint, on a click in the mode "point"; None in empty space
     outlined = Signal(object)  # pixels (n, 2) of the outline that was drawn
-    hovered = Signal(object)  # PickedPoint under the mouse, or None, while hovering
+    hovered = Signal(object)  # PickedPoint under the resting mouse, or None
+    copy_requested = Signal()  # Ctrl+C while the view has the focus
+    menu_requested = Signal(object, object)  # right click: PickedPoint or None, and QPoint
+    help_used = Signal()  # first use of the mouse while the help is shown
     handle_moved = Signal(str, int, float)  # sketch, index of the handle, metres moved
     handle_released = Signal(str)  # sketch
 
@@ -196,7 +217,7 @@ class Viewport(Protocol):
         """
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Highlight one sighting, (target, line), and grey the others of its target.
+        """Highlight one sighting, (target, line), and dim the others of its target.
 
         Line "" means all lines of the target.
         """
@@ -223,10 +244,10 @@ class Viewport(Protocol):
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Set the mode of the left mouse button and the hint above the picture."""
 
-    def set_hovering(self, hovering: bool) -> None:
-        """Start or stop emitting the point under the resting mouse."""
+    def show_help(self, shown: bool) -> None:
+        """Show the help on the mouse, which fades after its first use, or hide it."""
 
-    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+    def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:

@@ -1,4 +1,4 @@
-"""Highlighted sightings, drawn over the lines.
+"""Highlighted sightings, drawn over the lines in the colours of the lines, with a halo.
 
 This module does not import VTK: the functions of `actors` create its objects.
 """
@@ -9,7 +9,6 @@ from typing import Any
 from lispac.gui.viewport.actors import (
     SHADED_EDGE_COLOUR,
     clip_actors,
-    darker_colour,
     point_actor,
     point_polydata,
     set_actor_colour,
@@ -20,8 +19,15 @@ from lispac.gui.viewport.base import Array, Highlight, sighting_style
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
-DEPTH_SHIFT = 0.004
-"""Shift of a sighting towards the eye, as a share of its distance, so that it covers its line."""
+POINTS_DEPTH, SELECTED_DEPTH, HALO_DEPTH = 0.006, 0.010, 0.002
+"""Shifts towards the eye of the points of a sighting, of those of the selected one and of halos, as
+shares of their distance. They cover their line, and a halo is behind the points of all sightings,
+so that it hides none of them."""
+NEAR_DEPTH_M = 0.04
+"""Shift towards the eye, metres, that is added to the shifts of points, and half of it to those of
+halos. Otherwise, the noise of the lines would cover the sightings in close views."""
+MAX_DEPTH_SHIFT = 0.3
+"""Largest shift, as a share of the distance."""
 
 
 class HighlightLayer:
@@ -59,34 +65,32 @@ class HighlightLayer:
                 points, shades = points[inside], None if shades is None else shades[inside]
             data = point_polydata(points - origin, shades)
             actor = point_actor(data, highlight.colour, shaded=shades is not None)
-            outline = point_actor(data, highlight.colour)
-            clip_actors([actor, outline], half)
-            self._drawn.append((highlight, actor, outline))
-            self._renderer.AddActor(outline)
+            halo = point_actor(data, SHADED_EDGE_COLOUR if shades is not None else highlight.halo)
+            clip_actors([actor, halo], half)
+            self._drawn.append((highlight, actor, halo))
+            self._renderer.AddActor(halo)
             self._renderer.AddActor(actor)
 
     def style(self, pixels: int, scale: float, hidden: set[str]) -> None:
         """Set size and colour of the points by selection, and hide sightings of hidden lines."""
-        for highlight, actor, outline in self._drawn:
+        for highlight, actor, halo in self._drawn:
             drawn = sighting_style(highlight, self.selected)
             size = pixels + drawn.extra_pixels
             set_point_pixels([actor], size * scale)
-            set_point_pixels([outline], (size + 3) * scale)
+            set_point_pixels([halo], (size + 2 * drawn.halo_pixels) * scale)
             set_actor_colour(actor, drawn.colour)
-            set_actor_colour(
-                outline,
-                darker_colour(drawn.colour) if highlight.shades is None else SHADED_EDGE_COLOUR,
-            )
             shown = highlight.key[1] not in hidden
             actor.SetVisibility(shown)
-            outline.SetVisibility(shown and drawn.outlined)
+            halo.SetVisibility(shown and drawn.halo_pixels > 0)
 
     def update_depth(self, camera: Camera, origin: Array) -> None:
         """Keep the sightings in front of their lines."""
-        for highlight, actor, outline in self._drawn:
-            shift = DEPTH_SHIFT * (2 if sighting_style(highlight, self.selected).above else 1)
-            shift_depth(actor, camera, origin, -shift)
-            shift_depth(outline, camera, origin, 0.3 * DEPTH_SHIFT - shift)
+        near = NEAR_DEPTH_M / camera.distance
+        for highlight, actor, halo in self._drawn:
+            above = sighting_style(highlight, self.selected).above
+            points = min((SELECTED_DEPTH if above else POINTS_DEPTH) + near, MAX_DEPTH_SHIFT)
+            shift_depth(actor, camera, origin, -points)
+            shift_depth(halo, camera, origin, -min(HALO_DEPTH + 0.5 * near, 0.5 * points))
 
     def remove(self) -> None:
         """Remove the drawn sightings."""

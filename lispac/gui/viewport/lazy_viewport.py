@@ -79,7 +79,8 @@ class LazyViewport:
         if self._view is None:
             view = self._view = self._create_viewport()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
-                         "handle_moved", "handle_released"):  # fmt: skip
+                         "copy_requested", "menu_requested", "help_used", "handle_moved",
+                         "handle_released"):  # fmt: skip
                 getattr(view.signals, name).connect(getattr(self.signals, name))
             self._placeholder.layout().addWidget(view.widget)
             view.widget.show()

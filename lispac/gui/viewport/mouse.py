@@ -4,14 +4,15 @@ Left drag: rotate. Middle, right or Shift+left drag: pan. Wheel: zoom. Ctrl+clic
 click: centre the view on a point. Arrows: rotate. Shift+arrows: pan. Ctrl+left and Ctrl+right: move
 the dividing line. Page up and Page down: zoom at the centre. A Ctrl+drag has no effect. In the mode
 "point", a click emits a point and a drag still rotates; in the mode "outline", a left drag draws.
-If `try_grab` accepts the press of the left button, the drag moves a handle.
+If `try_grab` accepts the press of the left button, the drag moves a handle. A right click without
+a movement requests a menu, Ctrl+C a copy.
 """
 
 from collections.abc import Callable
 from enum import Enum, auto
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from lispac.gui.viewport.base import MouseMode
@@ -61,6 +62,8 @@ class ViewportMouse(QObject):
     mouse_moved = Signal(float, float)  # position, without a button pressed
     mouse_left = Signal()
     nudged = Signal(float)  # pixels to the right, by Ctrl+arrow
+    menu_requested = Signal(float, float)
+    copy_requested = Signal()
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -123,6 +126,9 @@ class ViewportMouse(QObject):
         """Move the view with a key; return whether the key was used."""
         if self._drag is not _Drag.NONE:
             return False
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy_requested.emit()
+            return True
         key = Qt.Key(event.key())
         x, y = 0.5 * self._widget.width(), 0.5 * self._widget.height()
         if key in _PAGE_KEY_NOTCHES:
@@ -186,6 +192,8 @@ class ViewportMouse(QObject):
                 self.picked.emit(self._press.x(), self._press.y())
             elif drag is _Drag.ROTATE and self.mode == "point":
                 self.pointed.emit(self._press.x(), self._press.y())
+            elif event.button() == Qt.MouseButton.RightButton:
+                self.menu_requested.emit(self._press.x(), self._press.y())
 
     def _double_clicked(self, event: QMouseEvent) -> None:
         plain = event.button() == Qt.MouseButton.LeftButton and not _is_control_pressed(

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QPoint, Signal
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import Array, PickedPoint
@@ -48,8 +48,9 @@ class Navigator(QObject):
     moved = Signal()  # the user moves the camera
     move_ended = Signal()  # the user has stopped moving it
     picked = Signal(object)  # PickedPoint
-    missed = Signal()
+    missed = Signal(object)  # QPoint on the screen
     pointed = Signal(object)  # PickedPoint or None
+    menu_requested = Signal(object, object)  # PickedPoint or None, and QPoint on the screen
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -70,7 +71,10 @@ class Navigator(QObject):
         self.mouse.zoomed.connect(self._on_zoomed)
         self.mouse.picked.connect(self._on_picked)
         self.mouse.centred.connect(self._on_centred)
-        self.mouse.pointed.connect(lambda x, y: self.pointed.emit(self._point_at(x, y)))
+        self.mouse.pointed.connect(self._on_pointed)
+        self.mouse.menu_requested.connect(
+            lambda x, y: self.menu_requested.emit(self._point_at(x, y), self._screen_place(x, y))
+        )
 
     @property
     def size(self) -> ViewportSize:
@@ -161,9 +165,18 @@ class Navigator(QObject):
     def _on_picked(self, x: float, y: float) -> None:
         point = self._point_at(x, y)
         if point is None:
-            self.missed.emit()
+            self.missed.emit(self._screen_place(x, y))
         else:
             self.picked.emit(point)
+
+    def _on_pointed(self, x: float, y: float) -> None:
+        point = self._point_at(x, y)
+        self.pointed.emit(point)
+        if point is None:
+            self.missed.emit(self._screen_place(x, y))
+
+    def _screen_place(self, x: float, y: float) -> QPoint:
+        return self._widget.mapToGlobal(QPoint(round(x), round(y)))
 
     def _point_at(self, x: float, y: float) -> PickedPoint | None:
         hit = pick_point(self.clouds, self.camera, x, y, self.size)

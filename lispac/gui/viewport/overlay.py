@@ -7,7 +7,7 @@ sharp on every screen and is never hidden by the scene.
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimeLine, Signal
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -35,8 +35,12 @@ MOUSE_HELP = N_(
 AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Letters of the axes, with the names of their colours in the scheme."""
 
+HELP_FADES_MS = 2500
+"""Time in which the help on the mouse fades after its first use."""
 MARGIN_PX = 14.0
 """Distance of axes, scale bar, legend and help from the edges."""
+SCALE_PX = 110.0
+"""Smallest length of the colour scale of the legend."""
 NEIGHBOUR_RADIUS_PX = 40.0
 """Distance of two points on the screen below which their labels would overlap."""
 
@@ -79,6 +83,9 @@ def length_text(metres: float) -> str:
 class Overlay(QWidget):
     """Transparent widget over the picture, which ignores the mouse."""
 
+    help_used = Signal()
+    """The mouse was used for the first time while the help is shown, which now fades."""
+
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -88,8 +95,27 @@ class Overlay(QWidget):
         self.shading: PointColouring | None = None
         self.hint = ""
         """Text on the action of the mouse, shown instead of the usual help."""
+        self.help_opacity = 1.0
+        self._fading = QTimeLine(HELP_FADES_MS, self)
+        self._fading.setUpdateInterval(80)
+        self._fading.valueChanged.connect(lambda share: self._set_help_opacity(1.0 - share))
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Functions that paint after the markers and before axes, scale and help."""
+
+    def show_help(self, shown: bool) -> None:
+        """Show or hide the help on the mouse."""
+        self._fading.stop()
+        self._set_help_opacity(float(shown))
+
+    def fade_help(self) -> None:
+        """Fade the help on the mouse, which has been used."""
+        if self.help_opacity == 1.0 and self._fading.state() == QTimeLine.State.NotRunning:
+            self._fading.start()
+            self.help_used.emit()
+
+    def _set_help_opacity(self, opacity: float) -> None:
+        self.help_opacity = opacity
+        self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint on the screen."""
@@ -210,31 +236,36 @@ class Overlay(QWidget):
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
         ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high)
-        width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
-        return QRectF(MARGIN_PX, MARGIN_PX, width + 24.0, 66.0)
+        width = max(metrics.horizontalAdvance(title), ends + SCALE_PX + 12.0)
+        return QRectF(MARGIN_PX, MARGIN_PX, width + 20.0, 46.0)
 
     def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
         box = self.legend_rect(shading)
         title, low, high = legend_texts(shading)
-        width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.88))
         painter.drawRoundedRect(box, 8.0, 8.0)
-        bar = QRectF(box.left() + 12.0, box.top() + 28.0, width, 12.0)
+        metrics = QFontMetricsF(painter.font())
+        text = box.adjusted(10.0, 4.0, -10.0, 0.0)
+        text.setHeight(18.0)
+        ends = text.translated(0.0, 19.0)
+        bar = ends.adjusted(
+            metrics.horizontalAdvance(low) + 6.0, 4.0, -metrics.horizontalAdvance(high) - 6.0, -3.0
+        )
         gradient = QLinearGradient(bar.topLeft(), bar.topRight())
         for share in np.linspace(0.0, 1.0, 33):
             red, green, blue = shading.scale[round(share * (len(shading.scale) - 1))].tolist()
             gradient.setColorAt(float(share), QColor(red, green, blue))
         painter.fillRect(bar, gradient)
         painter.setPen(QColor(theme.TEXT))
-        text = QRectF(bar.left(), box.top() + 6.0, width, 18.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, title)
-        text.moveTop(bar.bottom() + 3.0)
-        painter.drawText(text, Qt.AlignmentFlag.AlignLeft, low)
-        painter.drawText(text, Qt.AlignmentFlag.AlignRight, high)
+        centred = Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(text, Qt.AlignmentFlag.AlignLeft | centred, title)
+        painter.drawText(ends, Qt.AlignmentFlag.AlignLeft | centred, low)
+        painter.drawText(ends, Qt.AlignmentFlag.AlignRight | centred, high)
 
     def _paint_help(self, painter: QPainter) -> None:
+        painter.setOpacity(1.0 if self.hint else self.help_opacity)
         font = _scaled_font(self.font(), 0.9)
         painter.setFont(font)
         # The help is between axes and scale bar, and omitted in a narrow window; a hint is at the

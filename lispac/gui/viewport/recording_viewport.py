@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
@@ -13,6 +14,7 @@ from lispac.gui.viewport.base import (
     Marker,
     MouseMode,
     PickedPoint,
+    Place,
     PointColouring,
     SightingStyle,
     Sketch,
@@ -30,7 +32,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, hovering, sketches, box, wipe_clouds
+    mouse_mode, hint, help_shown, sketches, box, wipe_clouds
         Content and state that a real viewport would show.
     """
 
@@ -49,7 +51,7 @@ class RecordingViewport:
         self.parallel = False
         self.mouse_mode: MouseMode = "navigate"
         self.hint = ""
-        self.hovering = False
+        self.help_shown = True
         self.box: Box | None = None
         self.wipe_clouds: dict[str, Array] | None = None
         self.sketches: dict[str, Sketch] = {}
@@ -70,7 +72,7 @@ class RecordingViewport:
 
     def click_empty(self) -> None:
         """Simulate a Ctrl+click into empty space."""
-        self.signals.missed.emit()
+        self.signals.missed.emit(QPoint())
 
     def show_clouds(
         self,
@@ -146,12 +148,12 @@ class RecordingViewport:
         self._record("set_mouse", mode, hint)
         self.mouse_mode, self.hint = mode, hint
 
-    def set_hovering(self, hovering: bool) -> None:
+    def show_help(self, shown: bool) -> None:
         """Remember the call."""
-        self._record("set_hovering", hovering)
-        self.hovering = hovering
+        self._record("show_help", shown)
+        self.help_shown = shown
 
-    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+    def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Points of a line within a sphere."""
         points = self.clouds[line]
         return points[np.linalg.norm(points - centre, axis=1) <= radius]

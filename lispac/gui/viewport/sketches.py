@@ -50,7 +50,6 @@ class SketchLayer(QObject):
 
     Attributes
     ----------
-    hovering : whether the point under the mouse is emitted
     share : share of the width of the picture to the left of the dividing line
     """
 
@@ -63,8 +62,8 @@ class SketchLayer(QObject):
         self._sketches: dict[str, Sketch] = {}
         self._outline: list[QPointF] = []
         self._drag: _HandleDrag | None = None
-        self._mouse_position = (0.0, 0.0)
-        self.hovering = False
+        self._mouse_position: tuple[float, float] | None = None
+        self._is_over_point = False
         self.share = 0.5
         self._drags_dividing_line = self._shows_dividing_line = False
         self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_DELAY_MS)
@@ -77,6 +76,8 @@ class SketchLayer(QObject):
         mouse.outlined.connect(self._finish_outline)
         mouse.mouse_moved.connect(self._on_mouse_moved)
         mouse.mouse_left.connect(self.stop_hovering)
+        navigator.moved.connect(self._clear_hovered)
+        navigator.move_ended.connect(self._search_later)
         mouse.nudged.connect(self._shift_dividing_line)
         overlay.paint_hooks.append(self._paint)
 
@@ -99,9 +100,18 @@ class SketchLayer(QObject):
 
     def stop_hovering(self) -> None:
         """Cancel the search for the point under the mouse, and report that there is none."""
+        self._mouse_position = None
+        self._clear_hovered()
+
+    def _clear_hovered(self) -> None:
         self._hover_timer.stop()
-        if self.hovering:
+        if self._is_over_point:
+            self._is_over_point = False
             self._signals.hovered.emit(None)
+
+    def _search_later(self) -> None:
+        if self._mouse_position is not None:
+            self._hover_timer.start()  # restarts while the mouse moves
 
     # The mouse
 
@@ -187,11 +197,12 @@ class SketchLayer(QObject):
             self._signals.outlined.emit(corners)
 
     def _on_mouse_moved(self, x: float, y: float) -> None:
-        if self.hovering:
-            self._mouse_position = (x, y)
-            self._hover_timer.start()  # restarts while the mouse moves
+        self._mouse_position = (x, y)
+        self._search_later()
 
     def _emit_hovered(self) -> None:
+        if self._mouse_position is None:
+            return
         drawn = self._navigator.drawn()
         step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
@@ -203,8 +214,9 @@ class SketchLayer(QObject):
             SNAP_RADII_PX,
         )
         if hit is None:
-            self._signals.hovered.emit(None)
+            self._clear_hovered()
             return
+        self._is_over_point = True
         north, west, up = (float(v) for v in clouds[hit.line][hit.index])
         self._signals.hovered.emit(PickedPoint(hit.line, (north, west, up)))
 

@@ -19,6 +19,7 @@ from lispac.gui.viewport.base import (
     Highlight,
     Marker,
     MouseMode,
+    Place,
     PointColouring,
     Sketch,
     ViewportSignals,
@@ -92,6 +93,11 @@ class VtkViewport:
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
+        self._navigator.menu_requested.connect(self.signals.menu_requested)
+        self._navigator.mouse.copy_requested.connect(self.signals.copy_requested)
+        for used in (self._navigator.moved, self._navigator.picked):
+            used.connect(self._overlay.fade_help)
+        self._overlay.help_used.connect(self.signals.help_used)
         self._sketch_layer = SketchLayer(self._navigator, self._overlay, self.signals)
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
         self._sketch_layer.divider_moved.connect(self._camera_moved)
@@ -181,7 +187,7 @@ class VtkViewport:
         self.show_highlights(self._highlight_layer.highlights)
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Emphasise one sighting, (target, line), and grey the others of its target."""
+        """Highlight one sighting, (target, line), and dim the others of its target."""
         self._highlight_layer.selected = key
         self._style_points()
 
@@ -215,16 +221,15 @@ class VtkViewport:
         self._overlay.hint = hint
         self._overlay.update()
 
-    def set_hovering(self, hovering: bool) -> None:
-        """Start or stop emitting the point under the resting mouse."""
-        if not hovering:
-            self._sketch_layer.stop_hovering()
-        self._sketch_layer.hovering = hovering
+    def show_help(self, shown: bool) -> None:
+        """Show the help on the mouse, which fades after its first use, or hide it."""
+        self._overlay.show_help(shown)
 
-    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+    def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
-        offsets = points - centre
+        points = points[np.abs(points[:, 0] - centre[0]) <= radius]  # excludes nearly all at once
+        offsets = points - np.asarray(centre)
         return points[np.einsum("ij,ij->i", offsets, offsets) <= radius**2]
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:

@@ -19,7 +19,7 @@ from lispac.language import gettext, short_date
 from lispac.present.angles import ANGLE_TITLES
 from lispac.present.cross_checks import CrossCheckValues, spread_rows
 from lispac.present.csv_text import csv_text
-from lispac.present.tables import DEGREES, Format, Table, Unit, cell_text, title_text
+from lispac.present.tables import DEGREES, Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Column as ResultColumn
 from lispac.present.tables import Row as ResultRow
 from lispac.present.text_format import UNKNOWN_TEXT, with_unit
@@ -104,6 +104,13 @@ def local_number(value: float, form: Format) -> str:
     if base is None:
         return form.text(value)
     return units.local_figure(form.factor * value, base, _python_form(form))
+
+
+def fact_text(fact: Fact) -> str:
+    """Value of a fact with its unit, in the unit and the language of the user."""
+    if fact.value is None or isinstance(fact.value, str) or not fact.format.unit:
+        return fact.text
+    return _with_unit(fact.value, fact.format)
 
 
 def _with_unit(value: float, form: Format) -> str:

@@ -3,9 +3,9 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, QUrl, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
 from lispac.gui.app import docks
 from lispac.gui.app.actions import Actions
@@ -22,8 +22,9 @@ from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
+from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
-from lispac.gui.features.inspect.view_menu import ViewMenu
+from lispac.gui.features.inspect.view_menu import ViewMenu, with_help_until_used
 from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
 from lispac.gui.features.pick_targets.hover_preview import HoverPreviewSettings
 from lispac.gui.features.pick_targets.seeds import SeedActions
@@ -175,7 +176,9 @@ class MainWindow(QMainWindow):
         preferences.report_choice_changed.connect(report.show_choice)
         Manual(runner, control, actions, lambda: panels.workflow.opened)
         self.site_design = SiteDesign(
-            document, viewport.create_empty_viewport, dialogs, settings, actions,
+            document,
+            lambda: with_help_until_used(viewport.create_empty_viewport(), settings),
+            dialogs, settings, actions,
             dialogs.shortcuts, self,
         )  # fmt: skip
         self.recovery_copies = RecoveryCopies(document, control, dialogs, settings)
@@ -202,11 +205,12 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.central_widget)
         self.task_bar = TaskStatusBar()
         self.warnings_button = WarningsButton()
-        self.task_bar.insertPermanentWidget(0, self.warnings_button)
+        self.task_bar.insertPermanentWidget(1, self.warnings_button)  # after `point`
         self.warnings_button.hide()
         self.setStatusBar(self.task_bar)
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
+        self.tools.point_readout.shown.connect(self.task_bar.point.setText)
         self._initial_state = self.saveState()
         # `isVisible` is also True for a dock behind another; only this signal is reliable
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
@@ -294,9 +298,7 @@ class MainWindow(QMainWindow):
         self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
-        self.viewport.signals.missed.connect(
-            lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
-        )
+        self.viewport.signals.missed.connect(self._on_missed)
 
     def _note_cancelled(self, task: str) -> None:
         self._note(gettext("{task}: cancelled", task=task))
@@ -326,6 +328,11 @@ class MainWindow(QMainWindow):
             self.controller.seed(point, self.targets.seed_options)
 
         self.actions_.guarded(seed, self.targets)()
+
+    def _on_missed(self, place: QPoint) -> None:
+        QToolTip.showText(place, gettext(NO_POINT_TEXT), self.viewport.widget)
+        if not self.tools.mouse_tool.tool:
+            self._note(gettext("No point under the cursor. Ctrl+click on a target."))
 
     def _estimate(self) -> None:
         settings = self.adjust.settings()

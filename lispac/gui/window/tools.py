@@ -15,6 +15,7 @@ from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
 from lispac.gui.features.inspect.dialogs import PictureDialogs
 from lispac.gui.features.inspect.measurements import Measurements
 from lispac.gui.features.inspect.picture_export import PictureExport
+from lispac.gui.features.inspect.point_readout import PointReadout
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.sections import SectionTool
 from lispac.gui.features.patch_test.controller import PatchTestController
@@ -66,6 +67,7 @@ class InspectionTools(QObject):
         self.hover_preview = HoverPreview(
             document, runner, viewport, actions, preview_settings, controller
         )
+        self.point_readout = PointReadout(document, scene, viewport, actions["copy_picture"], note)
         self.pictures = PictureExport(
             document, runner, viewport, self.sections.panel, actions, dialogs, note
         )

@@ -176,7 +176,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
         write_sbet(output, trajectory)
     else:
         with atomic_write(output) as temporary:
-            write_trajectory_text(temporary, trajectory, _trajectory_time_base(project))
+            write_trajectory_text(temporary, trajectory, trajectory_time_base(project))
     return output
 
 
@@ -189,7 +189,7 @@ def trajectory_datum_note(project: Project) -> Message:
     return note("export.trajectory_datum", file=project.trajectory.name)
 
 
-def _trajectory_time_base(project: Project) -> str:
+def trajectory_time_base(project: Project) -> str:
     """Key of the time base of the trajectory; empty if it is not known."""
     reading = project.trajectory_reading
     format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])

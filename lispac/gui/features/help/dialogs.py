@@ -29,6 +29,8 @@ KEYS = (
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
         ("W", N_("split view before and after; Ctrl + arrows move the divider")),
+        (N_("Ctrl + C"), N_("copy the values of the point under the mouse")),
+        (N_("Right click"), N_("menu to copy the point or the picture")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a survey (Ctrl + Shift + D)"), (

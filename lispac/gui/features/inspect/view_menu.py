@@ -17,6 +17,13 @@ from lispac.targets.cross_section import common_normal
 NOTHING_SELECTED_TEXT = N_("Select a target first, in the list of targets or in the table.")
 
 
+def with_help_until_used(viewport: Viewport, settings: AppSettings) -> Viewport:
+    """Viewport that shows the help on the mouse until its first use on this computer."""
+    viewport.show_help(not settings.has_used_mouse)
+    viewport.signals.help_used.connect(lambda: setattr(settings, "has_used_mouse", True))
+    return viewport
+
+
 class ViewMenu(QObject):
     """Connects the actions of the View menu with the viewport."""
 
@@ -33,6 +40,7 @@ class ViewMenu(QObject):
         self._viewport, self._scene, self._controller = viewport, scene, controller
         self._actions, self._settings = actions, settings
         viewport.set_point_size(settings.point_size)
+        with_help_until_used(viewport, settings)
         slots = {
             "before": lambda: computations.show("prior"),
             "after": lambda: computations.show("estimated"),

@@ -85,7 +85,6 @@ class HoverPreview(QObject):
             )
         elif on != self._is_on:
             self._is_on = on
-            self._viewport.set_hovering(on)
             if not on:
                 self._viewport.show_sketch(SKETCH_NAME, None)
 
@@ -94,6 +93,8 @@ class HoverPreview(QObject):
         self._toggle_tool()
 
     def _show_preview(self, point: PickedPoint | None) -> None:
+        if not self._is_on:
+            return
         start = time.perf_counter()
         self._viewport.show_sketch(SKETCH_NAME, None if point is None else self._preview(point))
         self.seconds = time.perf_counter() - start

@@ -17,6 +17,7 @@ from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import error
+from lispac.present.measured_point import AXIS_TITLES
 from lispac.project import Project, Triple, require_target_name
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.project.coordinates import (
@@ -25,12 +26,6 @@ from lispac.workflow.project.coordinates import (
     require_near_trajectory,
 )
 
-AXIS_LABELS = {
-    "north": N_("North"), "west": N_("West"), "up": N_("Up"),
-    "longitude": N_("Longitude"), "latitude": N_("Latitude"), "height": N_("Height"),
-    "easting": N_("Easting"), "northing": N_("Northing"), "X": "X", "Y": "Y", "Z": "Z",
-}  # fmt: skip
-"""Labels of the coordinates, by their names in `axis_names`."""
 ALL_LINES_INTRODUCTIONS = {
     "plane": N_("The program searches all lines for a plane target near these coordinates."),
     "sphere": N_("The program searches all lines for a sphere target near these coordinates."),
@@ -217,7 +212,7 @@ def _parse_coordinate(text: str, axis: str) -> float | None:
 
 
 def _axis_label(axis: str) -> str:
-    return gettext(AXIS_LABELS[axis])
+    return gettext(AXIS_TITLES[axis])
 
 
 def _field(name: str) -> QLineEdit:

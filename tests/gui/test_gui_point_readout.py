@@ -1,0 +1,211 @@
+"""Tests of the values of the point under the mouse, and of the answers to a click in the view."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu, QToolTip
+
+from lispac.gui.appearance import units
+from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
+from lispac.gui.viewport.base import PickedPoint
+from lispac.project import Project
+from lispac.workflow.planning.demo import demo_seeds
+from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
+
+Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
+EMPTY = QPoint(3, 3)
+
+
+@pytest.fixture
+def board(real: Driver, demo: Demo, estimated: Project) -> Driver:
+    """A window that shows target T1 at a large scale."""
+    real.window.document.open(estimated, demo.survey)
+    real.rest()
+    real.window._select("T1", "")
+    real.viewport.prepare()
+    return real
+
+
+def board_pixel(driver: Driver) -> QPoint:
+    """Pixel of a point near the middle of T1."""
+    points = np.concatenate(list(driver.window.scene.selected_points.values()))
+    middle = points[np.argmin(np.linalg.norm(points - points.mean(axis=0), axis=1))]
+    x, y = driver.viewport.to_pixels(middle[None])[0]
+    return QPoint(round(x), round(y))
+
+
+def hover(driver: Driver, place: QPoint) -> dict[str, str]:
+    """Rest the mouse at a pixel of the view; the values that are then shown."""
+    readout = driver.window.tools.point_readout
+    QTest.mouseMove(driver.viewport.canvas, place + QPoint(7, 0))
+    QTest.mouseMove(driver.viewport.canvas, place)
+    driver.bot.waitUntil(lambda: bool(readout.values), timeout=WAIT_MS)
+    return dict(readout.values)
+
+
+def leave_points(driver: Driver) -> None:
+    """Move the mouse to a place of the view without points."""
+    driver.viewport.view("isometric")
+    QTest.mouseMove(driver.viewport.canvas, EMPTY)
+    readout = driver.window.tools.point_readout
+    driver.bot.waitUntil(lambda: not readout.values, timeout=WAIT_MS)
+
+
+def number(text: str) -> float:
+    return float(text.split("\N{NO-BREAK SPACE}")[0].replace("−", "-").replace("°", " ").split()[0])
+
+
+def test_the_status_bar_shows_the_point_under_the_mouse(board: Driver) -> None:
+    values = hover(board, board_pixel(board))
+    cloud = board.window.scene.clouds[values["Line"]]
+    place = [number(values[axis]) for axis in ("North", "West", "Up")]
+    distances = np.linalg.norm(cloud.sample - place, axis=1)
+    index = int(np.argmin(distances))
+    assert distances[index] < 1e-3  # shown with millimetres
+    points_lidar, time = cloud.sample_lidar(np.array([index]))
+    assert number(values["Range"]) == pytest.approx(np.linalg.norm(points_lidar), abs=6e-4)
+    assert number(values["Time"]) == pytest.approx(time[0], abs=6e-4)
+    assert number(values["Intensity"]) == cloud.sample_intensity[index]
+    target = board.project.target("T1")
+    own = cloud[target.sighting(values["Line"]).indices]
+    normal = np.linalg.svd(own - own.mean(axis=0), full_matrices=False)[2][2]
+    beam = cloud.sample[index] - cloud.place(np.zeros((1, 3)), time)[0]
+    angle = np.degrees(np.arccos(abs(normal @ beam) / np.linalg.norm(beam)))
+    assert number(values["Incidence"]) == pytest.approx(angle, abs=2.0)
+    shown = board.window.task_bar.point
+    assert shown.isVisible()
+    assert all(text in shown.text() for text in values.values())
+    leave_points(board)
+    assert shown.text() == ""
+
+
+def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:
+    clipboard, canvas = QGuiApplication.clipboard(), board.viewport.canvas
+    place = board_pixel(board)
+    values = hover(board, place)
+    clipboard.clear()
+    canvas.setFocus()
+    board.bot.keyClick(canvas, Key.Key_C, Control)
+    copied = clipboard.text()
+    assert dict(line.split("\t") for line in copied.splitlines()) == values
+    clipboard.clear()
+    board.bot.mouseClick(canvas, Right, NoModifier, place)
+    menu = board.viewport.widget.findChild(QMenu, "point_menu")
+    board.bot.waitUntil(menu.isVisible, timeout=WAIT_MS)
+    board.bot.mouseClick(menu, Left, pos=menu.actionGeometry(menu.actions()[0]).center())
+    assert clipboard.text() == copied
+    board.bot.waitUntil(lambda: board.viewport.widget.findChild(QMenu, "point_menu") is None)
+    clipboard.clear()
+    leave_points(board)
+    board.bot.keyClick(canvas, Key.Key_C, Control)
+    assert clipboard.text() == ""
+    before = board.viewport.camera
+    board.bot.mousePress(canvas, Right, NoModifier, place)
+    QTest.mouseMove(canvas, place + QPoint(60, 10))
+    board.bot.mouseRelease(canvas, Right, NoModifier, place + QPoint(60, 10))
+    assert board.viewport.camera is not before
+    assert board.viewport.widget.findChild(QMenu, "point_menu") is None, "a drag pans"
+
+
+def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> None:
+    place = board_pixel(board)
+    metres = hover(board, place)
+    board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+    assert all(text in QToolTip.text() for text in metres.values())
+    leave_points(board)
+    board.window._select("T1", "")
+    units.set_units("degrees", "feet")
+    try:
+        feet = hover(board, place)
+    finally:
+        units.set_units("degrees", "metres")
+    assert feet["Range"].endswith("ft")
+    assert number(feet["Range"]) == pytest.approx(number(metres["Range"]) / 0.3048, abs=3e-3)
+    assert feet["Time"] == metres["Time"]
+    assert number(feet["Incidence"]) == pytest.approx(number(metres["Incidence"]), abs=2.0)
+
+
+def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> None:
+    values = hover(board, board_pixel(board))
+    board.bot.keyClick(board.viewport.canvas, Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    readout = board.window.tools.point_readout
+    board.bot.waitUntil(lambda: dict(readout.values) not in ({}, values), timeout=WAIT_MS)
+    press(board, Key.Key_B)  # before the adjustment, the points are elsewhere
+    assert readout.values == []
+
+
+def test_a_clicked_seed_is_marked_while_its_target_is_searched(opened: Driver) -> None:
+    window, view = opened.window, opened.viewport
+    line, (_, place) = window.document.survey.lines[0], demo_seeds()["T1"]
+    markers: list[tuple] = []
+    view.signals.seed_clicked.emit(PickedPoint(line, place))
+    assert [marker.position for marker in view.markers] == [place], "before the search has begun"
+    assert "T1" in view.markers[0].label
+    window.runner.progress_changed.connect(lambda: markers.extend(view.markers))
+    opened.rest()
+    labels = [marker.label for marker in markers if marker.position == place]
+    assert len(set(labels)) > 1, "the progress"
+    assert [marker.label for marker in view.markers] == ["T1?"]
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert [marker.label for marker in view.markers] == ["T1"]
+
+
+def test_the_mark_of_a_seed_ends_with_a_cancelled_or_failed_search(opened: Driver) -> None:
+    view, line = opened.viewport, opened.window.document.survey.lines[0]
+    view.signals.seed_clicked.emit(PickedPoint(line, demo_seeds()["T1"][1]))
+    assert len(view.markers) == 1
+    press(opened, Key.Key_Period, Control)
+    assert view.markers == []
+    opened.rest()
+    assert opened.window.controller.candidate is None
+    view.signals.seed_clicked.emit(PickedPoint(line, (0.0, 0.0, 500.0)))
+    assert len(view.markers) == 1
+    opened.rest()
+    assert len(opened.dialogs.errors) == 1
+    assert view.markers == []
+    seed(opened, "T2")
+    assert [marker.label for marker in view.markers] == ["T1?"]
+    press(opened, Key.Key_Escape)
+    opened.rest()
+    assert view.markers == []
+
+
+def test_a_click_beside_the_points_is_answered_at_the_mouse(board: Driver) -> None:
+    canvas, window = board.viewport.canvas, board.window
+    board.viewport.view("isometric")
+    for tool in (None, Key.Key_M):
+        QToolTip.hideText()
+        board.bot.waitUntil(lambda: not QToolTip.isVisible(), timeout=WAIT_MS)
+        if tool is None:
+            board.bot.mouseClick(canvas, Left, Control, EMPTY)
+        else:
+            press(board, tool)
+            board.bot.mouseClick(canvas, Left, NoModifier, EMPTY)
+        board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+        assert QToolTip.text() == NO_POINT_TEXT
+    assert window.tools.mouse_tool.tool == "measure_distance"
+    assert window.controller.candidate is None
+
+
+def test_the_help_on_the_mouse_fades_after_its_first_use(board: Driver) -> None:
+    overlay, settings = board.viewport.widget.overlay, board.window.settings
+    assert overlay.help_opacity == 1.0
+    assert not settings.has_used_mouse
+    with_help = board.viewport.widget.overlay.grab().toImage()
+    place = board_pixel(board)
+    board.bot.mousePress(board.viewport.canvas, Left, NoModifier, place)
+    QTest.mouseMove(board.viewport.canvas, place + QPoint(30, 10))
+    board.bot.mouseRelease(board.viewport.canvas, Left, NoModifier, place + QPoint(30, 10))
+    assert settings.has_used_mouse
+    board.bot.waitUntil(lambda: overlay.help_opacity == 0.0, timeout=WAIT_MS)
+    assert overlay.grab().toImage() != with_help
+    made = Driver(board.bot, type(board.viewport)(), settings.folder)
+    try:
+        assert made.window.settings.has_used_mouse
+        assert made.viewport.widget.overlay.help_opacity == 0.0
+    finally:
+        made.window.close()
+        made.window.deleteLater()
