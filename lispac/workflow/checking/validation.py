@@ -1,17 +1,29 @@
 """Validation: distances between lines on planes not used in the adjustment, before and after."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
+from lispac.adjustment.model.point_sensitivity import sensitivity
+from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import NotComparable, ProjectError
+from lispac.geometry.planes import fit_plane_robustly
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import Project
+from lispac.project import PickedSighting, Project, Target
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
+from lispac.validation.line_shifts import LineErrors, PlaneErrors
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison, compare_plane
 from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+ERROR_POINTS = 200
+"""Largest number of points of a sighting at which the effects of errors are computed."""
 
 
 def validate(
@@ -57,7 +69,8 @@ def validate(
             comparisons.append(
                 compare_plane(
                     plane.name, before, after, survey.heading, model=model, facing=facing,
-                    ranges=ranges, progress=step,
+                    ranges=ranges, errors=_plane_errors(project, survey, plane, after, facing),
+                    progress=step,
                 )
             )  # fmt: skip
         except NotComparable as failure:
@@ -69,6 +82,46 @@ def validate(
             refusal = error("validate.also", first=refusal, reason=reason)
         raise NotComparable(refusal)
     return project.with_validation(tuple(comparisons), not_compared)
+
+
+def _plane_errors(
+    project: Project, survey: Survey, plane: Target, points: Mapping[str, Array], facing: Array
+) -> PlaneErrors:
+    """Effects of POS, boresight and form errors on the distances between lines on a plane."""
+    assert project.result is not None
+    model, threshold = project.result.model, plane.threshold
+    normal = fit_plane_robustly(np.concatenate(list(points.values())), threshold).facing(facing)
+    lines = {
+        sighting.line: _line_errors(project.result, survey, sighting, normal.normal)
+        for sighting in plane.used_sightings
+    }
+    return PlaneErrors(lines, (model.position_time, model.attitude_time))
+
+
+def _line_errors(
+    result: AdjustmentResult, survey: Survey, sighting: PickedSighting, normal: Array
+) -> LineErrors:
+    numbers = sighting.indices[:: -(-len(sighting.indices) // ERROR_POINTS)]
+    points_lidar, time = survey.scans[sighting.line].take(numbers)
+    mounting = result.mounting
+    moves = sensitivity(
+        points_lidar, survey.trajectory.at(time + mounting.latency), mounting,
+        np.broadcast_to(normal, (len(numbers), 3)),
+        pose_rate=survey.trajectory.rate_at(time + mounting.latency),
+    )  # fmt: skip
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    _, position, attitude = result.sigma_factors
+    values, vectors = np.linalg.eigh(result.covariance_all)
+    mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
+    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
+    return LineErrors(
+        float(np.median(time)),
+        float(np.ptp(time)),
+        position * moves.by_position * sigma_position,
+        attitude * moves.by_attitude * sigma_attitude,
+        moves.by_mounting[:, estimated] @ mixtures,
+        float(result.surfaces[2]),
+    )
 
 
 def validate_with_truth(

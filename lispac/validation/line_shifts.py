@@ -1,0 +1,163 @@
+"""Shifts of lines on a validation plane, compared with their uncertainty.
+
+The median signed distances between the lines of a plane are combined to contrasts: one line with
+the others, and the lines in one direction with those in the opposite direction. The first show an
+error of one line, the second an error of the boresight, with which the distances of all lines have
+two groups of values. The standard deviation of a contrast includes the POS errors of the lines, the
+covariance of the boresight, the form error of the surface and the noise. POS errors hardly change
+during one line; those of two lines are correlated by the time between them.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import pi, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.validation.absolute_check import NORMAL_QUANTILE_975
+from lispac.validation.comparison_results import LineShift, PairComparison, SignedStatistics
+
+Array = NDArray[np.float64]
+
+DIRECTIONS_PER_PLACE = 2
+"""Each place is measured from both lines, so that only half of the distances are independent."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineErrors:
+    """Effects of the errors of a line on its distances along the normal of a plane.
+
+    Attributes
+    ----------
+    time : float, seconds
+        Median time of the points on the plane.
+    duration : float, seconds
+        Time from the first to the last of these points.
+    by_position, by_attitude : ndarrays of shape (n, 3), metres
+        Displacement of n points by an error of one sigma in north, west, up and in roll, pitch,
+        heading.
+    by_boresight : ndarray of shape (n, e), metres
+        Displacement by one sigma of each of e independent combinations of the estimated values.
+    surface : float, metres
+        Standard deviation of the form error of the surface.
+    """
+
+    time: float
+    duration: float
+    by_position: Array
+    by_attitude: Array
+    by_boresight: Array
+    surface: float
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneErrors:
+    """Errors of all lines on a plane, and correlation times of position and attitude, seconds."""
+
+    lines: Mapping[str, LineErrors]
+    correlation_times: tuple[float, float]
+
+    def covariance(self, lines: Sequence[str]) -> Array:
+        """Covariance of the mean displacements of n lines, shape (n, n), square metres."""
+        errors = [self.lines[line] for line in lines]
+        time = np.array([each.time for each in errors])
+        position, attitude, boresight = (
+            np.array([getattr(each, name).mean(axis=0) for each in errors])
+            for name in ("by_position", "by_attitude", "by_boresight")
+        )
+        correlations = [
+            np.exp(-np.abs(time[:, None] - time) / tau) for tau in self.correlation_times
+        ]
+        return np.asarray(
+            correlations[0] * (position @ position.T)
+            + correlations[1] * (attitude @ attitude.T)
+            + boresight @ boresight.T
+            + np.diag([each.surface**2 for each in errors])
+        )
+
+    def variation(self, line: str) -> float:
+        """Standard deviation of the largest change of a line's displacement over the plane, metres.
+
+        Includes the change of the POS errors with time and that of their effects, and of the effect
+        of the boresight, with place.
+        """
+        errors = self.lines[line]
+        variance = 0.0
+        for effects, tau in zip(
+            (errors.by_position, errors.by_attitude), self.correlation_times, strict=True
+        ):
+            change = 2.0 * (1.0 - np.exp(-errors.duration / tau))
+            variance += change * float((effects**2).max(axis=0).sum())
+        for effects in (errors.by_position, errors.by_attitude, errors.by_boresight):
+            variance += float((np.ptp(effects, axis=0) ** 2).sum())
+        return sqrt(variance)
+
+
+def line_shifts(pairs: Iterable[PairComparison], errors: PlaneErrors) -> tuple[LineShift, ...]:
+    """Shifts of each line, and of the lines in one direction, from the other lines on a plane.
+
+    Parameters
+    ----------
+    pairs : compared pairs of lines; those without signed distances are not used
+    """
+    known = [
+        (pair, pair.after.signed)
+        for pair in pairs
+        if pair.after.signed is not None and {pair.line_a, pair.line_b} <= errors.lines.keys()
+    ]
+    shifts = []
+    first = _lines_in_first_direction([pair for pair, _ in known if pair.reciprocal])
+    if first:
+        reciprocal = [(pair, signed) for pair, signed in known if pair.reciprocal]
+        shifts.append(replace(_shift_of(first, reciprocal, errors), reciprocal=True))
+    lines = list(dict.fromkeys(line for pair, _ in known for line in (pair.line_a, pair.line_b)))
+    if len(lines) > 2 or not first:
+        for line in lines[: 1 if len(lines) == 2 else None]:
+            own = [each for each in known if line in (each[0].line_a, each[0].line_b)]
+            shifts.append(_shift_of({line}, own, errors))
+    return tuple(shifts)
+
+
+def _lines_in_first_direction(reciprocal: Sequence[PairComparison]) -> set[str]:
+    """Lines in the direction of the first line; empty if the directions are more than two."""
+    side: dict[str, bool] = {}
+    for start in reciprocal:
+        side.setdefault(start.line_a, True)
+        # Each repetition reaches at least one line more.
+        for pair in [each for _ in reciprocal for each in reciprocal]:
+            if pair.line_a in side:
+                side.setdefault(pair.line_b, not side[pair.line_a])
+            elif pair.line_b in side:
+                side[pair.line_a] = not side[pair.line_b]
+    if any(side[pair.line_a] == side[pair.line_b] for pair in reciprocal):
+        return set()
+    return {line for line, is_first in side.items() if is_first}
+
+
+def _shift_of(
+    group: set[str], pairs: Sequence[tuple[PairComparison, SignedStatistics]], errors: PlaneErrors
+) -> LineShift:
+    """Mean distance of the lines of a group from the others, over some pairs with one of each."""
+    lines = list(dict.fromkeys(line for pair, _ in pairs for line in (pair.line_a, pair.line_b)))
+    weights, offset, noise = np.zeros(len(lines)), 0.0, 0.0
+    for pair, signed in pairs:
+        sign = 1.0 if pair.line_a in group else -1.0
+        offset += sign * signed.median / len(pairs)
+        weights[lines.index(pair.line_a)] += sign / len(pairs)
+        weights[lines.index(pair.line_b)] -= sign / len(pairs)
+        noise += (sigma_of_median(signed) / len(pairs)) ** 2
+    variance = float(weights @ errors.covariance(lines) @ weights) + noise
+    return LineShift(
+        tuple(line for line in lines if line in group),
+        tuple(line for line in lines if line not in group),
+        offset,
+        sqrt(max(variance, 0.0)),
+    )
+
+
+def sigma_of_median(signed: SignedStatistics) -> float:
+    """Standard deviation of the median of signed distances due to their scatter, metres."""
+    scatter = max(signed.robust_sigma, signed.half_width / NORMAL_QUANTILE_975)
+    # Kendall and Stuart: the median of normal values has pi / 2 times the variance of the mean.
+    return scatter * sqrt(pi / 2.0 / max(signed.n / DIRECTIONS_PER_PLACE, 1.0))
