@@ -99,21 +99,26 @@ TEXTS: Mapping[str, Template] = {
         "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm)."
     ),
     "validation.directions_shifted": N_(
-        "On validation plane {target} the lines {lines:names} differ from the lines in the opposite "
-        "direction ({others:names}) by {offset:mm.1} mm; the uncertainties of POS and boresight "
-        "explain up to {limit:mm.1} mm. The distances form two groups, which indicates an error of "
-        "the boresight: check the targets and the lever arm."
+        "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
+        "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight explain "
+        "only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever arm."
+    ),
+    "validation.groups_shifted": N_(
+        "On validation plane {target}, {lines:names} and {others:names} form two groups "
+        "{offset:mm.1} mm apart, but the uncertainties of POS and boresight explain only "
+        "{limit:mm.1} mm. The boresight or the trajectory may be wrong: check the targets, the lever "
+        "arm and the trajectory."
     ),
     "validation.line_shifted": N_(
-        "On validation plane {target} line {line} differs from the other lines ({others:names}) by "
-        "{offset:mm.1} mm; the uncertainties of POS and boresight explain up to {limit:mm.1} mm. "
-        "Check the trajectory during this line."
+        "On validation plane {target}, line {line} is shifted from {others:names} by {offset:mm.1} "
+        "mm, but the uncertainties of POS and boresight explain only {limit:mm.1} mm. Check the "
+        "trajectory during this line."
     ),
     "validation.two_modes": N_(
-        "On validation plane {target} the distances between {line} and {other} have two modes "
-        "{distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one); the "
-        "uncertainties explain up to {limit:mm.1} mm. Check whether the plane is a single surface "
-        "and the trajectory has no jump during these lines."
+        "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
+        "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), but "
+        "the uncertainties explain only {limit:mm.1} mm. Check whether the plane is one surface, "
+        "and the trajectory for a jump."
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(

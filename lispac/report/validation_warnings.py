@@ -57,7 +57,7 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
     """
     from scipy.special import ndtri
 
-    tests = sum(len(plane.shifts) + len(plane.pairs) for plane in planes)
+    tests = sum(_possible_groups(plane) + len(plane.pairs) for plane in planes if plane.shifts)
     if not tests:
         return
     level = FALSE_WARNING_LEVEL / tests
@@ -80,15 +80,21 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
                 )  # fmt: skip
 
 
+def _possible_groups(plane: ValidationPlane) -> int:
+    """Number of ways to divide the lines of a plane into two groups, of which some were tested."""
+    lines = {line for shift in plane.shifts for line in (*shift.lines, *shift.others)}
+    return int(2 ** (len(lines) - 1)) - 1
+
+
 def _significance(shift: LineShiftValues) -> float:
     return abs(shift.offset_m) / shift.sigma_m if shift.sigma_m else float("inf")
 
 
 def _shift_warning(plane: str, shift: LineShiftValues, limit: float) -> Message:
     offset, explained = abs(shift.offset_m), limit * shift.sigma_m
-    if shift.reciprocal:
+    if len(shift.lines) > 1 or shift.reciprocal:
         return warning(
-            "validation.directions_shifted",
+            "validation.directions_shifted" if shift.reciprocal else "validation.groups_shifted",
             target=plane, lines=shift.lines, others=shift.others, offset=offset, limit=explained,
             subject=Cause.of_target(plane),
         )  # fmt: skip

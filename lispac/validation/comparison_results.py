@@ -229,8 +229,8 @@ class PlaneComparison:
     maps : tuple of DistanceMap
         Signed distances over the plane for some of the pooled pairs.
     shifts : tuple of LineShift
-        Of each line, and of the lines in one direction, after the calibration. Empty in comparisons
-        of earlier versions.
+        Of each line, and of groups of lines, after the calibration. Empty in comparisons of earlier
+        versions.
     """
 
     name: str

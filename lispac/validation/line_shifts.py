@@ -2,19 +2,22 @@
 
 The median signed distances between the lines of a plane are combined to contrasts: one line with
 the others, and the lines in one direction with those in the opposite direction. The first show an
-error of one line, the second an error of the boresight, with which the distances of all lines have
-two groups of values. The standard deviation of a contrast includes the POS errors of the lines, the
+error of one line, the second an error of the boresight, with which the distances have two modes. The standard deviation of a contrast includes the POS errors of the lines, the
 covariance of the boresight, the form error of the surface and the noise. POS errors hardly change
 during one line; those of two lines are correlated by the time between them.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.model.point_sensitivity import sensitivity
+from lispac.adjustment.result import AdjustmentResult
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
+from lispac.survey.trajectory import Poses
 from lispac.validation.absolute_check import NORMAL_QUANTILE_975
 from lispac.validation.comparison_results import LineShift, PairComparison, SignedStatistics
 
@@ -49,6 +52,49 @@ class LineErrors:
     by_attitude: Array
     by_boresight: Array
     surface: float
+
+
+    @classmethod
+    def of(
+        cls,
+        result: AdjustmentResult,
+        points_lidar: Array,
+        time: Array,
+        poses: Poses,
+        sigmas: tuple[Array, Array],
+        normal: Array,
+        *,
+        pose_rate: Array | None = None,
+    ) -> "LineErrors":
+        """Effects of the errors of a line at some of its points.
+
+        Parameters
+        ----------
+        points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+        time : ndarray of shape (n,), seconds
+        poses : Poses
+            Pose of the POS at each point.
+        sigmas : pair of ndarrays of shape (n, 3), metres and radians
+            Given standard deviations of position and attitude at each point.
+        normal : ndarray of shape (3,), unit vector, local frame
+        pose_rate : ndarray of shape (n, 6), metres and radians per second, optional
+        """
+        moves = sensitivity(
+            points_lidar, poses, result.mounting,
+            np.broadcast_to(normal, (len(points_lidar), 3)), pose_rate=pose_rate,
+        )  # fmt: skip
+        _, position, attitude = result.sigma_factors
+        values, vectors = np.linalg.eigh(result.covariance_all)
+        mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
+        estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
+        return cls(
+            float(np.median(time)),
+            float(np.ptp(time)),
+            position * moves.by_position * sigmas[0],
+            attitude * moves.by_attitude * sigmas[1],
+            moves.by_mounting[:, estimated] @ mixtures,
+            float(result.surfaces[2]),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +141,9 @@ class PlaneErrors:
 
 
 def line_shifts(pairs: Iterable[PairComparison], errors: PlaneErrors) -> tuple[LineShift, ...]:
-    """Shifts of each line, and of the lines in one direction, from the other lines on a plane.
+    """Shifts of each line from the others on a plane, then of groups of several lines.
+
+    The groups are the possible divisions of the lines in the order of their offsets.
 
     Parameters
     ----------
@@ -106,39 +154,40 @@ def line_shifts(pairs: Iterable[PairComparison], errors: PlaneErrors) -> tuple[L
         for pair in pairs
         if pair.after.signed is not None and {pair.line_a, pair.line_b} <= errors.lines.keys()
     ]
-    shifts = []
-    first = _lines_in_first_direction([pair for pair, _ in known if pair.reciprocal])
-    if first:
-        reciprocal = [(pair, signed) for pair, signed in known if pair.reciprocal]
-        shifts.append(replace(_shift_of(first, reciprocal, errors), reciprocal=True))
     lines = list(dict.fromkeys(line for pair, _ in known for line in (pair.line_a, pair.line_b)))
-    if len(lines) > 2 or not first:
-        for line in lines[: 1 if len(lines) == 2 else None]:
-            own = [each for each in known if line in (each[0].line_a, each[0].line_b)]
-            shifts.append(_shift_of({line}, own, errors))
-    return tuple(shifts)
+    single = {line: _shift_of({line}, known, errors) for line in lines}
+    ordered = sorted(lines, key=lambda line: single[line].offset)
+    groups = [
+        _shift_of(set(ordered[size:]), known, errors)
+        for size in range(2, len(ordered) - 1)
+        if _crossing(set(ordered[size:]), known)
+    ]
+    # Of two lines, both have the same shift.
+    return (*(single[line] for line in lines[: 1 if len(lines) == 2 else None]), *groups)
 
 
-def _lines_in_first_direction(reciprocal: Sequence[PairComparison]) -> set[str]:
-    """Lines in the direction of the first line; empty if the directions are more than two."""
-    side: dict[str, bool] = {}
-    for start in reciprocal:
-        side.setdefault(start.line_a, True)
-        # Each repetition reaches at least one line more.
-        for pair in [each for _ in reciprocal for each in reciprocal]:
-            if pair.line_a in side:
-                side.setdefault(pair.line_b, not side[pair.line_a])
-            elif pair.line_b in side:
-                side[pair.line_a] = not side[pair.line_b]
-    if any(side[pair.line_a] == side[pair.line_b] for pair in reciprocal):
-        return set()
-    return {line for line, is_first in side.items() if is_first}
+def _is_reciprocal(group: set[str], pairs: Sequence[PairComparison]) -> bool:
+    """Whether a group has all lines in one direction, and its complement those in the other."""
+    reciprocal = [pair for pair in pairs if pair.reciprocal]
+    lines = {line for pair in pairs for line in (pair.line_a, pair.line_b)}
+    with_other = {line for pair in reciprocal for line in (pair.line_a, pair.line_b)}
+    return lines == with_other and all(
+        (pair.line_a in group) != (pair.line_b in group) for pair in reciprocal
+    )
+
+
+def _crossing(
+    group: set[str], known: Sequence[tuple[PairComparison, SignedStatistics]]
+) -> list[tuple[PairComparison, SignedStatistics]]:
+    """Pairs of a line of the group and another one."""
+    return [each for each in known if (each[0].line_a in group) != (each[0].line_b in group)]
 
 
 def _shift_of(
-    group: set[str], pairs: Sequence[tuple[PairComparison, SignedStatistics]], errors: PlaneErrors
+    group: set[str], known: Sequence[tuple[PairComparison, SignedStatistics]], errors: PlaneErrors
 ) -> LineShift:
-    """Mean distance of the lines of a group from the others, over some pairs with one of each."""
+    """Mean distance of the lines of a group from the others, over all pairs with one of each."""
+    pairs = _crossing(group, known)
     lines = list(dict.fromkeys(line for pair, _ in pairs for line in (pair.line_a, pair.line_b)))
     weights, offset, noise = np.zeros(len(lines)), 0.0, 0.0
     for pair, signed in pairs:
@@ -153,6 +202,7 @@ def _shift_of(
         tuple(line for line in lines if line not in group),
         offset,
         sqrt(max(variance, 0.0)),
+        _is_reciprocal(group, [pair for pair, _ in known]),
     )
 
 

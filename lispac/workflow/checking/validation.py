@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.point_sensitivity import sensitivity
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import NotComparable, ProjectError
 from lispac.geometry.planes import fit_plane_robustly
@@ -14,7 +13,6 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
-from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.validation.line_shifts import LineErrors, PlaneErrors
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison, compare_plane
@@ -103,25 +101,11 @@ def _line_errors(
 ) -> LineErrors:
     numbers = sighting.indices[:: -(-len(sighting.indices) // ERROR_POINTS)]
     points_lidar, time = survey.scans[sighting.line].take(numbers)
-    mounting = result.mounting
-    moves = sensitivity(
-        points_lidar, survey.trajectory.at(time + mounting.latency), mounting,
-        np.broadcast_to(normal, (len(numbers), 3)),
-        pose_rate=survey.trajectory.rate_at(time + mounting.latency),
+    latency = result.mounting.latency
+    return LineErrors.of(
+        result, points_lidar, time, survey.trajectory.at(time + latency),
+        survey.accuracy.at(time), normal, pose_rate=survey.trajectory.rate_at(time + latency),
     )  # fmt: skip
-    sigma_position, sigma_attitude = survey.accuracy.at(time)
-    _, position, attitude = result.sigma_factors
-    values, vectors = np.linalg.eigh(result.covariance_all)
-    mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
-    return LineErrors(
-        float(np.median(time)),
-        float(np.ptp(time)),
-        position * moves.by_position * sigma_position,
-        attitude * moves.by_attitude * sigma_attitude,
-        moves.by_mounting[:, estimated] @ mixtures,
-        float(result.surfaces[2]),
-    )
 
 
 def validate_with_truth(
