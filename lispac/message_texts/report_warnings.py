@@ -100,14 +100,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.directions_shifted": N_(
         "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
-        "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight explain "
-        "only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever arm."
+        "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight "
+        "explain only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever arm."
     ),
     "validation.groups_shifted": N_(
         "On validation plane {target}, {lines:names} and {others:names} form two groups "
         "{offset:mm.1} mm apart, but the uncertainties of POS and boresight explain only "
-        "{limit:mm.1} mm. The boresight or the trajectory may be wrong: check the targets, the lever "
-        "arm and the trajectory."
+        "{limit:mm.1} mm. The boresight or the trajectory may be wrong: check targets, lever arm "
+        "and trajectory."
     ),
     "validation.line_shifted": N_(
         "On validation plane {target}, line {line} is shifted from {others:names} by {offset:mm.1} "
@@ -116,9 +116,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.two_modes": N_(
         "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
-        "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), but "
-        "the uncertainties explain only {limit:mm.1} mm. Check whether the plane is one surface, "
-        "and the trajectory for a jump."
+        "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), "
+        "but the uncertainties explain only {limit:mm.1} mm. Check whether the plane is one "
+        "surface, and the trajectory for a jump."
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(

@@ -16,8 +16,8 @@ from lispac.duplicate_targets import all_warnings
 from lispac.language import gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import comparison_messages, method_results
-from lispac.present.acceptance import AcceptanceValues
 from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import adjustment_values, angle_errors
 from lispac.present.angles import angles
 from lispac.present.conventions import convention_values, scanner_to_body_matrix

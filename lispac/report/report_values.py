@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from lispac.identity import Identity
 from lispac.messages import Message
-from lispac.present.acceptance import AcceptanceValues
 from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import AdjustmentValues, AngleValues, angle_values
 from lispac.present.angles import Angles
 from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix

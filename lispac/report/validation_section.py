@@ -75,9 +75,9 @@ ACCEPTANCE_TEXT = N_(
     "offset of all pairs is given. A smaller value than before the calibration is not a criterion."
 )
 SHIFTS_TEXT = N_(
-    "Mean distance of one line, or of several lines, from the others after the calibration; positive "
-    "if nearer to the vessel. The sigma combines the POS errors of the lines, the covariance of the "
-    "boresight, the form error of the surface and the scatter of the distances."
+    "Mean distance of one line, or of several lines, from the others after the calibration; "
+    "positive if nearer to the vessel. The sigma combines the POS errors of the lines, the "
+    "covariance of the boresight, the form error of the surface and the scatter of the distances."
 )
 MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "

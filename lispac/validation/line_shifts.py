@@ -1,10 +1,11 @@
 """Shifts of lines on a validation plane, compared with their uncertainty.
 
-The median signed distances between the lines of a plane are combined to contrasts: one line with
-the others, and the lines in one direction with those in the opposite direction. The first show an
-error of one line, the second an error of the boresight, with which the distances have two modes. The standard deviation of a contrast includes the POS errors of the lines, the
-covariance of the boresight, the form error of the surface and the noise. POS errors hardly change
-during one line; those of two lines are correlated by the time between them.
+The median signed distances between the lines of a plane give the shift of each line from the
+others, and that of a group of lines from the others. The first shows an error of one line. The
+second shows an error of the boresight, with which the distances on the plane have several modes.
+The standard deviation of a shift includes the POS errors of the lines, the covariance of the
+boresight, the form error of the surface and the noise. POS errors hardly change during one line;
+those of two lines are correlated by the time between them.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -52,7 +53,6 @@ class LineErrors:
     by_attitude: Array
     by_boresight: Array
     surface: float
-
 
     @classmethod
     def of(

@@ -55,9 +55,7 @@ def validated(
     ``change`` is an error of the observations of the boards, after the estimation.
     """
     chance = np.random.default_rng(seed)
-    exact = error_free_survey(
-        TRUTH, (*TARGETS, *VALIDATION_BOARDS), six_courses(), SPACING, chance
-    )
+    exact = error_free_survey(TRUTH, (*TARGETS, *VALIDATION_BOARDS), six_courses(), SPACING, chance)
     data = add_errors(exact, HYDROGRAPHIC_INS, chance)
     names = np.array([sighting.target for sighting in data.sightings])
     of_targets = np.flatnonzero(np.char.startswith(names, "T"))

@@ -253,6 +253,7 @@ class MainWindow(QMainWindow):
         self.validate.validate_requested.connect(self.actions_["validate"].trigger)
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
+        self.validate.acceptance_edited.connect(control.change_acceptance)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 

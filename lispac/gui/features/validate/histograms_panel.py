@@ -27,6 +27,7 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
+from lispac.present.acceptance import verdict_text
 from lispac.present.validation import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
@@ -34,6 +35,7 @@ from lispac.present.validation import (
     distance_steps,
     histogram_bins,
 )
+from lispac.project import Project
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
 from lispac.validation.distance_bins import merge_bins
 from lispac.validation.distance_profile import DistanceProfile
@@ -126,8 +128,10 @@ _COLUMNS = (
     (N_("Median\n({unit})"), N_("Median distance, before → after")),
     (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
+    (N_("Verdict"), N_("Whether the plane meets the acceptance criteria of step 4")),
 )
 """Heading and tooltip of each column."""
+VERDICT_COLUMN = len(_COLUMNS) - 1
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _WIDTH_SHARES = (3, 4)
 """Initial shares of the width for tables and plot."""
@@ -242,6 +246,7 @@ class HistogramsPanel(QWidget):
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
+            self._show_verdicts(state.project)
             return
         if self.canvas is None:
             self._parts.setSizes([share * self.width() for share in _WIDTH_SHARES])
@@ -261,11 +266,21 @@ class HistogramsPanel(QWidget):
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)
+        self._show_verdicts(state.project)
         if comparisons:
             self.table.blockSignals(True)
             self.table.selectRow(0)
             self.table.blockSignals(False)
             self._drawing.start()
+
+    def _show_verdicts(self, project: Project | None) -> None:
+        """Show whether each plane meets the acceptance criteria."""
+        if project is None:
+            return
+        judgement = project.judgement
+        for row, each in enumerate(self._comparisons):
+            item = self.table.item(row, VERDICT_COLUMN)
+            item.setText(verdict_text(judgement.verdict_on(each.name)))
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
@@ -407,6 +422,7 @@ def _comparison_texts(each: PlaneComparison) -> list[str]:
         change(each.before.median, each.after.median),
         change(each.before.rms, each.after.rms),
         change(each.before.p95, each.after.p95),
+        "",
     ]
 
 
