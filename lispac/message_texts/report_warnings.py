@@ -101,7 +101,8 @@ TEXTS: Mapping[str, Template] = {
     "validation.directions_shifted": N_(
         "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
         "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight "
-        "explain only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever arm."
+        "explain only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever "
+        "arm."
     ),
     "validation.groups_shifted": N_(
         "On validation plane {target}, {lines:names} and {others:names} form two groups "
