@@ -14,9 +14,8 @@ from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.acceptance import AcceptanceValues, verdict_text
+from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues, verdict_text
 from lispac.project import Project
-from lispac.report.validation_warnings import acceptance_warnings
 
 NOT_JUDGED_TEXT = N_("not judged")
 STORED_DECIMALS = 12
@@ -81,7 +80,12 @@ class AcceptanceForm(QWidget):
         layout.addLayout(grid)
         layout.addLayout(form)
         self.verdict = widgets.label("", wrap=True, name="acceptance_verdict")
+        font = self.verdict.font()
+        font.setBold(True)
+        self.verdict.setFont(font)
+        self.reasons = widgets.label("", wrap=True, name="acceptance_reasons")
         layout.addWidget(self.verdict)
+        layout.addWidget(self.reasons)
 
     def _emit_edit(self, name: str) -> None:
         value = self.fields[name].value()
@@ -95,17 +99,19 @@ class AcceptanceForm(QWidget):
         self._show_criteria(NO_CRITERIA if project is None else project.acceptance)
         if project is None or project.result is None:
             self.verdict.setText("")
+            self.reasons.setText("")
             return
         values = AcceptanceValues.of(project.judgement)
-        verdict = gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict))
-        if not values.checks:
-            reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
+        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
+        if values.checks:
+            reasons = [_reason(each) for each in values.checks if each.verdict != "pass"]
         else:
-            reasons = [message_text(each) for each in acceptance_warnings(values)]
-        self.verdict.setText("\n".join([verdict, *reasons]))
-        self.verdict.setProperty("role", "error" if values.verdict == "fail" else "")
-        self.verdict.style().unpolish(self.verdict)
-        self.verdict.style().polish(self.verdict)
+            reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
+        self.reasons.setText("\n".join(reasons))
+        for each in (self.verdict, self.reasons):
+            each.setProperty("role", "error" if values.verdict == "fail" else "")
+            each.style().unpolish(each)
+            each.style().polish(each)
 
     def _show_criteria(self, criteria: AcceptanceCriteria) -> None:
         for name in LIMIT_NAMES:
@@ -113,6 +119,22 @@ class AcceptanceForm(QWidget):
             is_angle = value is not None and name.endswith("_deg")
             self.fields[name].show_value(radians(value) if is_angle else value)
         self.source.show_text(criteria.source)
+
+
+def _reason(check: AcceptanceCheckValues) -> str:
+    """Value that is larger than its limit, or could not be judged."""
+    what = f"{check.title}, {check.place}" if check.place else check.title
+    if check.value is None:
+        return gettext("{what}: not judged, because it is not known", what=what)
+    if check.unit == "deg":
+        return gettext(
+            "{what}: {value:deg.4} deg, limit {limit:deg.4} deg",
+            what=what, value=radians(check.value), limit=radians(check.limit),
+        )  # fmt: skip
+    return gettext(
+        "{what}: {value:mm.1} mm, limit {limit:mm.1} mm",
+        what=what, value=check.value, limit=check.limit,
+    )  # fmt: skip
 
 
 class SourceField(NumberEntry, QLineEdit):
