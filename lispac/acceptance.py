@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.identity import MAX_FIELD_LENGTH, cleaned_text
-from lispac.language import N_
 from lispac.messages import error, note
 from lispac.validation.comparison_results import PairComparison, PlaneComparison
 
@@ -94,16 +93,6 @@ class AcceptanceCriteria:
 NO_CRITERIA = AcceptanceCriteria()
 FIELD_NAMES = tuple(field.name for field in fields(AcceptanceCriteria))
 LIMIT_NAMES = FIELD_NAMES[:-1]
-
-FIELD_LABELS = {
-    "roll_sigma_deg": N_("Largest standard deviation of roll"),
-    "pitch_sigma_deg": N_("Largest standard deviation of pitch"),
-    "yaw_sigma_deg": N_("Largest standard deviation of yaw"),
-    "rms": N_("Largest RMS on a validation plane"),
-    "offset": N_("Largest offset between two lines"),
-    "source": N_("Source of the criteria"),
-}
-"""Labels of the criteria."""
 
 
 @dataclass(frozen=True)
