@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, positive_number
 from lispac.cli.console import opened_project, print_json, print_table
+from lispac.errors import ProjectError
+from lispac.messages import error
 
 if TYPE_CHECKING:
     from lispac.project import Project
@@ -37,11 +39,20 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--source", metavar="TEXT", help="document that gives the criteria, for the report"
     )
+    parser.add_argument(
+        "--require-pass", action="store_true", help="exit with code 1 unless the verdict is pass"
+    )
     add_json_option(parser)
 
 
 def run(arguments: Namespace) -> None:
-    """Set the given criteria, and print all criteria and the judgement."""
+    """Set the given criteria, and print all criteria and the judgement.
+
+    Raises
+    ------
+    ProjectError
+        If the verdict is required to be pass, but is not.
+    """
     from lispac.acceptance import FIELD_NAMES
     from lispac.present.acceptance import AcceptanceValues
     from lispac.present.json_values import json_values
@@ -61,6 +72,10 @@ def run(arguments: Namespace) -> None:
         print_json(json_values(AcceptanceValues.of(project.judgement)))
     else:
         print_acceptance(project)
+    verdict = project.judgement.verdict
+    if arguments.require_pass and verdict != "pass":
+        code = "cli.not_accepted" if verdict == "fail" else "cli.acceptance_not_judged"
+        raise ProjectError(error(code, project=project.name))
 
 
 def print_acceptance(project: Project) -> None:
