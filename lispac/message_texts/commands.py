@@ -21,8 +21,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "cli.not_accepted": N_("{project} does not meet its acceptance criteria, as printed above."),
     "cli.acceptance_not_judged": N_(
-        "{project} is not judged by acceptance criteria: give criteria, estimate the boresight, and "
-        "compare the lines on all validation planes."
+        "{project} is not judged by acceptance criteria: give criteria, estimate the boresight, "
+        "and compare the lines on all validation planes."
     ),
     "cli.no_dates": N_(
         "{project}: the survey dates are unknown, because the times of the lines are seconds of "
