@@ -200,11 +200,12 @@ def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[
     if criteria.offset is not None:
         offsets = [(_offset_of(pair), pair) for pair in plane.pairs]
         known = [(offset, pair) for offset, pair in offsets if offset is not None]
-        value, lines = None, ()
         if known:
             value, pair = max(known, key=lambda each: each[0])
             lines = pair.line_a, pair.line_b
-        checks.append(AcceptanceCheck("offset", criteria.offset, value, plane.name, lines))
+            checks.append(AcceptanceCheck("offset", criteria.offset, value, plane.name, lines))
+        else:
+            checks.append(AcceptanceCheck("offset", criteria.offset, None, plane.name))
     return checks
 
 

@@ -4,7 +4,8 @@ The median signed distances between the lines of a plane give the shift of each 
 others, and that of a group of lines from the others. The first shows an error of one line. The
 second shows an error of the boresight, with which the distances on the plane have several modes.
 The standard deviation of a shift includes the POS errors of the lines, the covariance of the
-boresight, the form error of the surface and the noise. POS errors hardly change during one line;
+boresight, the form error of the surface and the noise, by the general law of propagation of
+variances (Mikhail 1976, Observations and Least Squares). POS errors hardly change during one line;
 those of two lines are correlated by the time between them.
 """
 

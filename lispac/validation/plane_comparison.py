@@ -219,7 +219,7 @@ def compare_plane(
             )  # fmt: skip
             maps += [] if mapped is None else [mapped]
         modes = _modes_of_pair(along_normal, a, b, errors)
-        pairs.append(PairComparison(a, b, both_ways, *states, modes))
+        pairs.append(PairComparison(a, b, both_ways, states[0], states[1], modes))
         of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
         if ranges is not None:
             of_points += [_thin_evenly(ranges[a])[a_in_b], _thin_evenly(ranges[b])[b_in_a]]
