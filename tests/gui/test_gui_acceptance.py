@@ -5,12 +5,20 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.gui.features.validate.histograms_panel import VERDICT_COLUMN
-from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.project.status import VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.project import Project
-from tests.gui.support import Control, Demo, Driver, Key, click, open_step, press, type_into
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click,
+    open_step,
+    press,
+    type_into,
+)
 
 
 @pytest.fixture
@@ -27,9 +35,13 @@ def state_of(driver: Driver) -> str:
     return step_statuses(document.project, document.survey)[VALIDATE].state
 
 
-def verdicts(driver: Driver) -> list[str]:
+def marks(driver: Driver) -> list[tuple[bool, str]]:
+    """Whether each plane of the table has an icon, and what a screen reader says about it."""
     table = driver.window.histograms.table
-    return [table.item(row, VERDICT_COLUMN).text() for row in range(table.rowCount())]
+    items = [table.item(row, 0) for row in range(table.rowCount())]
+    return [
+        (not item.icon().isNull(), item.data(Qt.ItemDataRole.AccessibleTextRole)) for item in items
+    ]
 
 
 def test_without_criteria_nothing_is_judged(judged: Driver) -> None:
@@ -37,7 +49,7 @@ def test_without_criteria_nothing_is_judged(judged: Driver) -> None:
     assert plane.after.rms < plane.before.rms
     assert judged.project.judgement.verdict == "not judged"
     assert state_of(judged) == "todo"
-    assert verdicts(judged) == ["not judged"]
+    assert marks(judged) == [(False, "V1. Acceptance: not judged")]
 
 
 def test_each_criterion_is_one_undo_step(judged: Driver) -> None:
@@ -68,22 +80,21 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     judged.bot.keyClick(field, Key.Key_Return)
     assert judged.project.judgement.verdict == "fail"
     assert state_of(judged) == "warning"
-    assert verdicts(judged) == ["fail"]
+    assert marks(judged) == [(True, "V1. Acceptance: fail")]
     assert form.verdict.property("role") == "error"
-    judged.window.docks[WARNINGS].raise_()
-    judged.rest()
-    messages = judged.window.panels.warnings.messages
-    assert "acceptance.rms" in {each.code for each in messages}
+    window = judged.window
+    judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
+    assert "acceptance.rms" in {each.code for each in window.warnings.messages}
     type_into(judged, field, f"{1100 * plane.after.rms:.3f}")
     judged.bot.keyClick(field, Key.Key_Return)
     assert judged.project.judgement.verdict == "pass"
     assert state_of(judged) == "done"
-    assert verdicts(judged) == ["pass"]
+    assert marks(judged) == [(True, "V1. Acceptance: pass")]
     field.selectAll()
     judged.bot.keyClick(field, Key.Key_Delete)
     judged.bot.keyClick(field, Key.Key_Tab)
     assert judged.project.acceptance.is_empty
-    assert verdicts(judged) == ["not judged"]
+    assert marks(judged) == [(False, "V1. Acceptance: not judged")]
 
 
 def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(

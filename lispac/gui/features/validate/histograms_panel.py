@@ -4,7 +4,7 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QIcon
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.acceptance import Verdict
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
@@ -128,10 +129,10 @@ _COLUMNS = (
     (N_("Median\n({unit})"), N_("Median distance, before → after")),
     (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
-    (N_("Verdict"), N_("Whether the plane meets the acceptance criteria of step 4")),
 )
 """Heading and tooltip of each column."""
-VERDICT_COLUMN = len(_COLUMNS) - 1
+VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
+"""Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _WIDTH_SHARES = (3, 4)
 """Initial shares of the width for tables and plot."""
@@ -255,8 +256,7 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         font = theme.tabular_font(self.table.font())
         for row, each in enumerate(comparisons):
-            model = message_text(each.model.name)
-            tip = gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
+            tip = _plane_tip(each)
             for column, text in enumerate(_comparison_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
@@ -279,8 +279,13 @@ class HistogramsPanel(QWidget):
             return
         judgement = project.judgement
         for row, each in enumerate(self._comparisons):
-            item = self.table.item(row, VERDICT_COLUMN)
-            item.setText(verdict_text(judgement.verdict_on(each.name)))
+            item = self.table.item(row, 0)
+            verdict = judgement.verdict_on(each.name)
+            quality = VERDICT_QUALITIES.get(verdict)
+            item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
+            text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
+            item.setToolTip(widgets.plain_tip(f"{_plane_tip(each)}\n{text}"))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
@@ -411,6 +416,11 @@ def _statistics_text(template: str, state: DistanceStatistics) -> str:
     )
 
 
+def _plane_tip(each: PlaneComparison) -> str:
+    model = message_text(each.model.name)
+    return gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
+
+
 def _comparison_texts(each: PlaneComparison) -> list[str]:
     def change(*states: float) -> str:
         before, after = (units.local_figure(1000 * each, "mm", ".1f") for each in states)
@@ -422,7 +432,6 @@ def _comparison_texts(each: PlaneComparison) -> list[str]:
         change(each.before.median, each.after.median),
         change(each.before.rms, each.after.rms),
         change(each.before.p95, each.after.p95),
-        "",
     ]
 
 
