@@ -75,7 +75,9 @@ class AcceptanceCheckValues:
     @property
     def place(self) -> str:
         """Validation plane and lines of the value; empty for an angle."""
-        return ": ".join(each for each in (self.plane, " / ".join(self.lines)) if each)
+        if not self.lines:
+            return self.plane
+        return gettext("{plane}: {pairs}", plane=self.plane, pairs=" / ".join(self.lines))
 
 
 @dataclass(frozen=True)

@@ -75,10 +75,13 @@ class AcceptanceForm(QWidget):
                 form.addRow(text, field)
         self.source = SourceField()
         self.source.committed.connect(lambda: self.edited.emit({"source": self.source.text()}))
-        form.addRow(gettext("Source"), self.source)
         layout.addWidget(widgets.label(gettext("Largest standard deviation of the angles")))
         layout.addLayout(grid)
         layout.addLayout(form)
+        source = widgets.label(gettext("Source"))
+        source.setBuddy(self.source)
+        layout.addWidget(source)
+        layout.addWidget(self.source)
         self.verdict = widgets.label("", wrap=True, name="acceptance_verdict")
         font = self.verdict.font()
         font.setBold(True)
@@ -167,6 +170,7 @@ class SourceField(NumberEntry, QLineEdit):
         self._pending.end()
         self._shown = text
         self.setText(text)
+        self.setCursorPosition(0)
 
     @property
     def input_error(self) -> Message | None:
