@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.messages import Message
 from lispac.present.validation import ValidationPlane
+from lispac.project import Project
 from lispac.report.validation_warnings import FALSE_WARNING_LEVEL, distribution_warnings
 from lispac.simulation.closed_form_survey import (
     Board,
@@ -25,7 +27,10 @@ from lispac.validation.line_shifts import LineErrors, PlaneErrors
 from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.plane_comparison import PlaneComparison, compare_plane
 from lispac.validation.two_modes import find_two_modes
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.project.survey import Survey
 from tests.studies.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
+from tests.support.report_sample import sample_project
 
 VALIDATION_BOARDS = (
     Board("V1", (2.0, 16.0, 4.0), (0.0, -1.0, 0.0), 3.0, 2.0),
@@ -226,3 +231,30 @@ def test_two_modes_have_their_distance_and_share() -> None:
 
 def test_equal_distances_have_one_mode() -> None:
     assert find_two_modes(_distances(np.zeros(50)), 0.0) is None
+
+
+def test_a_validated_project_names_lines_that_a_wrong_boresight_shifts(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    assert all(plane.shifts for plane in project.validation)
+    assert warnings_of(project.validation) == []
+    assert project.result is not None
+    mounting = project.result.mounting
+    wrong = mounting.with_boresight(mounting.boresight + np.radians([0.0, 0.25, 0.0]))
+    planes = tuple(
+        replace(target, used=target.role == "target" or target.name == "V2")
+        for target in project.targets
+    )
+    worse = replace(project, targets=planes, result=replace(project.result, mounting=wrong))
+    found = warnings_of(validate(worse, survey).validation)
+    (one,) = found
+    assert one.params["target"] == "V2"
+    # Pitch moves points at the height of the planes by the sign of the heading.
+    assert one.code in ("validation.directions_shifted", "validation.groups_shifted")
+
+
+def test_planes_of_earlier_versions_have_no_shifts_and_no_warnings(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    assert all(plane.shifts == () for plane in project.validation)
+    assert warnings_of(project.validation) == []
