@@ -258,3 +258,21 @@ def test_planes_of_earlier_versions_have_no_shifts_and_no_warnings(tmp_path: Pat
     project = sample_project(tmp_path)
     assert all(plane.shifts == () for plane in project.validation)
     assert warnings_of(project.validation) == []
+
+
+def test_a_plane_with_few_points_is_not_compared_as_before(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    kept = []
+    for target in project.targets:
+        sightings = tuple(
+            replace(each, indices=each.indices[: 0 if k else 5])
+            for k, each in enumerate(target.sightings)
+        )
+        is_cut = target.name == "V1"
+        use = target.role == "target" or target.name in ("V1", "V2")
+        kept.append(replace(target, used=use, sightings=sightings if is_cut else target.sightings))
+    found = validate(replace(project, targets=tuple(kept)), survey)
+    assert found.not_compared["V1"].code == "validation.plane_in_no_line"
+    assert [plane.name for plane in found.validation] == ["V2"]

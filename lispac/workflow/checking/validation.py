@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.errors import NotComparable, ProjectError
+from lispac.errors import NotComparable, PlaneNotFound, ProjectError
 from lispac.geometry.planes import fit_plane_robustly
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
@@ -15,7 +15,7 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.validation.line_shifts import LineErrors, PlaneErrors
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.plane_comparison import PlaneComparison, compare_plane
+from lispac.validation.plane_comparison import MIN_OVERLAP_POINTS, PlaneComparison, compare_plane
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -84,16 +84,25 @@ def validate(
 
 def _plane_errors(
     project: Project, survey: Survey, plane: Target, points: Mapping[str, Array], facing: Array
-) -> PlaneErrors:
-    """Effects of POS, boresight and form errors on the distances between lines on a plane."""
-    assert project.result is not None
-    model, threshold = project.result.model, plane.threshold
-    normal = fit_plane_robustly(np.concatenate(list(points.values())), threshold).facing(facing)
-    lines = {
-        sighting.line: _line_errors(project.result, survey, sighting, normal.normal)
-        for sighting in plane.used_sightings
-    }
-    return PlaneErrors(lines, (model.position_time, model.attitude_time))
+) -> PlaneErrors | None:
+    """Effects of POS, boresight and form errors on the distances between lines on a plane.
+
+    None if fewer than two lines have enough points on it, or these lie on one straight line.
+    """
+    result = project.result
+    assert result is not None
+    sightings = [s for s in plane.used_sightings if len(s.indices) >= MIN_OVERLAP_POINTS]
+    if len(sightings) < 2:
+        return None
+    try:
+        fitted = fit_plane_robustly(
+            np.concatenate([points[s.line] for s in sightings]), plane.threshold
+        )
+    except PlaneNotFound:
+        return None
+    normal = fitted.facing(facing).normal
+    lines = {s.line: _line_errors(result, survey, s, normal) for s in sightings}
+    return PlaneErrors(lines, (result.model.position_time, result.model.attitude_time))
 
 
 def _line_errors(
