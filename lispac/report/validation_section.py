@@ -77,7 +77,9 @@ ACCEPTANCE_TEXT = N_(
 SHIFTS_TEXT = N_(
     "Mean distance of one line, or of several lines, from the others after the calibration; "
     "positive if nearer to the vessel. The sigma combines the POS errors of the lines, the "
-    "covariance of the boresight, the form error of the surface and the scatter of the distances."
+    "covariance of the boresight, the form error of the surface and the scatter of the distances. "
+    "Lines with different shifts give the histograms several modes; a warning is given only if a "
+    "shift exceeds its uncertainty."
 )
 MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
