@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from lispac.acceptance import AcceptanceCriteria as AcceptanceCriteria
     from lispac.adjustment.model.parameters import Parameter as Parameter
     from lispac.errors import LispacError as LispacError
     from lispac.identity import Identity as Identity
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
 
 # Modules are imported on first use, since the command line often needs only the version.
 _MODULE_OF_NAME = {
+    "AcceptanceCriteria": "lispac.acceptance",
     "ExpectedTarget": "lispac.targets.expected_target",
     "FinderChoices": "lispac.targets.finder_settings",
     "Identity": "lispac.identity",

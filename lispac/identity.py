@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, fields, replace
 
 from lispac.errors import InputError
 from lispac.language import N_
-from lispac.messages import error, note
+from lispac.messages import Message, error, note
 
 MAX_FIELD_LENGTH = 200
 """Largest number of characters of a field; remarks may be ten times as long."""
@@ -92,13 +92,24 @@ FIELD_HINTS = {
 
 
 def _clean_text(name: str, text: str) -> str:
+    longest = MAX_FIELD_LENGTH * (10 if name == "remarks" else 1)
     field = note(f"identity_field.{name}")
+    return cleaned_text(field, text, longest=longest, several_lines=name == "remarks")
+
+
+def cleaned_text(field: Message, text: str, *, longest: int, several_lines: bool = False) -> str:
+    """Text for a report without leading and trailing blanks.
+
+    Raises
+    ------
+    InputError
+        If the text has control characters or several lines where one is allowed, or is too long.
+    """
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
-    if name != "remarks" and "\n" in tidy:
+    if not several_lines and "\n" in tidy:
         raise InputError(error("identity.several_lines", field=field))
     if any(not letter.isprintable() and letter != "\n" for letter in tidy):
         raise InputError(error("identity.not_printable", field=field))
-    longest = MAX_FIELD_LENGTH * (10 if name == "remarks" else 1)
     if len(tidy) > longest:
         raise InputError(error("identity.too_long", field=field, held=len(tidy), longest=longest))
     return tidy

@@ -13,6 +13,7 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.acceptance import NO_CRITERIA, Acceptance, AcceptanceCriteria, judge_calibration
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMA_LIMITS, Parameter
 from lispac.adjustment.model.robust_loss import LOSS_NAMES, LossName
 from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
@@ -287,6 +288,7 @@ class Project:
     trajectory_reading: Reading = DEFAULT_READING
     accuracy_reading: Reading = DEFAULT_READING
     identity: Identity = EMPTY_IDENTITY
+    acceptance: AcceptanceCriteria = NO_CRITERIA
     absolute: AbsoluteCheck | None = None
     """Comparison of the lines with a static scan or surveyed points, if it has been made."""
     alternative_results: tuple[AlternativeResult, ...] = ()
@@ -385,6 +387,16 @@ class Project:
     def with_identity(self, identity: Identity) -> "Project":
         """Change the details for the report; they are not used in computations."""
         return replace(self, identity=identity)
+
+    def with_acceptance(self, criteria: AcceptanceCriteria) -> "Project":
+        """Change the acceptance criteria; results are kept and judged by the new ones."""
+        return replace(self, acceptance=criteria)
+
+    @property
+    def judgement(self) -> Acceptance:
+        """Judgement of the result and the validation by the acceptance criteria."""
+        sigma = None if self.result is None else self.result.sigma
+        return judge_calibration(self.acceptance, sigma, self.validation, self.not_compared)
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; results that depend on them are removed."""

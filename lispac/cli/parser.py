@@ -70,6 +70,8 @@ COMMANDS = (
     Command("export", "output", "export targets or the trajectory for other programs"),
     Command("identity", "project",
             "set or show the details of the survey for the report (surveyor, dates, instruments)"),
+    Command("acceptance", "project",
+            "set or show the acceptance criteria and judge the calibration by them"),
     Command("report", "output", "write the calibration report"),
     Command("script", "output",
             "write a Python script that recreates a project from its raw files"),

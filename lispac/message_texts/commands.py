@@ -19,6 +19,11 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: this folder does not contain {count:n} of the missing files: {names:names}. "
         "Give the folders of these files as well.",
     ),
+    "cli.not_accepted": N_("{project} does not meet its acceptance criteria, as printed above."),
+    "cli.acceptance_not_judged": N_(
+        "{project} is not judged by acceptance criteria: give criteria, estimate the boresight, "
+        "and compare the lines on all validation planes."
+    ),
     "cli.no_dates": N_(
         "{project}: the survey dates are unknown, because the times of the lines are seconds of "
         "the day or of the week. Enter the dates."

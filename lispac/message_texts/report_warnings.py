@@ -106,6 +106,56 @@ TEXTS: Mapping[str, Template] = {
         "On validation plane {target} the distances between the lines are larger after the "
         "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm)."
     ),
+    "validation.directions_shifted": N_(
+        "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
+        "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight "
+        "explain only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever "
+        "arm."
+    ),
+    "validation.groups_shifted": N_(
+        "On validation plane {target}, {lines:names} and {others:names} form two groups "
+        "{offset:mm.1} mm apart, but the uncertainties of POS and boresight explain only "
+        "{limit:mm.1} mm. The boresight or the trajectory may be wrong: check targets, lever arm "
+        "and trajectory."
+    ),
+    "validation.line_shifted": N_(
+        "On validation plane {target}, line {line} is shifted from {others:names} by {offset:mm.1} "
+        "mm, but the uncertainties of POS and boresight explain only {limit:mm.1} mm. Check the "
+        "trajectory during this line."
+    ),
+    "validation.two_modes": N_(
+        "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
+        "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), "
+        "but the uncertainties explain only {limit:mm.1} mm. Check whether the plane is one "
+        "surface, and the trajectory for a jump."
+    ),
+    # -- acceptance --------------------------------------------------------------------------
+    "acceptance.angle_sigma": N_(
+        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5} deg, the "
+        "limit is {limit:deg.5} deg."
+    ),
+    "acceptance.rms": N_(
+        "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
+        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm."
+    ),
+    "acceptance.offset": N_(
+        "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
+        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm."
+    ),
+    "acceptance.not_judged": N_(
+        "The acceptance criteria for validation planes could not be judged, because no plane has "
+        "been compared. Validate on at least one plane."
+    ),
+    "acceptance.planes_not_judged": N_(
+        "Acceptance criteria could not be judged on {planes:names}, because the lines could not be "
+        "compared there. The calibration is not accepted without them."
+    ),
+    "acceptance_field.roll_sigma": N_("Largest standard deviation of roll"),
+    "acceptance_field.pitch_sigma": N_("Largest standard deviation of pitch"),
+    "acceptance_field.yaw_sigma": N_("Largest standard deviation of yaw"),
+    "acceptance_field.rms": N_("Largest RMS on a validation plane"),
+    "acceptance_field.offset": N_("Largest offset between two lines"),
+    "acceptance_field.source": N_("Source of the criteria"),
     "report.methods_differ": N_("Comparison with an alternative method: {reason}"),
     "report.absolute_nearer": N_(
         "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "

@@ -19,13 +19,16 @@ from lispac.present.tables import (
     Column,
     Format,
     Table,
+    ratio,
 )
 from lispac.validation.comparison_results import (
     DistanceStatistics,
+    LineShift,
     PairComparison,
     PairState,
     PlaneComparison,
     SignedStatistics,
+    TwoModes,
 )
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.distance_profile import DistanceProfile
@@ -124,6 +127,37 @@ class PairStateValues:
 
 
 @dataclass(frozen=True)
+class TwoModesValues:
+    """Two modes of the signed distances of a pair of lines, as in `TwoModes`."""
+
+    distance_m: float
+    sigma_m: float
+    share: float
+    probability: float
+
+    @classmethod
+    def of(cls, modes: TwoModes) -> "TwoModesValues":
+        """Values of two modes."""
+        return cls(modes.distance, modes.sigma, modes.share, modes.probability)
+
+
+@dataclass(frozen=True)
+class LineShiftValues:
+    """Mean distance of some lines from others on a plane, as in `LineShift`."""
+
+    lines: tuple[str, ...]
+    others: tuple[str, ...]
+    offset_m: float
+    sigma_m: float
+    reciprocal: bool
+
+    @classmethod
+    def of(cls, shift: LineShift) -> "LineShiftValues":
+        """Values of a shift."""
+        return cls(shift.lines, shift.others, shift.offset, shift.sigma, shift.reciprocal)
+
+
+@dataclass(frozen=True)
 class PairValues:
     """Comparison of two lines on one validation plane."""
 
@@ -132,6 +166,7 @@ class PairValues:
     reciprocal: bool
     before: PairStateValues
     after: PairStateValues
+    modes: TwoModesValues | None = None
 
     @classmethod
     def of(cls, pair: PairComparison) -> "PairValues":
@@ -142,6 +177,7 @@ class PairValues:
             pair.reciprocal,
             PairStateValues.of(pair.before),
             PairStateValues.of(pair.after),
+            None if pair.modes is None else TwoModesValues.of(pair.modes),
         )
 
 
@@ -331,6 +367,7 @@ class ValidationPlane:
     by_height: DistancesBySteps | None
     by_range: DistancesBySteps | None
     maps: tuple[DistanceMapValues, ...] = ()
+    shifts: tuple[LineShiftValues, ...] = ()
 
     @classmethod
     def of(cls, plane: PlaneComparison) -> "ValidationPlane":
@@ -350,6 +387,7 @@ class ValidationPlane:
             by_height=None if plane.by_height is None else DistancesBySteps.of(plane.by_height),
             by_range=None if plane.by_range is None else DistancesBySteps.of(plane.by_range),
             maps=tuple(map(DistanceMapValues.of, plane.maps)),
+            shifts=tuple(map(LineShiftValues.of, plane.shifts)),
         )
 
 
@@ -447,6 +485,24 @@ def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[Pai
         for each in pair_rows(planes)
         if each.pair.reciprocal or each.plane.pooled_from == "all pairs"
     ]
+
+
+@dataclass(frozen=True)
+class ShiftOnPlane:
+    """Table row with a shift of lines on a validation plane."""
+
+    plane: str
+    shift: LineShiftValues
+
+    @property
+    def ratio(self) -> float | None:
+        """Offset divided by its sigma."""
+        return self.shift.offset_m / self.shift.sigma_m if self.shift.sigma_m else None
+
+
+def shift_rows(planes: Sequence[ValidationPlane]) -> list[ShiftOnPlane]:
+    """Rows of all shifts of lines on all planes."""
+    return [ShiftOnPlane(plane.name, shift) for plane in planes for shift in plane.shifts]
 
 
 ALL_PLANES_TEXT = Plural("All ({count:n} plane)", "All ({count:n} planes)")
@@ -574,6 +630,19 @@ PAIR_PLANES_TABLE = Table[PairOnPlane](
         ),
     ),
 )  # fmt: skip
+
+
+SHIFTS_TABLE = Table[ShiftOnPlane](
+    N_("Shifts of lines after the calibration (mm)"),
+    (
+        Column("plane", N_("Plane")),
+        Column(lambda row: ", ".join(row.shift.lines), N_("Lines")),
+        Column(lambda row: ", ".join(row.shift.others), N_("Other lines")),
+        Column("shift.offset_m", N_("Offset"), PLAIN_MILLIMETRES.signed),
+        Column("shift.sigma_m", N_("Sigma"), PLAIN_MILLIMETRES),
+        Column("ratio", N_("Offset / sigma"), ratio(1).signed),
+    ),
+)
 
 
 def _lines_text(pair: PairValues) -> str:

@@ -17,6 +17,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import comparison_messages, method_results
 from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import adjustment_values, angle_errors
 from lispac.present.angles import angles
 from lispac.present.conventions import convention_values, scanner_to_body_matrix
@@ -122,6 +123,7 @@ def report_content(
         validation=tuple(ValidationPlane.of(plane) for plane in project.validation),
         swath_overlap=swath_overlap(project.validation),
         not_compared=tuple(project.not_compared.values()),
+        acceptance=AcceptanceValues.of(project.judgement),
         planes=tuple(_picked_plane_values(target) for target in project.targets),
         lines=lines,
         settings=settings_used(project),

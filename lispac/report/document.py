@@ -166,13 +166,24 @@ def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
 
 
 def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
+    """Colour and text of the verdict: the state of the calibration, and its acceptance."""
     if not content.calibrated:
         return "bad", gettext("NOT CALIBRATED")
+    status: Status
     if serious:
-        return "bad", gettext("CALIBRATED, WITH WARNINGS")
-    if content.warnings:
-        return "fair", gettext("CALIBRATED, WITH NOTES")
-    return "good", gettext("CALIBRATED")
+        status, text = "bad", gettext("CALIBRATED, WITH WARNINGS")
+    elif content.warnings:
+        status, text = "fair", gettext("CALIBRATED, WITH NOTES")
+    else:
+        status, text = "good", gettext("CALIBRATED")
+    verdict = content.acceptance.verdict
+    if verdict == "fail":
+        return "bad", gettext("NOT ACCEPTED: ACCEPTANCE CRITERIA NOT MET")
+    if verdict == "pass":
+        return status, gettext("{calibrated} – ACCEPTANCE CRITERIA MET", calibrated=text)
+    # Without a verdict, green would look like a pass.
+    status = "fair" if status == "good" else status
+    return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)
 
 
 def _view_pictures(pictures: Mapping[str, Path]) -> list[Picture]:

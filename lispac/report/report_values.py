@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from lispac.identity import Identity
 from lispac.messages import Message
 from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import AdjustmentValues, AngleValues, angle_values
 from lispac.present.angles import Angles
 from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
@@ -50,6 +51,7 @@ class ReportContent:
     validation: tuple[ValidationPlane, ...]
     swath_overlap: tuple[SwathDifference, ...]
     not_compared: tuple[Message, ...]
+    acceptance: AcceptanceValues
     planes: tuple[PickedPlane, ...]
     lines: tuple[LineValues, ...]
     settings: SettingsUsed

@@ -20,6 +20,7 @@ from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.present.survey_data import PickedPlane
 from lispac.report.report_values import ReportContent
+from lispac.report.validation_warnings import acceptance_warnings, distribution_warnings
 from lispac.validation.absolute_messages import NamedMean, list_items_with_means
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
@@ -63,6 +64,8 @@ def report_warnings(
             *_target_warnings(content),
             *_sighting_warnings(content),
             *_validation_warnings(content),
+            *(acceptance_warnings(content.acceptance) if content.calibrated else ()),
+            *distribution_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),
             *_file_warnings(content),

@@ -7,6 +7,7 @@ from lispac.identity import FIELD_LABELS, FIELD_NAMES
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
+from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
 from lispac.present.adjustment import AdjustmentValues, boresight_table
 from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
 from lispac.present.settings import model_facts, system_facts
@@ -99,6 +100,8 @@ def summary_blocks(content: ReportContent) -> list[Block]:
             )
     if content.validation:
         blocks.append(report_table(PLANE_DISTANCES_TABLE, content.validation))
+    if content.calibrated:
+        blocks += acceptance_blocks(content.acceptance)
     against = content.absolute
     if against is not None and not against.all_lines.after.mean_significant:
         finding = sentence_text(against.messages[0])
@@ -110,6 +113,14 @@ def summary_blocks(content: ReportContent) -> list[Block]:
     convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
     blocks.append(Paragraph(convention.replace("·", "·\u200b")))
     return blocks
+
+
+def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
+    """Table of the acceptance criteria, each with the value that decides; or why it is missing."""
+    if not acceptance.checks:
+        return [Paragraph(gettext("Acceptance not judged: no acceptance criteria are given."))]
+    table = acceptance_table(acceptance.criteria.source)
+    return [report_table(table, decisive_checks(acceptance))]
 
 
 def _fit_text(adjustment: AdjustmentValues) -> str:

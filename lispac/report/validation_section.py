@@ -12,6 +12,7 @@ from lispac.present.absolute import (
     line_states,
     lines_and_all,
 )
+from lispac.present.acceptance import AcceptanceValues, acceptance_table
 from lispac.present.displacement import S44_TABLE
 from lispac.present.text_format import (
     sentence_text,
@@ -22,10 +23,12 @@ from lispac.present.validation import (
     PAIR_PLACES_TABLE,
     PAIR_PLANES_TABLE,
     POOLED_DISTANCES_TABLE,
+    SHIFTS_TABLE,
     ValidationPlane,
     pair_rows,
     pairs_that_show_the_boresight,
     pooled_rows,
+    shift_rows,
     swath_overlap_table,
 )
 from lispac.report.document_blocks import (
@@ -65,6 +68,18 @@ PLANE_OFFSETS_TEXT = N_(
     "nearer to the vessel. A rotation is positive if the upper edge of the first plane "
     "(horizontal axis), or its right edge as seen from the vessel (vertical axis), is turned "
     "towards the vessel."
+)
+ACCEPTANCE_TEXT = N_(
+    "RMS: of the distances between the lines after the calibration, as in the table above. Offset: "
+    "absolute value of the median signed distance between two lines; the pair with the largest "
+    "offset of all pairs is given. A smaller value than before the calibration is not a criterion."
+)
+SHIFTS_TEXT = N_(
+    "Mean distance of one line, or of several lines, from the others after the calibration; "
+    "positive if nearer to the vessel. The sigma combines the POS errors of the lines, the "
+    "covariance of the boresight, the form error of the surface and the scatter of the distances. "
+    "Lines with different shifts give the histograms several modes; a warning is given only if a "
+    "shift exceeds its uncertainty."
 )
 MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
@@ -120,11 +135,13 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         ),
         report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
         Paragraph(gettext(ROBUST_SIGMA_TEXT)),
+        *_acceptance_blocks(content.acceptance),
     ]
     for plane in content.validation:
         blocks += _figure_blocks(plane)
     blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
+    blocks += _shift_blocks(content.validation)
     omitted = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
     if omitted:
         blocks += [
@@ -134,6 +151,23 @@ def validation_blocks(content: ReportContent) -> list[Block]:
             Bullets(omitted),
         ]
     return blocks
+
+
+def _acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
+    """Table of the acceptance criteria on every plane; none without criteria."""
+    checks = [check for check in acceptance.checks if check.plane]
+    if not checks:
+        return []
+    return [
+        report_table(acceptance_table(acceptance.criteria.source), checks),
+        Paragraph(gettext(ACCEPTANCE_TEXT)),
+    ]
+
+
+def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Table of the shifts of lines; none if they were not computed."""
+    rows = shift_rows(planes)
+    return [report_table(SHIFTS_TABLE, rows), Paragraph(gettext(SHIFTS_TEXT))] if rows else []
 
 
 def _figure_blocks(plane: ValidationPlane) -> list[Block]:

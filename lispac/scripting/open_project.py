@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.acceptance import Acceptance
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
 from lispac.former_names import accept_script_names
@@ -86,6 +87,11 @@ class OpenProject(LoadedProject):
     def identity(self, **texts: str) -> None:
         """Set the details for the report: fields of `lispac.Identity`."""
         self.project = self.project.with_identity(self.project.identity.changed(**texts))
+
+    def acceptance(self, **criteria: float | str | None) -> Acceptance:
+        """Set acceptance criteria, fields of `lispac.AcceptanceCriteria`, and judge by them."""
+        self.project = self.project.with_acceptance(self.project.acceptance.changed(**criteria))
+        return self.project.judgement
 
     # -- targets -----------------------------------------------------------------------------
 

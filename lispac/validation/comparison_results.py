@@ -137,6 +137,51 @@ class PairState:
     planes: PlaneOffset | None = None
 
 
+@dataclass(frozen=True)
+class TwoModes:
+    """Two modes of the signed distances of a pair of lines.
+
+    Attributes
+    ----------
+    distance : float, metres
+        Between the centres of the two parts.
+    sigma : float, metres
+        Standard deviation of this distance, if only POS errors, the error of the boresight and the
+        noise cause it.
+    share : float, in (0, 0.5]
+        Share of the places in the smaller part.
+    probability : float, in [0, 1]
+        Probability of so few distances between the centres if there is one mode.
+    """
+
+    distance: float
+    sigma: float
+    share: float
+    probability: float
+
+
+@dataclass(frozen=True)
+class LineShift:
+    """Mean distance of some lines from others on a plane after the calibration.
+
+    Attributes
+    ----------
+    lines, others : tuple of str
+    offset : float, metres
+        Positive where ``lines`` are nearer to the vessel than ``others``.
+    sigma : float, metres
+        Standard deviation of the offset.
+    reciprocal : bool
+        Whether these are all lines in one direction, and those in the opposite direction.
+    """
+
+    lines: tuple[str, ...]
+    others: tuple[str, ...]
+    offset: float
+    sigma: float
+    reciprocal: bool = False
+
+
 @dataclass(frozen=True, eq=False)
 class PairComparison:
     """Comparison of two lines on one plane, with the prior and with the estimated boresight.
@@ -148,6 +193,8 @@ class PairComparison:
         Whether the lines were run in opposite directions, within 20 degrees.
     before, after : PairState
         Computed from the same points.
+    modes : TwoModes, optional
+        If the signed distances after the calibration have two modes.
     """
 
     line_a: str
@@ -155,6 +202,7 @@ class PairComparison:
     reciprocal: bool
     before: PairState
     after: PairState
+    modes: TwoModes | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +228,9 @@ class PlaneComparison:
         Distances against height and against range from the scanner.
     maps : tuple of DistanceMap
         Signed distances over the plane for some of the pooled pairs.
+    shifts : tuple of LineShift
+        Of each line, and of groups of lines, after the calibration. Empty in comparisons of earlier
+        versions.
     """
 
     name: str
@@ -195,3 +246,4 @@ class PlaneComparison:
     by_height: DistanceProfile | None = None
     by_range: DistanceProfile | None = None
     maps: tuple[DistanceMap, ...] = ()
+    shifts: tuple[LineShift, ...] = ()

@@ -29,14 +29,17 @@ from lispac.validation.comparison_results import (
     PairState,
     PlaneComparison,
     SignedStatistics,
+    TwoModes,
 )
 from lispac.validation.distance_bins import histogram_counts, shared_bin_edges
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.line_overlap import Bools, LineOverlap
+from lispac.validation.line_shifts import PlaneErrors, line_shifts
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.normal_distance import distances_along_normal
+from lispac.validation.normal_distance import NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
+from lispac.validation.two_modes import find_two_modes
 
 __all__ = [
     "DistanceStatistics",
@@ -104,6 +107,7 @@ def compare_plane(
     model: LocalModel = SIX_POINT_PLANE,
     facing: Array | None = None,
     ranges: Mapping[str, Array] | None = None,
+    errors: PlaneErrors | None = None,
     progress: Progress = no_progress,
 ) -> PlaneComparison:
     """Compare the lines on one validation plane, before and after.
@@ -125,6 +129,9 @@ def compare_plane(
         direction of the plane's normal whose largest component is positive.
     ranges : mapping of line name to ndarray of shape (n,), metres, optional
         Ranges of the same points; without them there is no profile against range.
+    errors : PlaneErrors, optional
+        Errors of the lines with the estimated boresight; without them neither shifts of lines nor
+        two modes are found.
 
     Returns
     -------
@@ -180,6 +187,7 @@ def compare_plane(
         )
         distances: list[Array] = []
         states: list[PairState] = []
+        along_normal: list[NormalDistances] = []
         for state in clouds:
             ours, theirs = state[a][a_in_b], state[b][b_in_a]
             unsigned = np.concatenate(
@@ -188,14 +196,14 @@ def compare_plane(
                     cloud_to_cloud(theirs, state[a], model=model),
                 )
             )
-            signed = signed_distance_statistics(
+            along_normal = signed_distances(
                 ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=unsigned.max()
             )
             distances.append(unsigned)
             states.append(
                 PairState(
                     DistanceStatistics.of(unsigned),
-                    signed,
+                    SignedStatistics.of(along_normal) if along_normal else None,
                     _plane_offset_between_lines(ours, theirs, facing),
                 )
             )
@@ -210,7 +218,8 @@ def compare_plane(
                 reach=(float(distances[0].max()), float(distances[1].max())),
             )  # fmt: skip
             maps += [] if mapped is None else [mapped]
-        pairs.append(PairComparison(a, b, both_ways, *states))
+        modes = _modes_of_pair(along_normal, a, b, errors)
+        pairs.append(PairComparison(a, b, both_ways, states[0], states[1], modes))
         of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
         if ranges is not None:
             of_points += [_thin_evenly(ranges[a])[a_in_b], _thin_evenly(ranges[b])[b_in_a]]
@@ -249,7 +258,19 @@ def compare_plane(
         if pool.range is None
         else DistanceProfile.of(pool.range, pool.before, pool.after),
         maps=tuple(maps),
+        shifts=() if errors is None else line_shifts(pairs, errors),
     )
+
+
+def _modes_of_pair(
+    distances: Sequence[NormalDistances], a: str, b: str, errors: PlaneErrors | None
+) -> TwoModes | None:
+    """Two modes of the distances of a pair of lines after the calibration, if there are any."""
+    if errors is None or not distances or not {a, b} <= errors.lines.keys():
+        return None
+    # Measured from one line only; from the other, nearly the same distances are measured again.
+    most = max(distances, key=lambda each: len(each.distance))
+    return find_two_modes(most, float(np.hypot(errors.variation(a), errors.variation(b))))
 
 
 @dataclass(frozen=True, eq=False)
@@ -338,9 +359,9 @@ def _require_same_points(
             raise InputError(error("validation.no_heading", line=line, plane=name))
 
 
-def signed_distance_statistics(
+def signed_distances(
     a: Array, b: Array, *, facing: Array, spacing: float, reach: float
-) -> SignedStatistics | None:
+) -> list[NormalDistances]:
     """Distances from the second line to the first along the normal, measured at places of both.
 
     Parameters
@@ -356,7 +377,8 @@ def signed_distance_statistics(
 
     Returns
     -------
-    SignedStatistics, or None if no place has enough points of both lines
+    list of NormalDistances
+        At the places of each line; empty if no place has enough points of both lines.
     """
     diameter = CYLINDER_SPACINGS * spacing
     parts = []
@@ -370,7 +392,7 @@ def signed_distance_statistics(
         except NotComparable:
             continue
         parts.append(replace(found, distance=sign * found.distance))
-    return SignedStatistics.of(parts) if parts else None
+    return parts
 
 
 def _plane_offset_between_lines(a: Array, b: Array, facing: Array) -> PlaneOffset | None:

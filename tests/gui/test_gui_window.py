@@ -306,7 +306,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     picked.rest()
     (comparison,) = picked.project.validation
     assert comparison.after.rms < comparison.before.rms
-    assert sentence(picked, 3) == "1 of 1 plane improved"
+    assert sentence(picked, 3) == "1 plane compared, not judged"
     panel = picked.window.histograms
     assert panel.isVisible()
     assert panel.current == "V1"

@@ -180,8 +180,8 @@ def made_from_parts(code: str) -> bool:
     """Whether a code is composed at run time, for example ``recovery.lever_arm_x``."""
     return code.startswith(
         (
-            "audit.", "identity_field.", "recovery.", "quantity.", "amount.", "change.",
-            "adjustment.contradicted_",
+            "acceptance_field.", "audit.", "identity_field.", "recovery.", "quantity.", "amount.",
+            "change.", "adjustment.contradicted_",
         )
     )  # fmt: skip
 

@@ -12,7 +12,8 @@ from lispac.present.displacement import EFFECT_DISTANCES_M, s44_contributions
 from lispac.present.validation import swath_overlap
 from lispac.report.html import html_text
 from lispac.survey.georeferencing import Mounting
-from lispac.validation.plane_comparison import signed_distance_statistics
+from lispac.validation.comparison_results import SignedStatistics
+from lispac.validation.plane_comparison import signed_distances
 from tests.report.test_report import _page
 from tests.support.report_sample import sample_content, sample_project
 
@@ -69,10 +70,9 @@ def test_rms_of_planes_of_known_distance(offset: float) -> None:
     a, b = (np.column_stack([rng.uniform(0, 2, (6000, 2)), np.zeros(6000)]) for _ in range(2))
     a[:, 2] = offset + rng.normal(0, noise, len(a))
     b[:, 2] = rng.normal(0, noise, len(b))
-    found = signed_distance_statistics(
-        a, b, facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05
+    found = SignedStatistics.of(
+        signed_distances(a, b, facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05)
     )
-    assert found is not None
     assert found.rms is not None
     assert found.rms**2 == pytest.approx(found.mean**2 + _variance(found, a, b), rel=0.2)
     # The means of about a dozen points of each line have far less noise than the points.

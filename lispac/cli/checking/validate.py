@@ -15,6 +15,7 @@ from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
+    from lispac.messages import Message
     from lispac.project import Project
     from lispac.workflow.project.survey import Survey
 
@@ -42,14 +43,14 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines on the validation planes, save the result and print it.
+    """Compare the lines on the validation planes, save the result, judge and print it.
 
     Raises
     ------
     UsageError
         If options cannot be combined.
     """
-    from lispac.duplicate_targets import project_warnings
+    from lispac.present.acceptance import AcceptanceValues
     from lispac.present.json_values import json_values
     from lispac.present.validation import ValidationPlane
     from lispac.validation.local_models import DEFAULT_NEIGHBOURS, LocalModel
@@ -81,7 +82,8 @@ def run(arguments: Namespace) -> None:
                 ),
                 "rms_truth_m": true,
                 "not_compared": json_values(project.not_compared),
-                "warnings": json_values(project_warnings(project)),
+                "acceptance": json_values(AcceptanceValues.of(project.judgement)),
+                "warnings": json_values(_warnings(project)),
             }
         )
     else:
@@ -101,8 +103,8 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 
 
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
-    """Print the distances between the lines, one row for each plane."""
-    from lispac.duplicate_targets import project_warnings
+    """Print the distances between the lines, one row for each plane, and the acceptance."""
+    from lispac.cli.project.acceptance import print_acceptance
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
     from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
@@ -115,4 +117,20 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
     print_table(table, [ValidationPlane.of(each) for each in project.validation])
     for reason in project.not_compared.values():
         print(f"not compared: {message_text(reason)}")
-    print_messages(project_warnings(project), sys.stdout)
+    print_acceptance(project)
+    print_messages(_warnings(project), sys.stdout)
+
+
+def _warnings(project: Project) -> tuple[Message, ...]:
+    """Warnings about the project and about the validation, as in the report."""
+    from lispac.duplicate_targets import project_warnings
+    from lispac.present.acceptance import AcceptanceValues
+    from lispac.present.validation import ValidationPlane
+    from lispac.report.validation_warnings import acceptance_warnings, distribution_warnings
+
+    planes = [ValidationPlane.of(each) for each in project.validation]
+    return (
+        *project_warnings(project),
+        *acceptance_warnings(AcceptanceValues.of(project.judgement)),
+        *distribution_warnings(planes),
+    )

@@ -1,6 +1,6 @@
 """Controller of the project: opening, saving, seeds and edits of the targets."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -465,6 +465,20 @@ class Controller(QObject):
         if settings != self._project.settings:
             name = _settings_edit_name(self._project.settings, settings)
             self._document.edit(name, self._project.with_settings(settings))
+
+    def change_acceptance(self, values: Mapping[str, float | str | None]) -> None:
+        """Change acceptance criteria, given by their names: one undo step."""
+        if self._project is None:
+            return
+        try:
+            criteria = self._project.acceptance.changed(**values)
+        except LispacError as error:
+            self.refused.emit(error)
+            self._document.changed.emit()
+            return
+        if criteria != self._project.acceptance:
+            name = N_("change of acceptance criteria")
+            self._document.edit(name, self._project.with_acceptance(criteria))
 
     @property
     def _project(self) -> Project | None:

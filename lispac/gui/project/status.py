@@ -253,31 +253,7 @@ def _adjust_status(
 def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
     planes = [plane for plane in project.targets_of_role("validation") if plane.used]
     if project.validation:
-        better = sum(c.after.rms < c.before.rms for c in project.validation)
-        total = len(project.validation)
-        sentence = gettext(
-            Plural(
-                "{better:n} of {count:n} plane improved", "{better:n} of {count:n} planes improved"
-            ),
-            better=better,
-            count=total,
-        )
-        not_compared = project.not_compared
-        if not_compared:
-            sentence = gettext(
-                "{planes}, {number:n} not compared", planes=sentence, number=len(not_compared)
-            )
-        return StepStatus(
-            "done" if better == total and not not_compared else "warning",
-            sentence,
-            "\n".join(
-                [
-                    gettext("The histograms below show the distances between the lines."),
-                    *map(message_text, not_compared.values()),
-                ]
-            ),
-            ready=project.result is not None and survey is not None,
-        )
+        return _compared_status(project, survey)
     if not planes:
         return StepStatus(
             "empty",
@@ -303,6 +279,49 @@ def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
         ),
         gettext("Press Validate to compare the lines on each plane."),
         ready=survey is not None,
+    )
+
+
+def _compared_status(project: Project, survey: Survey | None) -> StepStatus:
+    """Status after a validation: judged by the acceptance criteria, or only compared."""
+    better = sum(c.after.rms < c.before.rms for c in project.validation)
+    total = len(project.validation)
+    judgement, not_compared = project.judgement, project.not_compared
+    passed = sum(judgement.verdict_on(plane.name) == "pass" for plane in project.validation)
+    advice = [gettext("The histograms below show the distances between the lines.")]
+    state: StepState
+    if judgement.verdict == "fail":
+        state, sentence = "warning", gettext("acceptance criteria not met")
+        advice = [gettext("The calibration is not accepted. The reasons are below the criteria.")]
+    elif judgement.verdict == "pass":
+        state = "done"
+        sentence = gettext(
+            Plural("{passed:n} of {count:n} plane passes", "{passed:n} of {count:n} planes pass"),
+            passed=passed, count=total,
+        )  # fmt: skip
+    else:
+        state = "todo"
+        sentence = gettext(
+            Plural(
+                "{count:n} plane compared, not judged", "{count:n} planes compared, not judged"
+            ),
+            count=total,
+        )  # fmt: skip
+        if judgement.criteria.is_empty:
+            advice.append(
+                gettext("Enter acceptance criteria, so that the calibration can be judged.")
+            )
+    if better < total or not_compared:
+        state = "warning"
+    if not_compared:
+        sentence = gettext(
+            "{planes}, {number:n} not compared", planes=sentence, number=len(not_compared)
+        )
+    return StepStatus(
+        state,
+        sentence,
+        "\n".join([*advice, *map(message_text, not_compared.values())]),
+        ready=project.result is not None and survey is not None,
     )
 
 

@@ -71,6 +71,11 @@ class OptionalNumber(NumberEntry, QLineEdit):
         self.textChanged.connect(self._mark_invalid)
         self.editingFinished.connect(self.commit)
 
+    @property
+    def unit(self) -> str:
+        """Sign of the unit in which the number is typed."""
+        return self._unit
+
     def value(self) -> float | None:
         """Value in metres, radians or seconds; None if the field is empty.
 

@@ -260,6 +260,7 @@ class MainWindow(QMainWindow):
             lambda which: self.actions_["after" if which == "estimated" else "before"].trigger()
         )
         self.validate.model_changed.connect(self.computations.set_surface_model)
+        self.validate.acceptance_edited.connect(control.change_acceptance)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 

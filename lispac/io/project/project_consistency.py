@@ -25,6 +25,7 @@ def require_consistent(project: Project) -> None:
     """
     project.settings.require_sound()
     project.identity.require_sound()
+    project.acceptance.require_sound()
     lines = {line.name for line in project.lines}
     require_unique_names(project)
     if project.truth_deg is not None and not np.abs(project.truth_deg).max() <= MAX_ANGLE_DEG:

@@ -26,6 +26,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.acceptance import AcceptanceCriteria
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.alternative_methods import AlternativeResult
 from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
@@ -336,6 +337,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
             for line in project.lines
         ],
         "identity": encode_value(project.identity),
+        "acceptance": encode_value(project.acceptance),
         "settings": encode_value(project.settings),
         "targets": [
             {
@@ -396,6 +398,7 @@ def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) 
         ),
         settings=decode_value(content["settings"], Settings),
         identity=decode_value(content["identity"], Identity),
+        acceptance=decode_value(content["acceptance"], AcceptanceCriteria),
         targets=tuple(_decode_target(folder, target, points) for target in content["targets"]),
         result=_decode_result(content["result"]) if content["result"] else None,
         cross_checks=(

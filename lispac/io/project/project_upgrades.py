@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 11
+SCHEMA_VERSION = 12
 
 
 def upgrade_content(content: Content) -> Content:
@@ -197,6 +197,11 @@ def _upgrade_from_10(content: Content) -> Content:
     return content | {"schema_version": 11, "lines": lines}
 
 
+def _upgrade_from_11(content: Content) -> Content:
+    """Upgrade to version 12, which contains acceptance criteria."""
+    return content | {"schema_version": 12, "acceptance": {}}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -208,4 +213,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     8: _upgrade_from_8,
     9: _upgrade_from_9,
     10: _upgrade_from_10,
+    11: _upgrade_from_11,
 }

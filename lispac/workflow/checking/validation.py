@@ -1,17 +1,27 @@
 """Validation: distances between lines on planes not used in the adjustment, before and after."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from lispac.errors import NotComparable, ProjectError
+from lispac.adjustment.result import AdjustmentResult
+from lispac.errors import NotComparable, PlaneNotFound, ProjectError
+from lispac.geometry.planes import fit_plane_robustly
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import Project
+from lispac.project import PickedSighting, Project, Target
+from lispac.validation.line_shifts import LineErrors, PlaneErrors
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.plane_comparison import PlaneComparison, compare_plane
+from lispac.validation.plane_comparison import MIN_OVERLAP_POINTS, PlaneComparison, compare_plane
 from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+ERROR_POINTS = 200
+"""Largest number of points of a sighting at which the effects of errors are computed."""
 
 
 def validate(
@@ -57,7 +67,8 @@ def validate(
             comparisons.append(
                 compare_plane(
                     plane.name, before, after, survey.heading, model=model, facing=facing,
-                    ranges=ranges, progress=step,
+                    ranges=ranges, errors=_plane_errors(project, survey, plane, after, facing),
+                    progress=step,
                 )
             )  # fmt: skip
         except NotComparable as failure:
@@ -69,6 +80,41 @@ def validate(
             refusal = error("validate.also", first=refusal, reason=reason)
         raise NotComparable(refusal)
     return project.with_validation(tuple(comparisons), not_compared)
+
+
+def _plane_errors(
+    project: Project, survey: Survey, plane: Target, points: Mapping[str, Array], facing: Array
+) -> PlaneErrors | None:
+    """Effects of POS, boresight and form errors on the distances between lines on a plane.
+
+    None if fewer than two lines have enough points on it, or these lie on one straight line.
+    """
+    result = project.result
+    assert result is not None
+    sightings = [s for s in plane.used_sightings if len(s.indices) >= MIN_OVERLAP_POINTS]
+    if len(sightings) < 2:
+        return None
+    try:
+        fitted = fit_plane_robustly(
+            np.concatenate([points[s.line] for s in sightings]), plane.threshold
+        )
+    except PlaneNotFound:
+        return None
+    normal = fitted.facing(facing).normal
+    lines = {s.line: _line_errors(result, survey, s, normal) for s in sightings}
+    return PlaneErrors(lines, (result.model.position_time, result.model.attitude_time))
+
+
+def _line_errors(
+    result: AdjustmentResult, survey: Survey, sighting: PickedSighting, normal: Array
+) -> LineErrors:
+    numbers = sighting.indices[:: -(-len(sighting.indices) // ERROR_POINTS)]
+    points_lidar, time = survey.scans[sighting.line].take(numbers)
+    latency = result.mounting.latency
+    return LineErrors.of(
+        result, points_lidar, time, survey.trajectory.at(time + latency),
+        survey.accuracy.at(time), normal, pose_rate=survey.trajectory.rate_at(time + latency),
+    )  # fmt: skip
 
 
 def validate_with_truth(

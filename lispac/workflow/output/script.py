@@ -92,6 +92,8 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         blocks.append([call_text("project.import_lines", stored)])
     if identity_fields := non_default_fields(project.identity):
         blocks.append([call_text("project.identity", **identity_fields)])
+    if criteria := non_default_fields(project.acceptance):
+        blocks.append([call_text("project.acceptance", **criteria)])
     picked, count = [], len(project.targets)
     for k, target in enumerate(project.targets):
         step = sub_progress(progress, 0.6 * k / count, 0.6 * (k + 1) / count)

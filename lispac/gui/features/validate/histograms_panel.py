@@ -4,7 +4,7 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QIcon
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.acceptance import Verdict
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
@@ -27,6 +28,7 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
+from lispac.present.acceptance import verdict_text
 from lispac.present.validation import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
@@ -34,6 +36,7 @@ from lispac.present.validation import (
     distance_steps,
     histogram_bins,
 )
+from lispac.project import Project
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
 from lispac.validation.distance_bins import merge_bins
 from lispac.validation.distance_profile import DistanceProfile
@@ -128,6 +131,8 @@ _COLUMNS = (
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
 )
 """Heading and tooltip of each column."""
+VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
+"""Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _WIDTH_SHARES = (3, 4)
 """Initial shares of the width for tables and plot."""
@@ -242,6 +247,7 @@ class HistogramsPanel(QWidget):
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
+            self._show_verdicts(state.project)
             return
         if self.canvas is None:
             self._parts.setSizes([share * self.width() for share in _WIDTH_SHARES])
@@ -250,8 +256,7 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         font = theme.tabular_font(self.table.font())
         for row, each in enumerate(comparisons):
-            model = message_text(each.model.name)
-            tip = gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
+            tip = _plane_tip(each)
             for column, text in enumerate(_comparison_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
@@ -261,11 +266,26 @@ class HistogramsPanel(QWidget):
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)
+        self._show_verdicts(state.project)
         if comparisons:
             self.table.blockSignals(True)
             self.table.selectRow(0)
             self.table.blockSignals(False)
             self._drawing.start()
+
+    def _show_verdicts(self, project: Project | None) -> None:
+        """Show whether each plane meets the acceptance criteria."""
+        if project is None:
+            return
+        judgement = project.judgement
+        for row, each in enumerate(self._comparisons):
+            item = self.table.item(row, 0)
+            verdict = judgement.verdict_on(each.name)
+            quality = VERDICT_QUALITIES.get(verdict)
+            item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
+            text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
+            item.setToolTip(widgets.plain_tip(f"{_plane_tip(each)}\n{text}"))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
@@ -394,6 +414,11 @@ def _statistics_text(template: str, state: DistanceStatistics) -> str:
     return gettext(
         template, count=state.n, median=median, rms=rms, p95=p95, unit=units.local_sign("mm")
     )
+
+
+def _plane_tip(each: PlaneComparison) -> str:
+    model = message_text(each.model.name)
+    return gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
 
 
 def _comparison_texts(each: PlaneComparison) -> list[str]:

@@ -1,9 +1,10 @@
-"""Step 4: options of the comparison of the lines on validation planes, and its start."""
+"""Step 4: comparison of the lines on validation planes, and acceptance criteria."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.features.validate.acceptance_form import AcceptanceForm
 from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
@@ -29,6 +30,8 @@ class ValidatePanel(QWidget):
     """Boresight of the lines to show in the view: "prior" or "estimated"."""
     model_changed = Signal(object)
     """`LocalModel` of the surface to which distances are to be measured."""
+    acceptance_edited = Signal(object)
+    """Values of the changed acceptance criterion, by its name."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -76,6 +79,9 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
+        self.acceptance = AcceptanceForm()
+        self.acceptance.edited.connect(self.acceptance_edited)
+        layout.addWidget(self.acceptance)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
             gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
@@ -131,6 +137,7 @@ class ValidatePanel(QWidget):
         project, status = state.project, state.steps[VALIDATE]
         if project is not None:
             self._show_last_model(project)
+        self.acceptance.show_project(project)
         self.advice.setText(status.advice)
         self.run.update_enabled(status.ready and not state.is_busy)
         self.after.setEnabled(project is not None and project.result is not None)

@@ -1,0 +1,150 @@
+"""Acceptance criteria and the judgement of a calibration, as values and tables."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from lispac.acceptance import (
+    Acceptance,
+    AcceptanceCheck,
+    AcceptanceCriteria,
+    Quantity,
+    Verdict,
+)
+from lispac.language import N_, gettext, gettext_lazy
+from lispac.present.tables import Column, Format, Table
+
+ANGLE_FORMAT, LENGTH_FORMAT = Format("deg", 4), Format("mm", 1, 1e3)
+VERDICT_TEXTS: dict[Verdict, str] = {
+    "pass": N_("pass"), "fail": N_("fail"), "not judged": N_("not judged"),
+}  # fmt: skip
+QUANTITY_TITLES: dict[Quantity, str] = {
+    "roll": N_("Standard deviation of roll"),
+    "pitch": N_("Standard deviation of pitch"),
+    "yaw": N_("Standard deviation of yaw"),
+    "rms": N_("RMS after the calibration"),
+    "offset": N_("Largest offset between two lines"),
+}
+"""Names of the judged values."""
+
+
+@dataclass(frozen=True)
+class AcceptanceCriteriaValues:
+    """Largest accepted values; None if a value is not judged."""
+
+    roll_sigma_deg: float | None
+    pitch_sigma_deg: float | None
+    yaw_sigma_deg: float | None
+    rms_m: float | None
+    offset_m: float | None
+    source: str
+
+    @classmethod
+    def of(cls, criteria: AcceptanceCriteria) -> "AcceptanceCriteriaValues":
+        """Values of the criteria."""
+        return cls(
+            criteria.roll_sigma_deg, criteria.pitch_sigma_deg, criteria.yaw_sigma_deg, criteria.rms,
+            criteria.offset, criteria.source,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class AcceptanceCheckValues:
+    """A value and its limit in ``unit``, as in `AcceptanceCheck`."""
+
+    quantity: Quantity
+    plane: str
+    lines: tuple[str, ...]
+    unit: Literal["deg", "m"]
+    value: float | None
+    limit: float
+    verdict: Verdict
+
+    @classmethod
+    def of(cls, check: AcceptanceCheck) -> "AcceptanceCheckValues":
+        """Values of a check."""
+        unit: Literal["deg", "m"] = "m" if check.quantity in ("rms", "offset") else "deg"
+        return cls(
+            check.quantity, check.plane, check.lines, unit, check.value, check.limit, check.verdict
+        )
+
+    @property
+    def title(self) -> str:
+        """Name of the value, in the language in use."""
+        return gettext(QUANTITY_TITLES[self.quantity])
+
+    @property
+    def place(self) -> str:
+        """Validation plane and lines of the value; empty for an angle."""
+        if not self.lines:
+            return self.plane
+        return gettext("{plane}: {pairs}", plane=self.plane, pairs=" / ".join(self.lines))
+
+
+@dataclass(frozen=True)
+class PlaneVerdict:
+    """Verdict on one validation plane."""
+
+    plane: str
+    verdict: Verdict
+
+
+@dataclass(frozen=True)
+class AcceptanceValues:
+    """Judgement of a calibration by its acceptance criteria."""
+
+    criteria: AcceptanceCriteriaValues
+    verdict: Verdict
+    planes: tuple[PlaneVerdict, ...]
+    checks: tuple[AcceptanceCheckValues, ...]
+
+    @classmethod
+    def of(cls, judgement: Acceptance) -> "AcceptanceValues":
+        """Values of a judgement."""
+        return cls(
+            AcceptanceCriteriaValues.of(judgement.criteria),
+            judgement.verdict,
+            tuple(PlaneVerdict(name, judgement.verdict_on(name)) for name in judgement.planes),
+            tuple(map(AcceptanceCheckValues.of, judgement.checks)),
+        )
+
+
+def decisive_checks(values: AcceptanceValues) -> list[AcceptanceCheckValues]:
+    """One check for each criterion: the one of the planes that decides about the verdict."""
+    order: list[Verdict] = ["fail", "not judged", "pass"]
+    decisive: dict[Quantity, AcceptanceCheckValues] = {}
+    for check in sorted(
+        values.checks, key=lambda each: (order.index(each.verdict), -(each.value or 0.0))
+    ):
+        decisive.setdefault(check.quantity, check)
+    quantities = dict.fromkeys(check.quantity for check in values.checks)
+    return [decisive[quantity] for quantity in quantities]
+
+
+def _format(check: AcceptanceCheckValues) -> Format:
+    return ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
+
+
+def acceptance_table(source: str) -> Table[AcceptanceCheckValues]:
+    """Table of checks.
+
+    Parameters
+    ----------
+    source : document that gives the criteria; empty if unknown
+    """
+    return Table(
+        gettext_lazy("Acceptance criteria ({source})", source=source)
+        if source
+        else N_("Acceptance criteria"),
+        (
+            Column("title", N_("Criterion")),
+            Column("place", N_("Plane, lines")),
+            Column("value", N_("Measured"), _format, has_unit_in_cells=True),
+            Column("limit", N_("Limit"), _format, has_unit_in_cells=True),
+            Column("verdict", N_("Verdict"), texts=VERDICT_TEXTS),
+        ),
+    )
+
+
+def verdict_text(verdict: Verdict) -> str:
+    """Verdict in the language in use."""
+    return gettext(VERDICT_TEXTS[verdict])

@@ -1,0 +1,131 @@
+"""Tests of the acceptance criteria of step 4, typed and judged in the window."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+
+from lispac.gui.project.status import VALIDATE, step_statuses
+from lispac.io.project.project_file import read_project
+from lispac.project import Project
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click,
+    open_step,
+    press,
+    type_into,
+)
+
+
+@pytest.fixture
+def judged(driver: Driver, demo: Demo, validated: Project) -> Driver:
+    """A window with a validated project at step 4."""
+    driver.window.document.open(replace(validated), demo.survey)
+    driver.rest()
+    open_step(driver, VALIDATE)
+    return driver
+
+
+def state_of(driver: Driver) -> str:
+    document = driver.window.document
+    return step_statuses(document.project, document.survey)[VALIDATE].state
+
+
+def marks(driver: Driver) -> list[tuple[bool, str]]:
+    """Whether each plane of the table has an icon, and what a screen reader says about it."""
+    table = driver.window.histograms.table
+    items = [table.item(row, 0) for row in range(table.rowCount())]
+    return [
+        (not item.icon().isNull(), item.data(Qt.ItemDataRole.AccessibleTextRole)) for item in items
+    ]
+
+
+def test_without_criteria_nothing_is_judged(judged: Driver) -> None:
+    (plane,) = judged.project.validation
+    assert plane.after.rms < plane.before.rms
+    assert judged.project.judgement.verdict == "not judged"
+    assert state_of(judged) == "todo"
+    assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+
+
+def test_each_criterion_is_one_undo_step(judged: Driver) -> None:
+    form = judged.window.validate.acceptance
+    type_into(judged, form.fields["rms"], "30")
+    judged.bot.keyClick(form.fields["rms"], Key.Key_Return)
+    type_into(judged, form.fields["yaw_sigma_deg"], "0.05")
+    judged.bot.keyClick(form.fields["yaw_sigma_deg"], Key.Key_Tab)
+    type_into(judged, form.source, "Contract 4.2")
+    judged.bot.keyClick(form.source, Key.Key_Tab)
+    criteria = judged.project.acceptance
+    assert (criteria.rms, criteria.yaw_sigma_deg, criteria.source) == (0.03, 0.05, "Contract 4.2")
+    assert judged.window.document.undo_stack.count() == 3
+    assert judged.project.result is not None
+    assert judged.project.validation
+    press(judged, Key.Key_Z, Control)
+    press(judged, Key.Key_Z, Control)
+    assert judged.project.acceptance == replace(criteria, yaw_sigma_deg=None, source="")
+    assert form.fields["yaw_sigma_deg"].text() == ""
+    assert form.source.text() == ""
+
+
+def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged: Driver) -> None:
+    (plane,) = judged.project.validation
+    form = judged.window.validate.acceptance
+    field = form.fields["rms"]
+    type_into(judged, field, f"{900 * plane.after.rms:.3f}")
+    judged.bot.keyClick(field, Key.Key_Return)
+    assert judged.project.judgement.verdict == "fail"
+    assert state_of(judged) == "warning"
+    assert marks(judged) == [(True, "V1. Acceptance: fail")]
+    assert form.verdict.property("role") == "error"
+    window = judged.window
+    judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
+    assert "acceptance.rms" in {each.code for each in window.warnings.messages}
+    type_into(judged, field, f"{1100 * plane.after.rms:.3f}")
+    judged.bot.keyClick(field, Key.Key_Return)
+    assert judged.project.judgement.verdict == "pass"
+    assert state_of(judged) == "done"
+    assert marks(judged) == [(True, "V1. Acceptance: pass")]
+    field.selectAll()
+    judged.bot.keyClick(field, Key.Key_Delete)
+    judged.bot.keyClick(field, Key.Key_Tab)
+    assert judged.project.acceptance.is_empty
+    assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+
+
+def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(
+    judged: Driver, picked_folder
+) -> None:
+    judged.window.document.open(
+        replace(judged.project, folder=picked_folder), judged.window.document.survey
+    )
+    judged.rest()
+    open_step(judged, VALIDATE)
+    form = judged.window.validate.acceptance
+    type_into(judged, form.source, "  IHO S-44  ")
+    press(judged, Key.Key_S, Control)
+    assert judged.project.acceptance.source == "IHO S-44"
+    assert read_project(picked_folder).acceptance.source == "IHO S-44"
+    type_into(judged, form.fields["offset"], "12,5")
+    click(judged, judged.window.validate.before)
+    assert judged.project.acceptance.offset == 0.0125
+
+
+def test_a_wrong_text_and_an_impossible_limit_change_nothing(judged: Driver) -> None:
+    field = judged.window.validate.acceptance.fields["rms"]
+    type_into(judged, field, "about 3")
+    judged.bot.keyClick(field, Key.Key_Return)
+    assert judged.project.acceptance.is_empty
+    assert field.property("wrong") is True
+    judged.bot.keyClick(field, Qt.Key.Key_Escape)
+    assert field.text() == ""
+    type_into(judged, field, "99999")
+    judged.bot.keyClick(field, Key.Key_Return)
+    (refusal,) = judged.window.dialogs.errors
+    assert refusal.code == "settings.length_out_of_range"
+    assert judged.project.acceptance.is_empty
+    assert field.text() == ""

@@ -1,0 +1,177 @@
+"""Tests of the judgement by acceptance criteria, and of its presentation in reports."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict
+from lispac.errors import InputError
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.messages import note
+from lispac.project import Project
+from lispac.report.content import ReportContent
+from lispac.report.document import undrawn_document
+from lispac.report.json_report import json_text
+from lispac.report.options import ReportOptions
+from tests.support.report_sample import sample_content, sample_project
+
+SIGMA_DEG = (0.0163, 0.0291, 0.0376)
+"""Standard deviations of the angles of the sample project."""
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Project:
+    return sample_project(tmp_path)
+
+
+def verdict(project: Project, **criteria: float | None) -> Verdict:
+    return project.with_acceptance(AcceptanceCriteria(**criteria)).judgement.verdict
+
+
+def test_a_smaller_rms_than_before_is_not_a_pass(project: Project) -> None:
+    assert all(plane.after.rms < plane.before.rms for plane in project.validation)
+    assert project.judgement.verdict == "not judged"
+    assert project.judgement.verdict_on(project.validation[0].name) == "not judged"
+    assert verdict(project, rms=0.9 * max(p.after.rms for p in project.validation)) == "fail"
+
+
+def test_angles_are_judged_by_their_standard_deviations(project: Project) -> None:
+    names = ("roll_sigma_deg", "pitch_sigma_deg", "yaw_sigma_deg")
+    for name, sigma in zip(names, SIGMA_DEG, strict=True):
+        assert verdict(project, **{name: 1.001 * sigma}) == "pass"
+        assert verdict(project, **{name: 0.999 * sigma}) == "fail"
+        (check,) = project.with_acceptance(AcceptanceCriteria(**{name: 1.0})).judgement.checks
+        assert check.value == pytest.approx(sigma)
+
+
+def test_each_plane_is_judged_by_its_rms_and_its_largest_offset(project: Project) -> None:
+    planes = project.validation
+    worst = max(planes, key=lambda plane: plane.after.rms)
+    others = [plane for plane in planes if plane is not worst]
+    limit = (worst.after.rms + max(plane.after.rms for plane in others)) / 2
+    judged = project.with_acceptance(AcceptanceCriteria(rms=limit)).judgement
+    assert judged.verdict_on(worst.name) == "fail"
+    assert {judged.verdict_on(plane.name) for plane in others} == {"pass"}
+
+    judged = project.with_acceptance(AcceptanceCriteria(offset=1.0)).judgement
+    for check in judged.checks:
+        plane = next(plane for plane in planes if plane.name == check.plane)
+        offsets = {
+            (pair.line_a, pair.line_b): abs(pair.after.signed.median)
+            for pair in plane.pairs
+            if pair.after.signed
+        }
+        if offsets:
+            assert check.value == max(offsets.values()) == offsets[check.lines]
+        else:
+            assert check.verdict == "not judged"
+
+
+def test_a_plane_that_was_not_compared_prevents_a_pass_but_not_a_fail(project: Project) -> None:
+    partly = project.with_validation(project.validation, {"V9": note("project.single_target")})
+    assert verdict(partly, rms=1.0) == "not judged"
+    assert verdict(partly, rms=1e-5) == "fail"
+    assert verdict(partly, yaw_sigma_deg=1.0) == "pass"  # does not depend on planes
+    judged = partly.with_acceptance(AcceptanceCriteria(rms=1.0)).judgement
+    assert judged.verdict_on("V9") == "not judged"
+    assert judged.verdict_on(project.validation[0].name) == "pass"
+
+
+def test_without_result_or_validation_nothing_is_judged(project: Project) -> None:
+    assert verdict(replace(project, result=None), roll_sigma_deg=1.0) == "not judged"
+    assert verdict(replace(project, validation=()), rms=1.0) == "not judged"
+    assert verdict(replace(project, validation=()), rms=1.0, yaw_sigma_deg=1e-5) == "fail"
+
+
+@pytest.mark.parametrize(
+    ("criterion", "code"),
+    [
+        ({"rms": 0.0}, "settings.length_out_of_range"),
+        ({"offset": -0.01}, "settings.length_out_of_range"),
+        ({"rms": 30.0}, "settings.length_out_of_range"),
+        ({"rms": float("nan")}, "settings.length_out_of_range"),
+        ({"roll_sigma_deg": 20.0}, "settings.angle_out_of_range"),
+        ({"source": "two\nlines"}, "identity.several_lines"),
+        ({"source": "x" * 201}, "identity.too_long"),
+    ],
+)
+def test_impossible_criteria_are_refused(criterion: dict[str, object], code: str) -> None:
+    with pytest.raises(InputError) as raised:
+        NO_CRITERIA.changed(**criterion)
+    assert raised.value.code == code
+
+
+def test_criteria_are_saved_and_keep_results(project: Project) -> None:
+    criteria = NO_CRITERIA.changed(yaw_sigma_deg=0.05, rms=0.03, source=" Contract 4.2 ")
+    assert criteria.source == "Contract 4.2"
+    project = project.with_acceptance(criteria)
+    assert project.result is not None
+    assert project.validation
+    write_project(project)
+    again = read_project(project.folder)
+    assert again.acceptance == criteria
+    assert again.judgement == project.judgement
+    content = json.loads((project.folder / PROJECT_FILE_NAME).read_text())
+    content["acceptance"]["rms"] = -1.0
+    (project.folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
+    with pytest.raises(Exception, match="project") as raised:
+        read_project(project.folder)
+    assert raised.value.code == "project.invalid_value"
+
+
+# -- report ----------------------------------------------------------------------------------------
+
+
+def content_with(project: Project, **criteria: object) -> ReportContent:
+    return sample_content(project.with_acceptance(NO_CRITERIA.changed(**criteria)))
+
+
+def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Project) -> None:
+    rms = max(plane.after.rms for plane in project.validation)
+    content = content_with(project, rms=rms / 2, yaw_sigma_deg=0.02, source="Contract 4.2")
+    codes = {each.code: each for each in content.warnings}
+    assert codes["acceptance.angle_sigma"].params["sigma"] == pytest.approx(
+        np.radians(SIGMA_DEG[2])
+    )
+    assert codes["acceptance.angle_sigma"].params["limit"] == pytest.approx(np.radians(0.02))
+    assert codes["acceptance.rms"].is_serious
+    failed = [each for each in content.warnings if each.code == "acceptance.rms"]
+    assert max(each.params["rms"] for each in failed) == rms
+    document = undrawn_document(content, {})
+    assert document.status == "bad"
+    french = undrawn_document(content, {}, ReportOptions(language="fr"))
+    assert french.status == "bad"
+    values = json.loads(json_text(content))["acceptance"]
+    assert values["verdict"] == "fail"
+    assert values["criteria"]["source"] == "Contract 4.2"
+    assert {each["unit"] for each in values["checks"]} == {"deg", "m"}
+    assert len(values["planes"]) == len(project.validation)
+
+
+def test_only_a_pass_without_messages_is_good(project: Project) -> None:
+    passed = content_with(project, rms=1.0, yaw_sigma_deg=1.0)
+    not_judged = content_with(project)
+    assert passed.acceptance.verdict == "pass"
+    assert not_judged.acceptance.verdict == "not judged"
+    assert not any(each.code.startswith("acceptance.") for each in not_judged.warnings)
+    status = [
+        undrawn_document(replace(content, warnings=()), {}).status
+        for content in (passed, not_judged)
+    ]
+    assert status == ["good", "fair"]
+
+
+def test_a_criterion_that_could_not_be_judged_has_a_note(project: Project) -> None:
+    content = content_with(replace(project, validation=()), rms=0.03)
+    assert "acceptance.not_judged" in {each.code for each in content.warnings}
+    partly = project.with_validation(project.validation, {"V9": note("project.single_target")})
+    (found,) = [
+        each
+        for each in content_with(partly, rms=1.0).warnings
+        if each.code == "acceptance.planes_not_judged"
+    ]
+    assert list(found.params["planes"]) == ["V9"]
+    assert not found.is_serious
