@@ -399,7 +399,7 @@ def _name_cell_value(target: Target, role: int) -> Any:
     if role == Role.DisplayRole:
         return target.name
     if role == Role.DecorationRole:
-        return QColor(*(theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR))
+        return theme.swatch(theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR)
     if role == Role.CheckStateRole:
         return Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked
     if role == Role.ToolTipRole:
