@@ -15,7 +15,7 @@ from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from lispac.present.angles import Angles
-from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
+from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press, show_panel
 
 SMALL_WINDOW, LARGE_WINDOW = (1366, 740), (1600, 960)
 
@@ -61,7 +61,7 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
 
 def test_the_axis_choices_of_the_convention_are_not_cut_off(small: Driver) -> None:
     window = small.window
-    window.docks[CONVENTION].raise_()
+    show_panel(window, CONVENTION)
     small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
     small.rest()
     combo = window.convention.scanner

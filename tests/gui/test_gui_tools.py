@@ -12,7 +12,16 @@ from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
 from lispac.gui.features.inspect.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
-from tests.gui.support import Driver, Key, click, press, seed, type_into, wait_until_idle
+from tests.gui.support import (
+    Driver,
+    Key,
+    click,
+    press,
+    seed,
+    show_panel,
+    type_into,
+    wait_until_idle,
+)
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -112,7 +121,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     adjusted.rest()
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)
-    window.docks["Log"].raise_()
+    show_panel(window, "Log")
     QApplication.processEvents()
     assert "section" not in adjusted.viewport.sketches
     window.controller.remove("V1")

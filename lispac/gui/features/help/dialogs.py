@@ -29,6 +29,7 @@ KEYS = (
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
         ("W", N_("split view before and after; Ctrl + arrows move the divider")),
+        ("F11", N_("maximise the view and hide all panels, or restore them")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a survey (Ctrl + Shift + D)"), (
@@ -69,8 +70,9 @@ KEYS = (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
         ("F9, F10", N_("estimate the boresight, validate")),
         (N_("Shift + F9"), N_("run the point spacing study")),
-        (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations")),
+        (N_("Shift + F10, Ctrl + F11"), N_("check against a reference, compare calibrations")),
         ("F12", N_("list all warnings")),
+        (N_("Ctrl + D"), N_("show the diagnostics of the adjustment")),
         (N_("Ctrl + ."), N_("cancel the running task")),
         (N_("Ctrl + E, Ctrl + Shift + E"), N_("export the report, the georeferenced lines")),
         (N_("Ctrl + Z, Ctrl + Y"), N_("undo, redo")),
