@@ -15,7 +15,7 @@ Area = Qt.DockWidgetArea
 WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
 """English titles of docks: keys of `Docks`; the object names in a saved layout come from them."""
-SIDE_WIDTH_PX, STRIP_HEIGHT_PX = 334, 181
+SIDE_WIDTH_PX, STRIP_HEIGHT_PX = 336, 174
 """Initial width of the panel at the left, and height of the panels at the bottom, pixels.
 
 With them, the 3D view has 55 % of a window of 1600 x 1000 and 45 % of one of 1366 x 768 pixels."""

@@ -34,6 +34,7 @@ class ClippingPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         column = widgets.vertical_layout(self)
+        column.setContentsMargins(12, 4, 12, 4)
         column.addWidget(widgets.label(gettext(HINT), "muted", wrap=True))
         lengths = QHBoxLayout()
         self.fields = []
