@@ -93,6 +93,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window, panel = adjusted.window, adjusted.window.tools.sections.panel
     press(adjusted, Key.Key_S)
     adjusted.rest()
+    window.resizeDocks([window.docks["Section"]], [420], Qt.Orientation.Vertical)
     assert panel.text_label.text() == EMPTY_TEXT
     assert panel.canvas is None
     window._select("T1", "")
