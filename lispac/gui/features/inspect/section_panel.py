@@ -30,6 +30,8 @@ RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from th
 PRINT_DPI = 200
 
 
+MIN_PRINT_HEIGHT_INCHES = 3.2
+"""Smallest height of a saved picture, whose titles need more space than a low panel has."""
 LOW_PANEL_PX = 230
 """Height of the panel below which the horizontal axes have no titles, pixels."""
 
@@ -143,7 +145,9 @@ class SectionPanel(QWidget):
         from matplotlib.figure import Figure
 
         shown = self.canvas.figure
-        printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
+        width, height = shown.get_size_inches()
+        size = width, max(height, MIN_PRINT_HEIGHT_INCHES)
+        printed = Figure(figsize=size, dpi=PRINT_DPI, layout="constrained")
         with theme.paper_colours():
             self._draw(printed, labelled=True)
         for axes, shown_axes in zip(printed.axes, shown.axes, strict=True):
