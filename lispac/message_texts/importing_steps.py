@@ -75,7 +75,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.points_without_time": N_(
         "{file}: the points have no times, so the file can only serve as a reference cloud "
-        "(Validate > Check against a reference…). To use it as a line, export it with the time of "
+        "(Calibrate > Check against a reference…). To use it as a line, export it with the time of "
         "each point."
     ),
     "import.unknown_format": N_(

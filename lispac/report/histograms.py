@@ -69,6 +69,7 @@ def histogram_figure(
     figure: Figure | None = None,
     *,
     share: bool = False,
+    titled: bool = True,
 ) -> Figure:
     """Histogram of the distances between lines on one validation plane, before and after.
 
@@ -76,6 +77,8 @@ def histogram_figure(
     ----------
     share : bool
         Draw the share of the points per millimetre instead of their number in each bin.
+    titled : bool
+        Draw a title and a legend, for which a low figure has no space.
     """
     before, after = comparison.before, comparison.after
     counted = _BinnedDistances(
@@ -91,7 +94,7 @@ def histogram_figure(
     title = _plane_title(
         comparison.name, comparison.pooled_from, message_text(comparison.model.name)
     )
-    return _draw_histogram(figure, title, counted, share)
+    return _draw_histogram(figure, title, counted, share, titled)
 
 
 def validation_figure(plane: ValidationPlane) -> Figure:
@@ -124,7 +127,11 @@ def _legend_text(template: str, count: int, median: float, rms: float, p95: floa
 
 
 def _draw_histogram(
-    figure: Figure | None, title: str, counted: _BinnedDistances, share: bool
+    figure: Figure | None,
+    title: str,
+    counted: _BinnedDistances,
+    share: bool,
+    titled: bool = True,
 ) -> Figure:
     figure = blank_figure(figure, (6.3, 2.5))
     top = float(np.asarray(counted.edges)[-1])
@@ -138,9 +145,11 @@ def _draw_histogram(
     for axes, reach, across in zip(
         places, (top, counted.near), (_FULL_VIEW_LABEL, _ENLARGED_VIEW_LABEL), strict=False
     ):
-        style_axes(axes, gettext(across), amount if axes is places[0] else "")
-        legend = counted.legend if axes is places[0] else ()
+        style_axes(axes, gettext(across) if titled else "(mm)", amount if axes is places[0] else "")
+        legend = counted.legend if titled and axes is places[0] else ()
         _HistogramBars(axes, counted, share, legend, size).show(reach)
+    if not titled:
+        return figure
     places[0].set_title(title, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from lispac.project import Project
 from tests.gui.pulse import Draws, Pulse, timed_viewport
+from tests.gui.support import show_panel
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 LONG_MS = 200.0
@@ -196,9 +197,8 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
         workflow.step(f"{name} accepted", window.actions_["accept"].trigger)
     workflow.step("estimate", window.actions_["estimate"].trigger)
     workflow.step("validate", window.actions_["validate"].trigger)
-    docks = [dock for dock in window.docks.values() if dock.isVisible()]
-    for dock in docks:
-        workflow.step(f"{dock.windowTitle()} looked at", dock.raise_)
+    for title in (*window.docks, *window.panel_windows):
+        workflow.step(f"{title} looked at", lambda title=title: show_panel(window, title))
     pages = window.diagnostics.list
     for k in range(pages.count()):
         workflow.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))

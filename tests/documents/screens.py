@@ -150,12 +150,13 @@ class Photographer:
         self._docks("dock")
         for row in range(window.diagnostics.list.count()):
             window.diagnostics.list.setCurrentRow(row)
-            window.docks[DIAGNOSTICS].raise_()
-            self.take(window, f"dock-diagnostics-{row + 1}")
+            own = window.panel_windows[DIAGNOSTICS]
+            own.bring_to_front()
+            self.take(own, f"dock-diagnostics-{row + 1}")
         project = window.document.project
         window.scene.select(project.targets[0].name)
         for name in (SECTION, CLIPPING):
-            window.docks[name].raise_()
+            window.docks[name].bring_to_front()
             self.rest()
             if name == CLIPPING:
                 window.tools.clipping.panel.about.click()
@@ -164,9 +165,12 @@ class Photographer:
 
     def _docks(self, what: str) -> None:
         for name, dock in self.window.docks.items():
-            dock.show()
-            dock.raise_()
+            dock.bring_to_front()
             self.take(self.window, f"{what}-{name.split()[0].lower()}")
+        for name, own in self.window.panel_windows.items():
+            own.bring_to_front()
+            self.take(own, f"{what}-{name.split()[0].lower()}")
+            own.close()
 
     def tour(self) -> None:
         """First card of the tour."""

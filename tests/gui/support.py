@@ -9,6 +9,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.app.docks import raise_panel
 from lispac.gui.app.questions import CandidateChoice, DropChoice, SaveChoice
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -26,6 +27,15 @@ from lispac.workflow.project.survey import Survey
 WAIT_MS = 120_000
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 Control = Qt.KeyboardModifier.ControlModifier
+
+
+def show_panel(window: MainWindow, title: str) -> QWidget:
+    """Bring a panel to the front, in its dock or its own window; return the dock or window."""
+    container = {**window.docks, **window.panel_windows}[title]
+    is_dock = title in window.docks
+    raise_panel(container.widget() if is_dock else container.centralWidget())
+    QApplication.processEvents()
+    return container
 
 
 class ScriptedDialogs(Dialogs):

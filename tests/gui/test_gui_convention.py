@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QTabBar
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox
 from pytestqt.qtbot import QtBot
 from scipy.spatial.transform import Rotation
 
@@ -16,7 +16,8 @@ from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.workflow.project.survey import Survey
-from tests.gui.support import Driver, Key, Left, click
+from tests.gui import by_hand
+from tests.gui.support import Driver, Key, Left, click, show_panel
 
 Calibrated = tuple[Project, Survey]
 
@@ -281,7 +282,7 @@ def test_the_panel_shows_the_boresight_of_the_window(
 ) -> None:
     project, survey = calibrated
     window, panel = driver.window, driver.window.convention
-    window.docks[TITLE].raise_()
+    show_panel(window, TITLE)
     assert project.result is not None
     window.document.open(project, survey)
     driver.rest()
@@ -307,14 +308,16 @@ def test_the_panel_shows_the_boresight_of_the_window(
     assert "1 sigma" not in rows(panel)
 
 
-def test_the_panel_is_tabbed_with_the_results(driver: Driver) -> None:
+def test_the_panel_has_a_window_of_its_own(driver: Driver) -> None:
+    """The menu opens it; Esc closes it; it keeps its place and size."""
     window = driver.window
-    assert window.tabifiedDockWidgets(window.docks["Results"]) == [window.docks[TITLE]]
-    assert window.results.visibleRegion().isEmpty() is False
-    own = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
-    bars = [bar for bar in own if bar.x() >= 0 and bar.y() >= 0]
-    assert len(bars) == 2, "no tab bar of a half-built window lies about"
-    window.docks[TITLE].raise_()
-    driver.bot.waitUntil(lambda: not window.convention.visibleRegion().isEmpty())
-    assert window.convention.minimumSizeHint().width() <= 400
-    assert Qt.DockWidgetArea.RightDockWidgetArea == window.dockWidgetArea(window.docks[TITLE])
+    menu = by_hand.open_menu(driver.bot, window, "Calibrate")
+    by_hand.choose(driver.bot, menu, "Angles in another program")
+    own = window.panel_windows[TITLE]
+    driver.bot.waitUntil(own.isActiveWindow, timeout=10_000)
+    assert own.parentWidget() is window
+    own.setGeometry(120, 90, 520, 600)
+    driver.bot.keyClick(own, Qt.Key.Key_Escape)
+    assert not own.isVisible()
+    show_panel(window, TITLE)
+    assert own.geometry() == QRect(120, 90, 520, 600)

@@ -24,6 +24,7 @@ from tests.gui.support import (
     Left,
     click_check,
     double_click,
+    show_panel,
     wait_until_idle,
 )
 
@@ -32,7 +33,7 @@ from tests.gui.support import (
 def shown(driver: Driver, demo: Demo, estimated: Project) -> Driver:
     """The estimated demo survey with the diagnostics in front."""
     driver.window.document.open(estimated, demo.survey)
-    driver.window.docks["Diagnostics"].raise_()
+    show_panel(driver.window, "Diagnostics")
     driver.rest()
     assert driver.window.diagnostics.isVisible()
     return driver
@@ -61,7 +62,7 @@ def texts(table: QTableWidget, title: str) -> list[str]:
 
 
 def test_every_page_without_a_result_shows_what_to_do(picked: Driver):
-    picked.window.docks["Diagnostics"].raise_()
+    show_panel(picked.window, "Diagnostics")
     for kind in PAGE_CLASSES:
         page = turn_to(picked, kind.title)
         assert page.advice == kind.empty_text
@@ -200,12 +201,12 @@ def test_the_result_of_a_check_box_is_shown_and_then_cross_checked(
     shown: Driver, estimated: Project
 ):
     table = turn_to(shown, "Sightings").table
-    shown.window.docks["Targets by line"].raise_()
+    show_panel(shown.window, "Targets by line")
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))
     assert not table.isEnabled()
     wait_until_idle(shown)
-    shown.window.docks["Diagnostics"].raise_()
+    show_panel(shown.window, "Diagnostics")
     assert table.isEnabled()
     assert table.rowCount() == len(estimated.result.sightings) - 1
     shown.bot.waitUntil(lambda: shown.project.cross_checks is not None, timeout=WAIT_MS)
@@ -237,7 +238,7 @@ def test_a_further_line_is_searched_after_the_results_of_a_check_box(
 
     monkeypatch.setattr("lispac.workflow.calibration.estimation.further_line_advice", advised)
     monkeypatch.setattr(shown.window.estimation, "_cross_check", checked)
-    shown.window.docks["Targets by line"].raise_()
+    show_panel(shown.window, "Targets by line")
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))
     shown.bot.waitUntil(shown_text, timeout=WAIT_MS)

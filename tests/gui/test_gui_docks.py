@@ -2,16 +2,19 @@
 
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QToolBar
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.main_window import MainWindow
+from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Driver, click
+from tests.gui.support import Demo, Driver, click, show_panel
 
 SOON_MS = 10_000
+Area = Qt.DockWidgetArea
 Arrangement = dict[str, tuple[QRect | None, bool, set[str]]]
 
 
@@ -37,10 +40,11 @@ def is_in_front(window: MainWindow, title: str) -> bool:
 def disturb(driver: Driver) -> None:
     """Close a panel, float a second, move a third, raise a fourth, and hide the toolbar."""
     window = driver.window
-    for title, button in (("Results", "close"), ("Workflow", "float")):
+    show_panel(window, "Log")
+    for title, button in (("Log", "close"), ("Workflow", "float")):
         dock = window.docks[title]
         click(driver, dock.findChild(QAbstractButton, f"qt_dockwidget_{button}button"))
-    window.addDockWidget(Qt.DockWidgetArea.TopDockWidgetArea, window.docks["Log"])
+    window.addDockWidget(Area.RightDockWidgetArea, window.docks["Results"])
     window.docks["Histograms"].raise_()
     window.findChild(QToolBar).hide()
 
@@ -49,8 +53,16 @@ def arrange(driver: Driver) -> None:
     choose(driver.bot, open_menu(driver.bot, driver.window, "View"), "Panels", "Restore default")
 
 
-def test_all_panels_return_to_the_default_arrangement(driver: Driver) -> None:
-    window = driver.window
+@pytest.fixture
+def calibrated(driver: Driver, demo: Demo, validated: Project) -> Driver:
+    """The validated demo survey."""
+    driver.window.document.open(validated, demo.survey)
+    driver.rest()
+    return driver
+
+
+def test_all_panels_return_to_the_default_arrangement(calibrated: Driver) -> None:
+    driver, window = calibrated, calibrated.window
     before = arrangement(window)
     assert is_in_front(window, "Results")
     disturb(driver)
@@ -62,25 +74,32 @@ def test_all_panels_return_to_the_default_arrangement(driver: Driver) -> None:
 
 
 def test_panels_moved_in_an_earlier_window_return_to_the_default_arrangement(
-    driver: Driver, qtbot: QtBot, qapp: QApplication, tmp_path: Path
+    calibrated: Driver, qtbot: QtBot, tmp_path: Path, demo: Demo, validated: Project
 ) -> None:
-    before = arrangement(driver.window)
-    disturb(driver)
-    driver.window.close()
+    window = calibrated.window
+    before = arrangement(window)
+    disturb(calibrated)
+    window.docks["Targets by line"].close()
+    window.close()
     later = Driver(qtbot, RecordingViewport(), tmp_path)
     try:
-        assert later.window.docks["Workflow"].isFloating()
-        assert not later.window.docks["Results"].isVisible()
-        later.window.resize(driver.window.size())
+        later.window.document.open(validated, demo.survey)
+        later.rest()
+        docks = later.window.docks
+        assert docks["Workflow"].isFloating()
+        assert later.window.dockWidgetArea(docks["Results"]) == Area.RightDockWidgetArea
+        assert is_in_front(later.window, "Results")
+        assert not docks["Targets by line"].isVisible(), "closed by the user"
+        later.window.resize(window.size())
         arrange(later)
         qtbot.waitUntil(lambda: arrangement(later.window) == before, timeout=SOON_MS)
     finally:
         later.leave()
 
 
-def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(driver: Driver) -> None:
+def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(calibrated: Driver) -> None:
     """A panel behind another is raised and gets the focus; a visible one is closed."""
-    window, bot = driver.window, driver.bot
+    window, bot = calibrated.window, calibrated.bot
 
     def pick(title: str) -> None:
         menu = open_menu(bot, window, "View")
@@ -98,12 +117,12 @@ def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(driver: Driver) 
     assert not is_in_front(window, "Warnings")
     pick("Warnings")
     bot.waitUntil(lambda: is_in_front(window, "Warnings"), timeout=SOON_MS)
-    pick("Patch test")
-    dock = window.docks["Patch test"]
+    pick("Section")
+    dock = window.docks["Section"]
     bot.waitUntil(lambda: dock.isAncestorOf(QApplication.focusWidget()), timeout=SOON_MS)
-    assert is_in_front(window, "Patch test")
+    assert is_in_front(window, "Section")
     assert window.docks["Warnings"].isVisible()
-    pick("Patch test")
+    pick("Section")
     bot.waitUntil(lambda: not dock.isVisible(), timeout=SOON_MS)
-    pick("Patch test")
-    bot.waitUntil(lambda: is_in_front(window, "Patch test"), timeout=SOON_MS)
+    pick("Section")
+    bot.waitUntil(lambda: is_in_front(window, "Section"), timeout=SOON_MS)

@@ -37,7 +37,7 @@ from lispac.language import LANGUAGES
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
-from tests.gui.support import WAIT_MS, Demo, Driver
+from tests.gui.support import WAIT_MS, Demo, Driver, show_panel
 
 SMALL_WINDOW = (1366, 740)
 LOW_SCREEN = QSize(1326, 728)
@@ -70,7 +70,7 @@ def errors() -> list[VisibilityStudy]:
 def test_the_titles_of_panels_are_not_cut_off(driver: Driver, qapp: QApplication) -> None:
     theme.apply_theme(qapp)
     for title, dock in driver.window.docks.items():
-        dock.raise_()
+        show_panel(driver.window, title)
         driver.rest()
         option = QStyleOptionDockWidget()
         dock.initStyleOption(option)
@@ -143,7 +143,7 @@ def test_comparisons_are_read_without_scrolling_on_a_small_screen(
     window = driver.window
     window.resize(*SMALL_WINDOW)
     window.document.open(validated, demo.survey)
-    window.docks["Histograms"].raise_()
+    show_panel(window, "Histograms")
     driver.rest()
     driver.bot.waitUntil(window.histograms.table.isVisible, timeout=WAIT_MS)
     assert window.width() == SMALL_WINDOW[0]

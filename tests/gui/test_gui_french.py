@@ -39,7 +39,7 @@ from lispac.workflow.checking.validation import validate
 from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, type_into
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, show_panel, type_into
 
 
 @pytest.fixture
@@ -74,11 +74,11 @@ def test_the_window_with_a_result_is_french(french: Driver, demo: Demo, estimate
     french.rest()
     for step in range(5):
         open_step(french, step)
-    for dock in window.docks.values():
-        dock.raise_()
+    for title in (*window.docks, *window.panel_windows):
+        show_panel(window, title)
         french.rest()
     for page in range(window.diagnostics.list.count()):
-        window.docks["Diagnostics"].raise_()
+        show_panel(window, "Diagnostics")
         window.diagnostics.list.setCurrentRow(page)
     window.targets.select("T1")
     for switch in window.adjust.parameters.switches.values():

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from lispac.gui.appearance import units
 from lispac.gui.features.validate.histograms_panel import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
 from lispac.project import Project
-from tests.gui.support import Demo, Driver
+from tests.gui.support import Demo, Driver, show_panel
 
 Left = Qt.MouseButton.LeftButton
 
@@ -23,7 +23,7 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
     """The histograms panel in front, with V1 drawn."""
     window = driver.window
     window.document.open(validated, demo.survey)
-    window.docks["Histograms"].raise_()
+    show_panel(window, "Histograms")
     driver.rest()
     driver.bot.wait(300)
     shown = window.histograms
@@ -54,13 +54,13 @@ def test_a_hidden_plot_is_drawn_once_when_it_becomes_visible(
 ) -> None:
     drawn = []
     panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
-    driver.window.docks["Diagnostics"].raise_()
+    show_panel(driver.window, "Log")
     driver.bot.waitUntil(lambda: panel.canvas.visibleRegion().isEmpty())
     for choice in (1, PROFILE_PLOT, 0, PROFILE_PLOT):
         panel.plot.setCurrentIndex(choice)
     driver.bot.wait(100)
     assert not drawn
-    driver.window.docks["Histograms"].raise_()
+    show_panel(driver.window, "Histograms")
     driver.bot.waitUntil(lambda: bool(drawn))
     driver.bot.wait(100)
     assert len(drawn) == 1

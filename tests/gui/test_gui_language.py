@@ -21,7 +21,7 @@ from lispac.language import current_language, gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Demo, ScriptedDialogs
+from tests.gui.support import Demo, ScriptedDialogs, show_panel
 
 SOON_MS = 20_000
 
@@ -199,6 +199,7 @@ def test_floating_panels_are_shown_after_the_window(
     session: Session, qtbot: QtBot, qapp: QApplication
 ) -> None:
     """A window manager puts a new window on top, so the main window must be shown first."""
+    show_panel(session.window, "Log")
     session.window.docks["Log"].setFloating(True)
     shown = ShowRecorder()
     qapp.installEventFilter(shown)

@@ -274,7 +274,7 @@ def test_a_step_with_a_serious_warning_is_not_done(demo: Demo, estimated: Projec
     doubtful = status.step_statuses(replace(estimated, result=result), demo.survey)[2]
     assert doubtful.state == "warning"
     assert doubtful.sentence.startswith("done, with warnings")
-    assert "warnings on the right" in doubtful.advice
+    assert "F12" in doubtful.advice
 
 
 def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):

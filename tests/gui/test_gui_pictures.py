@@ -24,9 +24,11 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 def section(driver: Driver):
     press(driver, Key.Key_S)
-    driver.window._select("T1", "")
+    window = driver.window
+    window.resizeDocks([window.docks["Section"]], [420], Qt.Orientation.Vertical)
+    window._select("T1", "")
     wait_until_idle(driver)
-    return driver.window.tools.sections.panel
+    return window.tools.sections.panel
 
 
 def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) -> None:

@@ -17,7 +17,17 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.workflow.project.projects import save_project
 from tests.gui.french_support import english, pieces, texts
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, wait_until_idle
+from tests.gui.support import (
+    WAIT_MS,
+    Demo,
+    Driver,
+    Key,
+    click,
+    open_step,
+    press,
+    show_panel,
+    wait_until_idle,
+)  # fmt: skip
 from tests.support.french_catalogue import FRENCH
 
 LEVER_ARM_ERROR = 0.1
@@ -90,7 +100,7 @@ def test_all_warnings_are_in_the_language_of_the_window(
         assert not set(before) & set(after)
         for step in range(5):
             open_step(driver, step)
-        for dock in driver.window.docks.values():
-            dock.raise_()
+        for title in (*driver.window.docks, *driver.window.panel_windows):
+            show_panel(driver.window, title)
             driver.rest()
         assert (english(driver.window) if second == "fr" else french(driver)) == set()

@@ -15,9 +15,9 @@ from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from lispac.present.angles import Angles
-from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
+from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press, show_panel
 
-SMALL_WINDOW, LARGE_WINDOW = (1366, 740), (1600, 960)
+NARROW_WINDOW, SMALL_WINDOW = (950, 600), (1366, 740)
 
 
 @pytest.fixture(params=LANGUAGES)
@@ -39,7 +39,8 @@ def small(
 
 
 def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
-    window, panel = small.window, small.window.tools.patch_test_controller.panel
+    window = small.window.panel_windows["Patch test"]
+    panel = small.window.tools.patch_test_controller.panel
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
     angle, sigma, misalignment = Angles(0.57, -0.57, 0.57), Angles(0.1, 0.1, 0.1), Angles(1, 1, 1)
@@ -47,7 +48,7 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
         SimpleNamespace(boresight_deg=angle, sigma_deg=sigma, misalignment_m=misalignment)
     )
     area = panel.findChild(QScrollArea)
-    for size, beside in ((SMALL_WINDOW, False), (LARGE_WINDOW, True), (SMALL_WINDOW, False)):
+    for size, beside in ((NARROW_WINDOW, False), (SMALL_WINDOW, True), (NARROW_WINDOW, False)):
         window.resize(*size)
         small.bot.waitUntil(lambda: window.width() == size[0], timeout=WAIT_MS)  # noqa: B023
         small.bot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0, timeout=WAIT_MS)
@@ -61,7 +62,7 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
 
 def test_the_axis_choices_of_the_convention_are_not_cut_off(small: Driver) -> None:
     window = small.window
-    window.docks[CONVENTION].raise_()
+    show_panel(window, CONVENTION)
     small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
     small.rest()
     combo = window.convention.scanner

@@ -22,7 +22,7 @@ from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
-from tests.gui.support import WAIT_MS, Driver, in_front
+from tests.gui.support import WAIT_MS, Control, Driver, in_front
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import tripod_scan
 
@@ -90,13 +90,13 @@ def test_the_open_result_is_compared_with_earlier_calibrations(
         adjusted.bot.mouseClick(dialog.copy_picture, Left)
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
-    adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
+    adjusted.bot.keyClick(adjusted.window, Key.Key_F11, Control)
     use_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
 
 
 def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
     driver.dialogs.path = tmp_path
-    driver.bot.keyClick(driver.window, Key.Key_F11)
+    driver.bot.keyClick(driver.window, Key.Key_F11, Control)
     driver.rest()
     (error,) = driver.dialogs.errors
     assert error.code == "history.no_project"

@@ -7,8 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QListWidget, QScrollArea, QWidget
 
 from lispac.gui.appearance import theme
-from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
-from tests.gui.support import WAIT_MS, Driver, Key, open_step
+from tests.gui.support import WAIT_MS, Driver, Key, open_step, show_panel
 
 MAX_STOPS = 200
 """More than the tab stops of the window."""
@@ -42,8 +41,7 @@ def names(stops: list[QWidget]) -> list[str]:
 def raise_dock(driver: Driver, title: str) -> None:
     """Raise a dock above those it is tabbed with."""
     dock = driver.window.docks[title]
-    dock.show()
-    dock.raise_()
+    show_panel(driver.window, title)
     driver.bot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=WAIT_MS)
 
 
@@ -51,7 +49,7 @@ def test_tab_visits_the_visible_widgets_without_a_project(driver: Driver) -> Non
     driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
     assert QApplication.focusWidget().objectName() == "start_tour"
     stops = round_trip(driver, Key.Key_Tab)
-    assert {"start_design", "step_data", "step_report", "sightings_table"} <= set(names(stops))
+    assert {"start_design", "step_data", "step_report"} <= set(names(stops))
     assert not any(isinstance(each, QScrollArea) for each in stops)
     after = dict(pairwise(names(stops)))
     assert (after["step_data"], after["empty_demo"]) == ("empty_new", "step_targets")
@@ -91,10 +89,10 @@ def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
 
 
 def test_tab_visits_a_dock_only_in_front(driver: Driver) -> None:
-    for front in ("Results", CONVENTION, "Results"):
+    for front in ("Clip box", "Section", "Clip box"):
         raise_dock(driver, front)
-        found = "convention_system" in names(round_trip(driver, Key.Key_Tab))
-        assert found == (front == CONVENTION)
+        found = "section_laid" in names(round_trip(driver, Key.Key_Tab))
+        assert found == (front == "Section")
 
 
 def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> None:

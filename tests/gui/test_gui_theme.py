@@ -19,7 +19,7 @@ from lispac.gui.features.open_project.import_survey.import_dialog import ImportD
 from lispac.gui.widgets.chart import Chart, with_inverted_lightness
 from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
-from tests.gui.support import Demo, in_front
+from tests.gui.support import Demo, in_front, show_panel
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
@@ -274,7 +274,7 @@ def picture_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> Q
     """Raise the dock of a chart, wait until it is drawn, and return its picture."""
     drawn: list[object] = []
     connection = chart.mpl_connect("draw_event", drawn.append)
-    session.window.docks[dock].raise_()
+    show_panel(session.window, dock)
     chart.draw_idle()
     bot.waitUntil(lambda: bool(drawn) and not chart.is_drawing, timeout=SOON_MS)
     chart.mpl_disconnect(connection)
@@ -297,7 +297,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     window, ground = session.window, theme.PAPER
     assert ground == (DARK_SCHEME if choice == "Dark" else LIGHT_SCHEME).paper
     window.document.open(validated, demo.survey)
-    window.docks["Histograms"].raise_()
+    show_panel(window, "Histograms")
     qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
     qtbot.waitUntil(lambda: window.histograms.canvas is not None, timeout=SOON_MS)
     pictures = {}
@@ -318,7 +318,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     assert corner_colour(clipboard_image(qtbot)) == "#ffffff"
 
     pages = window.diagnostics
-    window.docks["Diagnostics"].raise_()
+    show_panel(window, "Diagnostics")
     row = pages.list.visualItemRect(pages.list.item(list(pages.pages).index("Convergence")))
     qtbot.mouseClick(pages.list.viewport(), Qt.MouseButton.LeftButton, pos=row.center())
     chart = pages.current.canvas

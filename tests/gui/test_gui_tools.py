@@ -22,6 +22,7 @@ from tests.gui.support import (
     open_step,
     press,
     seed,
+    show_panel,
     type_into,
     wait_until_idle,
 )
@@ -96,6 +97,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window, panel = adjusted.window, adjusted.window.tools.sections.panel
     press(adjusted, Key.Key_S)
     adjusted.rest()
+    window.resizeDocks([window.docks["Section"]], [420], Qt.Orientation.Vertical)
     assert panel.text_label.text() == EMPTY_TEXT
     assert panel.canvas is None
     window._select("T1", "")
@@ -124,7 +126,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     adjusted.rest()
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)
-    window.docks["Log"].raise_()
+    show_panel(window, "Log")
     QApplication.processEvents()
     assert "section" not in adjusted.viewport.sketches
     window.controller.remove("V1")

@@ -32,7 +32,7 @@ from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
-from tests.gui.support import Demo, Driver, ScriptedDialogs
+from tests.gui.support import Demo, Driver, ScriptedDialogs, show_panel
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 """International foot (1959) and US survey foot (1893) in metres."""
@@ -245,6 +245,8 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
 
     validated = validate(estimated, demo.survey)
     driver.window.document.open(validated, demo.survey)
+    dock = show_panel(driver.window, "Histograms")
+    driver.window.resizeDocks([dock], [400], Qt.Orientation.Vertical)
     driver.rest()
     panel, first = driver.window.histograms, validated.validation[0]
     assert panel.table.item(0, 3).text().replace("\u00a0", " ") == (
@@ -311,11 +313,10 @@ def test_a_window_in_feet_has_no_metric_texts(
 
     window = program.window
     window.document.open(validate(estimated, demo.survey), demo.survey)
-    for dock in window.docks.values():
-        dock.show()
-        dock.raise_()
+    for title in (*window.docks, *window.panel_windows):
+        show_panel(window, title)
     window.scene.select("T1")
-    window.docks["Section"].raise_()
+    show_panel(window, "Section")
     for page in range(window.diagnostics.list.count()):
         window.diagnostics.list.setCurrentRow(page)
     panel = window.tools.sections.panel

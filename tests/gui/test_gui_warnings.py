@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.warnings.warnings_panel import (
@@ -60,8 +60,7 @@ def click_row(driver: Driver, row: int) -> None:
 
 
 def in_front(driver: Driver, title: str) -> bool:
-    dock = driver.window.docks[title]
-    assert isinstance(dock, QDockWidget)
+    dock = {**driver.window.docks, **driver.window.panel_windows}[title]
     return dock.isVisible() and not dock.visibleRegion().isEmpty()
 
 

@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
 from lispac.errors import InputError
+from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.number_input import commit_focused_field, first_input_error
 from lispac.language import gettext
@@ -119,11 +120,45 @@ class Actions(QObject):
         self.submenus = {
             name: QMenu(gettext(each.title), window) for name, each in menus.items() if each.menu
         }
+        self._reasons: dict[str, Reason] = {}
         self._by_name = {name: self._create_action(each) for name, each in records.items()}
+        for name in records:
+            self.set_reason(name, None)
+        for menu in self.submenus.values():
+            menu.setToolTipsVisible(True)
         self._create_choices()
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
+
+    @property
+    def all(self) -> list[QAction]:
+        """All actions."""
+        return list(self._by_name.values())
+
+    def set_reason(self, name: str, reason: Reason) -> None:
+        """Disable an action or a submenu, with the reason in its tip; None enables it.
+
+        No other code enables or disables actions of menus.
+        """
+        self._reasons[name] = reason
+        menu = self.submenus.get(name)
+        action = self[name] if menu is None else menu.menuAction()
+        action.setEnabled(reason is None)
+        tip = "" if menu is not None else self._tip(name)
+        added = [] if reason is None else [reason.text]
+        action.setToolTip("\n".join([tip, *added] if tip else added))
+        action.setStatusTip(" ".join([self._records[name].texts[1], *added] if tip else added))
+
+    def reason(self, name: str) -> Reason:
+        """Reason why an action or a submenu is disabled; None if it is enabled."""
+        return self._reasons.get(name)
+
+    def _tip(self, name: str) -> str:
+        """Tip of an action with its shortcut."""
+        tip = self._records[name].texts[1]
+        shown = self[name].shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        return f"{tip} ({shown})" if shown else tip
 
     def connect_slots(self, slots: Mapping[str, Callable[[], object]]) -> None:
         """Call each function, without arguments, when the action of that name is triggered."""
@@ -154,16 +189,22 @@ class Actions(QObject):
 
     def connect_undo_stack(self, stack: QUndoStack) -> None:
         """Connect the actions ``undo`` and ``redo``, with the name of the edit in their texts."""
-        stack.canUndoChanged.connect(self["undo"].setEnabled)
-        stack.canRedoChanged.connect(self["redo"].setEnabled)
+        stack.canUndoChanged.connect(self._enable_undo)
+        stack.canRedoChanged.connect(self._enable_redo)
         stack.undoTextChanged.connect(self._set_undo_text)
         stack.redoTextChanged.connect(self._set_redo_text)
         self.connect_slots({"undo": stack.undo, "redo": stack.redo})
         # A rebuilt window keeps the undo steps of the former one
-        self["undo"].setEnabled(stack.canUndo())
-        self["redo"].setEnabled(stack.canRedo())
+        self._enable_undo(stack.canUndo())
+        self._enable_redo(stack.canRedo())
         self._set_undo_text(stack.undoText())
         self._set_redo_text(stack.redoText())
+
+    def _enable_undo(self, enabled: bool) -> None:
+        self.set_reason("undo", first_reason((not enabled, Unavailable.NO_EDIT)))
+
+    def _enable_redo(self, enabled: bool) -> None:
+        self.set_reason("redo", first_reason((not enabled, Unavailable.NOTHING_UNDONE)))
 
     def _set_undo_text(self, edit: str) -> None:
         self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
@@ -179,7 +220,9 @@ class Actions(QObject):
             self.submenus["Panels"].addAction(action)
         for name, menu in self._menus.items():
             if not menu.menu:
-                self._fill_menu(self._window.menuBar().addMenu(gettext(menu.title)), name)
+                made = self._window.menuBar().addMenu(gettext(menu.title))
+                made.setToolTipsVisible(True)
+                self._fill_menu(made, name)
 
     def _fill_menu(self, menu: QMenu, name: str) -> None:
         for group in menu_groups(name, self._records, self._menus):
@@ -221,8 +264,7 @@ class Actions(QObject):
                 groups[record.choice].addAction(action)
 
     def _create_action(self, record: ActionRecord) -> QAction:
-        text, tip = record.texts
-        action = QAction(text, self._window)
+        action = QAction(record.texts[0], self._window)
         action.setObjectName(f"{self._prefix}_{record.name}")
         if record.short:
             action.setIconText(gettext(record.short))
@@ -232,7 +274,4 @@ class Actions(QObject):
             action.setShortcuts([QKeySequence(key) for key in record.keys])
         elif record.keys:
             action.setShortcut(QKeySequence(record.keys))
-        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{tip} ({shown})" if shown else tip)
-        action.setStatusTip(tip)
         return action

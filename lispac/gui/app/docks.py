@@ -1,41 +1,64 @@
-"""Dock panels of the window: default layout, actions and focus."""
+"""Dock panels of the window: which of them are open, default layout, actions and focus."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
-from PySide6.QtCore import QByteArray, Qt, QTimer
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+from PySide6.QtCore import QByteArray, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCloseEvent
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QToolBar, QWidget
 
+from lispac.gui.app.panel_window import PanelWindow
 from lispac.gui.widgets.tab_order import focus_dock_content
 from lispac.language import N_, gettext
 
 Area = Qt.DockWidgetArea
-Docks = dict[str, QDockWidget]
 
 WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
 """English titles of docks: keys of `Docks`; the object names in a saved layout come from them."""
+SIDE_WIDTH_PX, STRIP_HEIGHT_PX = 336, 174
+"""Initial width of the panel at the left, and height of the panels at the bottom, pixels.
+
+With them, the 3D view has 55 % of a window of 1600 x 1000 and 45 % of one of 1366 x 768 pixels."""
+
+
+class Dock(QDockWidget):
+    """Panel at a side of the window, which the user can close, move and detach."""
+
+    closed = Signal()
+    """The user has closed the panel."""
+    about_to_open = Signal()
+    """An action opens the panel, or brings it to the front."""
+
+    def bring_to_front(self) -> None:
+        """Open the panel, or bring it to the front."""
+        self.about_to_open.emit()
+        self.show()
+        self.raise_()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Emit `closed`."""
+        super().closeEvent(event)
+        self.closed.emit()
+
+
+Docks = dict[str, Dock]
 
 
 def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
-    """Create the docks of the panels by title; docks on one side are tabs, the first in front."""
+    """Create the docks of the panels by title; docks on one side are tabs."""
     # With an enabled layout, Qt leaves empty tab bars behind
     window.layout().setEnabled(False)
     docks: Docks = {}
     last: dict[Area, QDockWidget] = {}
-    first: dict[Area, QDockWidget] = {}
     for title, (panel, area) in panels.items():
         docks[title] = dock = _create_dock(window, title, panel)
         window.addDockWidget(area, dock)
         if area in last:
             window.tabifyDockWidget(last[area], dock)
         last[area] = dock
-        first.setdefault(area, dock)
-    for area in first:
+    for area in Area.LeftDockWidgetArea, Area.RightDockWidgetArea, Area.BottomDockWidgetArea:
         window.setTabPosition(area, QTabWidget.TabPosition.North)
     window.layout().setEnabled(True)
-    for dock in first.values():
-        dock.raise_()
     window.setCorner(Qt.Corner.BottomLeftCorner, Area.LeftDockWidgetArea)
     window.setCorner(Qt.Corner.BottomRightCorner, Area.BottomDockWidgetArea)
     window.setDockOptions(
@@ -68,33 +91,143 @@ def focus_dock(dock: QDockWidget) -> None:
 
 
 def raise_panel(panel: QWidget) -> None:
-    """Bring the dock of a panel to the front without changing the focus."""
-    dock = panel.parentWidget()
-    assert isinstance(dock, QDockWidget)
-    dock.show()
-    dock.raise_()
+    """Bring a panel to the front, in its dock or its own window."""
+    container = panel.parentWidget()
+    assert isinstance(container, Dock | PanelWindow)
+    container.bring_to_front()
 
 
-def set_initial_sizes(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Set the initial sizes of the panels."""
-    sides = [docks[WORKFLOW], docks[RESULTS]]
-    window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
-    bottom = [docks[SIGHTINGS]]
-    window.resizeDocks(bottom, [3 * window.height() // 10], Qt.Orientation.Vertical)
+class DockLayout(QObject):
+    """Decides which docks are open, and hides all of them while the view is maximised.
 
-
-def restore_default_layout(
-    window: QMainWindow, docks: Mapping[str, QDockWidget], initial_state: QByteArray
-) -> None:
-    """Restore the initial layout, including closed and floating panels.
+    A dock is opened when there is something to show in it, unless the user has closed it. The docks
+    that do not open by themselves are opened by the user.
 
     Parameters
     ----------
-    initial_state : state of the window when its panels were created
+    automatic : titles of the docks that open by themselves
     """
-    window.restoreState(initial_state)
-    # The state contains the sizes of panels before the window got its own size
-    set_initial_sizes(window, docks)
+
+    maximised_changed = Signal(bool)
+
+    def __init__(self, window: QMainWindow, docks: Docks, automatic: Collection[str]) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        self._automatic = frozenset(automatic)
+        self._wanted = set(self._automatic)
+        self._filled: frozenset[str] = frozenset()
+        self._has_strip_height = False
+        self._state_before: QByteArray | None = None
+        for title, dock in docks.items():
+            dock.setVisible(title == WORKFLOW)
+            dock.visibilityChanged.connect(
+                lambda visible, title=title: visible and self._on_shown(title)
+            )
+            dock.about_to_open.connect(lambda: self.set_maximised(False))
+            dock.closed.connect(lambda title=title: self._wanted.discard(title))
+        self._initial_state = window.saveState()
+
+    # -- content -----------------------------------------------------------------------------
+
+    def show_filled(self, filled: Collection[str], *, is_new_project: bool) -> None:
+        """Open the wanted docks that now have something to show.
+
+        Parameters
+        ----------
+        filled : titles of the docks that have something to show
+        is_new_project : whether docks without content are closed as well
+        """
+        former = frozenset() if is_new_project else self._filled
+        self._filled = frozenset(filled)
+        if self.is_maximised:
+            return
+        if is_new_project:
+            for title, dock in self._docks.items():
+                if title not in self._filled:
+                    dock.hide()
+        self._open(self._filled - former)
+
+    def present(self, title: str) -> None:
+        """Bring a dock to the front, unless the user has closed it."""
+        if title in self._wanted and not self.is_maximised:
+            self._docks[title].show()
+            self._docks[title].raise_()
+
+    def _open(self, titles: Collection[str]) -> None:
+        opened = [
+            dock
+            for title, dock in self._docks.items()
+            if title in titles and title in self._wanted and dock.isHidden()
+        ]
+        for dock in opened:
+            dock.show()
+        if opened:
+            opened[0].raise_()
+
+    def _on_shown(self, title: str) -> None:
+        self._wanted.add(title)
+        if not self._has_strip_height and title != WORKFLOW and self._window.isVisible():
+            self._has_strip_height = True
+            self._set_strip_height(self._docks[title])
+
+    def _set_strip_height(self, dock: QDockWidget) -> None:
+        if self._window.dockWidgetArea(dock) == Area.BottomDockWidgetArea:
+            self._window.resizeDocks([dock], [STRIP_HEIGHT_PX], Qt.Orientation.Vertical)
+
+    # -- maximised view ----------------------------------------------------------------------
+
+    @property
+    def is_maximised(self) -> bool:
+        """Whether all docks are hidden, so that the view fills the window."""
+        return self._state_before is not None
+
+    def set_maximised(self, maximised: bool) -> None:
+        """Hide all docks and toolbars, or restore them as they were."""
+        if maximised == self.is_maximised:
+            return
+        if maximised:
+            self._state_before = self._window.saveState()
+            for each in (*self._docks.values(), *self._window.findChildren(QToolBar)):
+                each.hide()
+        else:
+            before, self._state_before = self._state_before, None
+            assert before is not None
+            self._window.restoreState(before)
+            self._open(self._filled)
+        self.maximised_changed.emit(maximised)
+
+    # -- layout ------------------------------------------------------------------------------
+
+    def set_initial_sizes(self) -> None:
+        """Set the initial sizes of the docks; those at the bottom get theirs when they open."""
+        self._window.resizeDocks(
+            [self._docks[WORKFLOW]], [SIDE_WIDTH_PX], Qt.Orientation.Horizontal
+        )
+        self._has_strip_height = False
+        for title, dock in self._docks.items():
+            if title != WORKFLOW and dock.isVisible():
+                self._on_shown(title)
+
+    def restore_default(self) -> None:
+        """Restore the initial layout, including closed and floating docks."""
+        self._state_before = None
+        self._window.restoreState(self._initial_state)
+        self._wanted = set(self._automatic)
+        self._open(self._filled)
+        # The state contains the sizes of docks before the window got its own size
+        self.set_initial_sizes()
+        self.maximised_changed.emit(False)
+
+    def state(self) -> tuple[QByteArray, list[str]]:
+        """State to store: layout of the window without maximised view, titles of wanted docks."""
+        layout = self._state_before or self._window.saveState()
+        return layout, [title for title in self._docks if title in self._wanted]
+
+    def restore(self, layout: QByteArray, wanted: Collection[str] | None) -> None:
+        """Restore a stored layout; ``wanted`` is None if it was stored without the docks."""
+        self._window.restoreState(layout)
+        self._wanted = set(self._automatic if wanted is None else wanted)
+        self._has_strip_height = True
 
 
 def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
@@ -114,8 +247,8 @@ def hide_floating_docks(docks: Mapping[str, QDockWidget]) -> None:
             dock.hide()
 
 
-def _create_dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
-    dock = QDockWidget(gettext(title), window)
+def _create_dock(window: QMainWindow, title: str, panel: QWidget) -> Dock:
+    dock = Dock(gettext(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
     dock.setWidget(panel)
     return dock

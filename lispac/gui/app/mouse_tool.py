@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QKeySequence
 
 from lispac.gui.app.actions import Actions
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.viewport.base import MouseMode, PickedPoint, Viewport
 from lispac.language import gettext
 
@@ -26,7 +27,7 @@ class MouseTool(QObject):
         viewport.signals.pointed.connect(self._pass_point)
         viewport.signals.outlined.connect(lambda corners: self._outlined(corners))
         actions["end_tool"].triggered.connect(lambda _=False: self.end())
-        actions["end_tool"].setEnabled(False)
+        actions.set_reason("end_tool", Unavailable.NO_TOOL)
 
     @property
     def tool(self) -> str:
@@ -59,8 +60,10 @@ class MouseTool(QObject):
         if outlined is not None:
             mode, self._outlined = "outline", outlined
         self._actions["reject"].setShortcut(QKeySequence())
-        self._actions["end_tool"].setEnabled(True)
+        self._actions.set_reason("end_tool", None)
         self._actions[tool].setChecked(True)
+        # A tool may be started in another window, and is used and ended with Esc in this one
+        self._viewport.widget.window().activateWindow()
         self.hint(hint, mode)
 
     def hint(self, text: str, mode: MouseMode = "point") -> None:
@@ -74,7 +77,7 @@ class MouseTool(QObject):
         tool, self._tool = self._tool, ""
         self._pointed, self._outlined = lambda _point: None, lambda _corners: None
         self._actions[tool].setChecked(False)
-        self._actions["end_tool"].setEnabled(False)
+        self._actions.set_reason("end_tool", Unavailable.NO_TOOL)
         self._actions["reject"].setShortcut(QKeySequence("Esc"))
         self._viewport.set_mouse("navigate")
         self._ended()

@@ -83,6 +83,28 @@ class AppSettings:
         self._store.setValue("geometry", geometry)
         self._store.setValue("docks", state)
 
+    @property
+    def open_panels(self) -> list[str] | None:
+        """English titles of the panels that the user wants open; None if nothing is stored."""
+        try:
+            stored = json_values(str(self._store.value("open_panels", "")))
+        except ValueError:
+            return None
+        return [str(each) for each in stored] if isinstance(stored, list) else None
+
+    @open_panels.setter
+    def open_panels(self, titles: list[str]) -> None:
+        self._store.setValue("open_panels", json.dumps(titles))
+
+    def window_geometry(self, name: str) -> QByteArray | None:
+        """Geometry of another window by its object name; None if it has not been open before."""
+        stored = self._store.value(f"geometry_{name}")
+        return stored if isinstance(stored, QByteArray) else None
+
+    def save_window_geometry(self, name: str, geometry: QByteArray) -> None:
+        """Store the geometry of another window."""
+        self._store.setValue(f"geometry_{name}", geometry)
+
     def column_mappings(self) -> dict[str, str]:
         """Meaning of the columns of text files, by the layout of the file."""
         try:

@@ -80,11 +80,11 @@ QToolTip {{ color: {s.text}; background: {s.paper}; border: 1px solid {s.border}
 QMainWindow::separator {{ background: {s.window}; width: 5px; height: 5px; }}
 QMainWindow::separator:hover {{ background: {s.chosen_edge}; }}
 QDockWidget {{ font-weight: 600; {_dock_icons(scheme)} }}
-QDockWidget::title {{ background: {s.title}; padding: 5px 8px 3px 8px;
+QDockWidget::title {{ background: {s.title}; padding: 2px 8px 1px 8px;
     border-bottom: 1px solid {s.border}; }}
 QToolBar {{ background: {s.bar}; border: none; border-bottom: 1px solid {s.border};
-    padding: 2px 6px; spacing: 2px; }}
-QToolBar QToolButton {{ padding: 3px 6px; border: 1px solid transparent; border-radius: 5px; }}
+    padding: 1px 6px; spacing: 2px; }}
+QToolBar QToolButton {{ padding: 1px 6px; border: 1px solid transparent; border-radius: 5px; }}
 QToolBar QToolButton:hover {{ background: {s.hover}; }}
 QToolBar QToolButton:checked {{ background: {s.chosen}; border-color: {s.chosen_edge}; }}
 QToolBar QToolButton:focus {{ border-color: {s.accent}; }}
@@ -149,7 +149,7 @@ QHeaderView::section {{ background: {s.header}; border: none; border-right: 1px 
 QProgressBar {{ border: 1px solid {s.border}; border-radius: 4px; background: {s.paper};
     text-align: center; min-height: 16px; max-height: 16px; color: {s.text}; }}
 QProgressBar::chunk {{ background: {s.progress}; border-radius: 3px; }}
-QMainWindow > QTabBar::tab {{ padding: 4px 14px 4px 14px; min-height: 17px; background: transparent;
+QMainWindow > QTabBar::tab {{ padding: 2px 14px 2px 14px; min-height: 17px; background: transparent;
     border: none; border-bottom: 3px solid transparent; color: {s.muted}; }}
 QMainWindow > QTabBar::tab:selected {{ color: {s.text}; border-bottom-color: {s.accent}; }}
 QMainWindow > QTabBar::tab:focus {{ color: {s.accent}; }}

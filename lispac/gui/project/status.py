@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.duplicate_targets import all_warnings
+from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
@@ -34,13 +35,18 @@ class StepStatus:
     ----------
     sentence : short status for the header of the step
     advice : next action, for the panel of the step
-    ready : whether the step can be run
+    reason : why the step cannot be run; None if it can be run
     """
 
     state: StepState
     sentence: str
     advice: str
-    ready: bool = False
+    reason: Reason = None
+
+    @property
+    def ready(self) -> bool:
+        """Whether the step can be run."""
+        return self.reason is None
 
 
 @dataclass(frozen=True)
@@ -115,12 +121,16 @@ def step_statuses(
     """
     if project is None:
         nothing = StepStatus(
-            "empty", gettext("no project"), gettext("Open or create a project first.")
+            "empty",
+            gettext("no project"),
+            gettext("Open or create a project first."),
+            Unavailable.NO_PROJECT,
         )
         first = StepStatus(
             "todo",
             gettext("no project open"),
             gettext("Create a project from a trajectory and lines, or open the demo survey."),
+            Unavailable.NO_PROJECT,
         )
         return (first, *[nothing] * 4)
     return (
@@ -137,14 +147,16 @@ def _data_status(project: Project, survey: Survey | None) -> StepStatus:
     if survey is None:
         reading = Plural("reading {count:n} line", "reading {count:n} lines")
         return StepStatus(
-            "todo", gettext(reading, count=lines), gettext("The files are being read.")
+            "todo",
+            gettext(reading, count=lines),
+            gettext("The files are being read."),
+            Unavailable.READING,
         )
     points = sum(len(scan) for scan in survey.scans.values())
     return StepStatus(
         "done",
         gettext("{lines}, {points}", lines=line_count(lines), points=point_count(points)),
         gettext("Check the lever arm and its signs, then continue with the targets."),
-        ready=True,
     )
 
 
@@ -153,14 +165,16 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
     planes = project.targets_of_role("validation")
     if survey is None:
         return StepStatus(
-            "empty", gettext("waiting for data"), gettext("Wait until the data are read.")
+            "empty",
+            gettext("waiting for data"),
+            gettext("Wait until the data are read."),
+            Unavailable.READING,
         )
     if not used:
         return StepStatus(
             "todo",
             gettext("no targets yet"),
             gettext("Hold Ctrl and click a target in the view."),
-            ready=True,
         )
     in_few_lines = [target.name for target in used if len(target.used_sightings) < 2]
     lines = {s.line for target in used for s in target.used_sightings}
@@ -178,17 +192,15 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
                 "exclude it.",
                 target=in_few_lines[0],
             ),
-            ready=True,
         )
     if len(used) < 2:
         return StepStatus(
             "warning",
             gettext("{targets}: second target required", targets=sentence),
             _single_target_text(),
-            ready=True,
         )
     if project.result is None and do_targets_face_one_way(project, survey):
-        return StepStatus("warning", sentence, _one_facing_text(), ready=True)
+        return StepStatus("warning", sentence, _one_facing_text())
     if planes:
         advice = gettext(
             "There are enough targets and planes for the adjustment and the validation."
@@ -198,62 +210,70 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
             "There are enough targets for the adjustment. Pick validation planes as well, to "
             "check how well the lines agree."
         )
-    return StepStatus("done", sentence, advice, ready=True)
+    return StepStatus("done", sentence, advice)
 
 
 def _adjust_status(
     project: Project, survey: Survey | None, waiting: bool, refusal: Message | str
 ) -> StepStatus:
     used = [target for target in project.targets_of_role("target") if target.used]
-    ready = survey is not None and bool(used)
+    reason = first_reason((not used, Unavailable.NO_TARGET), (survey is None, Unavailable.READING))
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
-            advice = gettext("Read the warnings on the right before you use the angles.")
+            advice = gettext("Read the warnings (F12) before you use the angles.")
         else:
             sentence = gettext("done: variance factor {factor:x.2}", factor=factor)
-            advice = gettext("The result is on the right.")
+            advice = gettext("The result is in the panel Results.")
         if not serious and not passed:
             advice = gettext(
-                "The residuals do not agree with the given standard deviations. See the test on "
-                "the right."
+                "The residuals do not agree with the given standard deviations. See the test in "
+                "the panel Results."
             )
         return StepStatus(
             "done" if passed and not serious else "warning",
             sentence,
             advice,
-            ready=ready,
+            reason=reason,
         )
     if refusal:
         reason = message_text(refusal) if isinstance(refusal, Message) else refusal
-        return StepStatus("warning", gettext("not estimated"), reason, ready=ready)
+        return StepStatus("warning", gettext("not estimated"), reason, reason=reason)
     if waiting:
         return StepStatus(
             "todo",
             gettext("estimation in progress"),
             gettext("The result is updated automatically."),
-            ready=ready,
+            reason=reason,
         )
-    if not ready:
+    if reason is not None:
         return StepStatus(
-            "empty", gettext("pick targets first"), gettext("Pick at least two targets first.")
+            "empty",
+            gettext("pick targets first"),
+            gettext("Pick at least two targets first."),
+            reason,
         )
     if len(used) < 2:
         sentence = gettext("second target required")
-        return StepStatus("warning", sentence, _single_target_text(), ready=True)
+        return StepStatus("warning", sentence, _single_target_text())
     if survey is not None and do_targets_face_one_way(project, survey):
         sentence = gettext("target with another orientation required")
-        return StepStatus("warning", sentence, _one_facing_text(), ready=True)
-    return StepStatus("todo", gettext("ready to estimate"), gettext("Press Estimate."), ready=True)
+        return StepStatus("warning", sentence, _one_facing_text())
+    return StepStatus("todo", gettext("ready to estimate"), gettext("Press Estimate."))
 
 
 def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
     planes = [plane for plane in project.targets_of_role("validation") if plane.used]
+    reason = first_reason(
+        (not planes and not project.validation, Unavailable.NO_PLANE),
+        (project.result is None, Unavailable.NO_RESULT),
+        (survey is None, Unavailable.READING),
+    )
     if project.validation:
-        return _compared_status(project, survey)
+        return _compared_status(project, reason)
     if not planes:
         return StepStatus(
             "empty",
@@ -262,6 +282,7 @@ def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
                 "Pick planes that are not used in the adjustment: select Validation plane in "
                 "step 2, then Ctrl+click."
             ),
+            reason,
         )
     if project.result is None:
         return StepStatus(
@@ -271,6 +292,7 @@ def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
                 count=len(planes),
             ),
             gettext("Estimate the boresight first, to compare the lines before and after."),
+            reason,
         )
     return StepStatus(
         "todo",
@@ -278,11 +300,11 @@ def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
             Plural("{count:n} plane to compare", "{count:n} planes to compare"), count=len(planes)
         ),
         gettext("Press Validate to compare the lines on each plane."),
-        ready=survey is not None,
+        reason=reason,
     )
 
 
-def _compared_status(project: Project, survey: Survey | None) -> StepStatus:
+def _compared_status(project: Project, reason: Reason) -> StepStatus:
     """Status after a validation: judged by the acceptance criteria, or only compared."""
     better = sum(c.after.rms < c.before.rms for c in project.validation)
     total = len(project.validation)
@@ -321,30 +343,34 @@ def _compared_status(project: Project, survey: Survey | None) -> StepStatus:
         state,
         sentence,
         "\n".join([*advice, *map(message_text, not_compared.values())]),
-        ready=project.result is not None and survey is not None,
+        reason=reason,
     )
 
 
 def _report_status(project: Project, survey: Survey | None, reported: str) -> StepStatus:
+    reason = first_reason(
+        (project.result is None, Unavailable.NO_RESULT), (survey is None, Unavailable.READING)
+    )
     if project.result is None:
         return StepStatus(
             "empty",
             gettext("estimate first"),
             gettext("The report needs an estimated boresight."),
+            reason,
         )
     if reported:
         return StepStatus(
             "done",
             gettext("exported: {file}", file=reported),
             gettext("The report is up to date. You can export it again in another format."),
-            ready=survey is not None,
+            reason=reason,
         )
     if project.validation:
         return StepStatus(
             "todo",
             gettext("ready to export"),
             gettext("Export the report as PDF or HTML, or its numbers as JSON."),
-            ready=survey is not None,
+            reason=reason,
         )
     return StepStatus(
         "warning",
@@ -353,7 +379,7 @@ def _report_status(project: Project, survey: Survey | None, reported: str) -> St
             "The report has no validation yet; run step 4 to add it. You can export the report "
             "as PDF or HTML, or its numbers as JSON."
         ),
-        ready=survey is not None,
+        reason=reason,
     )
 
 

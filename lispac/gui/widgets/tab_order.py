@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QPushButton,
     QScrollArea,
+    QTabBar,
     QToolButton,
     QWidget,
 )
@@ -84,6 +85,8 @@ def _is_stop(widget: QWidget, window: QMainWindow) -> bool:
         and widget.isVisible()
         and widget.window() == window
         and _is_in_front(_ancestor(widget, QDockWidget))
+        # Qt keeps the tab bars of closed docks, outside the window
+        and not (isinstance(widget, QTabBar) and widget.visibleRegion().isEmpty())
         and not (isinstance(widget, QScrollArea) and _needs_no_focus(widget))
     )
 

@@ -3,6 +3,7 @@
 from PySide6.QtGui import QKeySequence
 
 from lispac.gui.app.actions import ActionRecord, Menu, by_name
+from lispac.gui.features.conventions import actions as conventions
 from lispac.gui.features.design import actions as design
 from lispac.gui.features.estimate import actions as estimate
 from lispac.gui.features.export import actions as export
@@ -32,8 +33,7 @@ MENUS = {
     "Language": Menu(N_("Lan&guage · Langue"), "View", 5, 5),
     "Inspect": Menu(N_("&Inspect")),
     "Targets": Menu(N_("&Targets")),
-    "Adjust": Menu(N_("&Adjust")),
-    "Validate": Menu(N_("Va&lidate")),
+    "Calibrate": Menu(N_("&Calibrate")),
     "Help": Menu(N_("&Help")),
 }
 """Menus and submenus by name; those of the menu bar in their order."""
@@ -59,10 +59,13 @@ ACTIONS = by_name(
     ActionRecord("redo", N_("&Redo"), N_("Redo the edit that was undone"), ("Edit", 1, 2),
         toolbar=(2, 2), short=N_("Redo"), icon="redo", keys=("Ctrl+Y", "Ctrl+Shift+Z")),
     ActionRecord("cancel", N_("&Cancel the running task"),
-        N_("Cancel the running task; the project stays unchanged"), ("Adjust", 3, 1),
+        N_("Cancel the running task; the project stays unchanged"), ("Calibrate", 5, 1),
         icon="close-circle-outline", keys="Ctrl+."),
     ActionRecord("arrange", N_("&Restore default layout"),
         N_("Restore the default layout of all panels"), ("Panels", 2, 1)),
+    ActionRecord("maximise", N_("Ma&ximise the 3D view"),
+        N_("Hide all panels and the toolbar; the same key restores them"), ("View", 2, 5),
+        icon="fullscreen", keys="F11", toggles=True),
     ActionRecord("quit", N_("&Quit"), N_("Quit the program"), ("File", 6, 1),
         keys=QKeySequence.StandardKey.Quit),
 )  # fmt: skip
@@ -73,6 +76,7 @@ ALL_ACTIONS = {
     **export.ACTIONS,
     **pick_targets.ACTIONS,
     **estimate.ACTIONS,
+    **conventions.ACTIONS,
     **patch_test.ACTIONS,
     **studies.ACTIONS,
     **design.ACTIONS,

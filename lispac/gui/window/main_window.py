@@ -11,6 +11,7 @@ from lispac.gui.app import docks
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
 from lispac.gui.app.log_file import LOGGER
+from lispac.gui.app.panel_window import PanelWindow
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.app.tasks import TaskRunner
@@ -51,7 +52,7 @@ from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.panel_refresh import PanelRefresh
-from lispac.gui.window.panels import Panels
+from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 from lispac.messages import Message
@@ -149,7 +150,7 @@ class MainWindow(QMainWindow):
         panels, computations = self.panels, self.computations
         self.panel_refresh = PanelRefresh(
             document, runner, control, computations, scene, settings, actions, panels,
-            self.central_widget,
+            self.central_widget, self.dock_layout, self.tools.panels,
         )  # fmt: skip
         document.about_to_open.connect(self._discard_typed_texts)
         document.about_to_open.connect(panels.targets.reset_seed_options)
@@ -211,7 +212,12 @@ class MainWindow(QMainWindow):
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self.tools.point_readout.shown.connect(self.task_bar.point.setText)
-        self._initial_state = self.saveState()
+        self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
+        windows = {**self.panels.windows(), **self.tools.windows}
+        self.panel_windows = {
+            title: PanelWindow(title, panel, size, self, self.settings)
+            for title, (panel, size) in windows.items()
+        }
         # `isVisible` is also True for a dock behind another; only this signal is reliable
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
         self.actions_.fill_menus(docks.dock_actions(self.docks))
@@ -221,10 +227,10 @@ class MainWindow(QMainWindow):
         if stored_layout is None:
             if screen.height() < self.height() + MAX_TITLE_BAR_HEIGHT_PX:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
-            docks.set_initial_sizes(self, self.docks)
+            self.dock_layout.set_initial_sizes()
         else:
             self.restoreGeometry(stored_layout[0])
-            self.restoreState(stored_layout[1])
+            self.dock_layout.restore(stored_layout[1], self.settings.open_panels)
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
@@ -266,6 +272,9 @@ class MainWindow(QMainWindow):
 
     def _connect_actions(self) -> None:
         actions = self.actions_
+        self.dock_layout.maximised_changed.connect(actions["maximise"].setChecked)
+        for each in self.panel_windows.values():
+            each.share_actions(actions.all)
         actions.connect_slots(
             {
                 "quit": self.close,
@@ -275,9 +284,10 @@ class MainWindow(QMainWindow):
                 "validate": self.computations.validate,
                 "cancel": self.runner.cancel,
                 **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
-                "arrange": lambda: docks.restore_default_layout(
-                    self, self.docks, self._initial_state
-                ),
+                "arrange": self.dock_layout.restore_default,
+                "maximise": lambda: self.dock_layout.set_maximised(actions["maximise"].isChecked()),
+                "diagnostics": partial(docks.raise_panel, self.diagnostics),
+                "convention": partial(docks.raise_panel, self.convention),
                 "keys": self.dialogs.shortcuts,
                 "tour": lambda: self.tour.start(),
                 "log_file": self._open_log_file,
@@ -288,15 +298,15 @@ class MainWindow(QMainWindow):
     def _connect_tasks(self) -> None:
         # The note in the status bar referred to the former state
         self.document.changed.connect(self.task_bar.clearMessage)
-        self.task_bar.cancel_requested.connect(self.runner.cancel)
-        self.runner.progress_changed.connect(lambda: self.task_bar.show_task(self.runner.current))
+        for bar in self._task_bars:
+            bar.cancel_requested.connect(self.runner.cancel)
+            self.runner.progress_changed.connect(lambda bar=bar: bar.show_task(self.runner.current))
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)
         self.runner.cancelled_too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.logged.connect(self._note)
-        self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
-        self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
+        self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)
@@ -307,7 +317,13 @@ class MainWindow(QMainWindow):
     def _note(self, text: str) -> None:
         LOGGER.info(text)
         self.log.note(text)
-        self.task_bar.showMessage(text, NOTE_DURATION_MS)
+        for bar in self._task_bars:
+            bar.showMessage(text, NOTE_DURATION_MS)
+
+    @property
+    def _task_bars(self) -> list[TaskStatusBar]:
+        """Status bars of this window and of the windows of its panels."""
+        return [self.task_bar, *(each.task_bar for each in self.panel_windows.values())]
 
     # -- requests --------------------------------------------------------------------------
 
@@ -398,6 +414,8 @@ class MainWindow(QMainWindow):
         ):
             copy_fields(before, after)
         self.workflow.open(former.workflow.opened)
+        for title, window in self.panel_windows.items():
+            window.copy_state_from(former.panel_windows[title])
         if former.controller.candidate is not None:
             self.controller.set_candidate(former.controller.candidate)
         self.scene.copy_state_from(former.scene)
@@ -423,7 +441,10 @@ class MainWindow(QMainWindow):
 
     def save_layout(self) -> None:
         """Store the layout of window and panels in the settings."""
-        self.settings.save_layout(self.saveGeometry(), self.saveState())
+        layout, self.settings.open_panels = self.dock_layout.state()
+        self.settings.save_layout(self.saveGeometry(), layout)
+        for each in self.panel_windows.values():
+            each.save_geometry()
         self.settings.sync()
 
     def stop_and_hide(self) -> None:
@@ -432,6 +453,8 @@ class MainWindow(QMainWindow):
         The window is hidden first, since running work may take seconds to stop.
         """
         docks.hide_floating_docks(self.docks)
+        for each in self.panel_windows.values():
+            each.hide()
         self.hide()
         self.site_design.end()
         self.adjust.stop()

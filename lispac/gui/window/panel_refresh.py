@@ -1,10 +1,14 @@
 """Refresh of the panels from the document, and availability of the actions."""
 
+from collections.abc import Collection
+
 from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
+from lispac.gui.app.docks import DockLayout
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
 from lispac.gui.project.computations import Computations, PointCount
 from lispac.gui.project.controller import GEOREFERENCING_KEY, Controller
 from lispac.gui.project.document import Document
@@ -19,7 +23,7 @@ from lispac.gui.project.status import (
     step_statuses,
 )
 from lispac.gui.window.central_widget import CentralWidget
-from lispac.gui.window.panels import Panels
+from lispac.gui.window.panels import Panels, filled_docks
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
@@ -38,16 +42,19 @@ class PanelRefresh(QObject):
         actions: Actions,
         panels: Panels,
         central_widget: CentralWidget,
+        dock_layout: DockLayout,
+        tool_titles: Collection[str],
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._controller = document, runner, controller
         self._computations, self._settings, self._actions = computations, settings, actions
         self._panels, self._central_widget = panels, central_widget
-        self._opening = False
+        self._dock_layout, self._tool_titles = dock_layout, tool_titles
+        self._opening, self._is_new_project = False, True
         document.changed.connect(self.refresh)
         document.changed.connect(self._count_points)
         panels.workflow.step_opened.connect(lambda _step: self.refresh())
-        document.modified.connect(actions["save"].setEnabled)
+        document.modified.connect(lambda _modified: self._enable_save())
         document.opened.connect(self._open_step)
         runner.changed.connect(self._show_task)
         runner.progress_changed.connect(self._show_progress)
@@ -66,11 +73,15 @@ class PanelRefresh(QObject):
         if state.project is None:
             self._central_widget.start.show_recent(self._settings.recent())
         self._panels.show_state(state)
+        self._dock_layout.show_filled(
+            filled_docks(state, self._tool_titles), is_new_project=self._is_new_project
+        )
+        self._is_new_project = False
         self._enable_controls(state)
 
     def _open_step(self) -> None:
         """Open the first step that is not done, without refreshing the panels twice."""
-        self._opening = True
+        self._opening = self._is_new_project = True
         try:
             self._panels.workflow.open(self._first_open_step())
         finally:
@@ -85,41 +96,56 @@ class PanelRefresh(QObject):
         )
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
-            document.refused_since, self._can_estimate(), document.is_result_outdated,
+            document.refused_since, self._estimate_reason() is None, document.is_result_outdated,
         )  # fmt: skip
 
-    def _can_estimate(self) -> bool:
-        """Whether an estimate can be requested, also while the lines are georeferenced again."""
+    def _estimate_reason(self) -> Reason:
+        """Reason why no estimate can be requested; it can while lines are georeferenced again."""
         project = self._document.project
-        has_targets = project is not None and any(
-            target.used for target in project.targets_of_role("target")
+        targets = () if project is None else project.targets_of_role("target")
+        return first_reason(
+            (project is None, Unavailable.NO_PROJECT),
+            (not any(target.used for target in targets), Unavailable.NO_TARGET),
+            (self._document.survey is None, Unavailable.READING),
+            (self._runner.is_busy_beside(GEOREFERENCING_KEY), Unavailable.BUSY),
         )
-        is_busy = self._runner.is_busy_beside(GEOREFERENCING_KEY)
-        return has_targets and self._document.survey is not None and not is_busy
+
+    def _enable_save(self) -> None:
+        document = self._document
+        self._actions.set_reason(
+            "save",
+            first_reason(
+                (document.project is None, Unavailable.NO_PROJECT),
+                (not document.is_modified, Unavailable.SAVED),
+            ),
+        )
 
     def _enable_controls(self, state: ProjectState) -> None:
-        project, statuses, busy = state.project, state.steps, state.is_busy
-        actions = self._actions
-        estimated = project is not None and project.result is not None
-        for name, enabled in {
-            "save": self._document.is_modified,
-            "new": not busy,
-            "open": not busy,
-            "demo": not busy,
-            "tour": not busy,
-            **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
-            "report": statuses[REPORT].ready and not busy,
-            "accept": self._controller.candidate is not None,
-            "reject": self._controller.candidate is not None,
-            "estimate": state.can_estimate,
-            "validate": statuses[VALIDATE].ready and not busy,
-            "cancel": self._runner.active,
-            "before": project is not None,
-            "after": estimated,
-            "toggle": estimated,
+        steps = state.steps
+        busy = first_reason((state.is_busy, Unavailable.BUSY))
+        no_project = first_reason((state.project is None, Unavailable.NO_PROJECT))
+        no_result = no_project or first_reason(
+            (state.project is not None and state.project.result is None, Unavailable.NO_RESULT)
+        )
+        for name, reason in {
+            **dict.fromkeys(("new", "open", "demo", "tour", "Recent"), busy),
+            **dict.fromkeys(("add_lines", "save_as"), steps[DATA].reason or busy),
+            "report": steps[REPORT].reason or busy,
+            "estimate": self._estimate_reason(),
+            "validate": steps[VALIDATE].reason or busy,
+            "cancel": first_reason((not self._runner.active, Unavailable.NO_TASK)),
+            "before": no_project,
+            "after": no_result,
+            "toggle": no_result,
         }.items():
-            actions[name].setEnabled(enabled)
-        actions.submenus["Recent"].setEnabled(not busy)
+            self._actions.set_reason(name, reason)
+        self._enable_save()
+        self._enable_candidate()
+
+    def _enable_candidate(self) -> None:
+        waits = self._controller.candidate is not None
+        for name in ("accept", "reject"):
+            self._actions.set_reason(name, first_reason((not waits, Unavailable.NO_CANDIDATE)))
 
     def _show_progress(self) -> None:
         task = self._runner.current
@@ -139,8 +165,7 @@ class PanelRefresh(QObject):
         panels.targets.show_candidate(candidate, project)
         if candidate is not None:
             panels.workflow.scroll_to(panels.targets.candidate)
-        for name in ("accept", "reject"):
-            self._actions[name].setEnabled(candidate is not None)
+        self._enable_candidate()
 
     def _show_count(self, count: PointCount) -> None:
         self._panels.adjust.show_count(count.kept, count.total, count.sightings, count.reason)

@@ -1,10 +1,11 @@
 """The panels of the window."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import Field, dataclass, field, fields
 from datetime import datetime
 from typing import Any, Protocol, runtime_checkable
 
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
@@ -27,6 +28,7 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
 
+BELOW = Area.BottomDockWidgetArea
 MAX_LOG_LINES = 2000
 """Largest number of lines of the log; older ones are removed."""
 EMPTY_LOG_TEXT = N_(
@@ -42,12 +44,42 @@ class ProjectPanel(Protocol):
         """Show the project after a change."""
 
 
-def _dock(title: str, area: Area) -> dict[str, Any]:
-    """Metadata of a field of `Panels`: English title and side of the dock.
+Content = Callable[[ProjectState], bool]
+"""Whether a panel has something to show."""
 
-    Docks of one side are tabs, in the order of the fields.
+
+def _always(_state: ProjectState) -> bool:
+    return True
+
+
+def _has_project(state: ProjectState) -> bool:
+    return state.project is not None
+
+
+def _has_targets(state: ProjectState) -> bool:
+    return state.project is not None and bool(state.project.targets)
+
+
+def _has_result(state: ProjectState) -> bool:
+    return state.project is not None and state.project.result is not None
+
+
+def _has_validation(state: ProjectState) -> bool:
+    return state.project is not None and bool(state.project.validation)
+
+
+def _dock(title: str, area: Area, content: Content, *, opens: bool = False) -> dict[str, Any]:
+    """Metadata of a field of `Panels`: English title, side and content of the dock.
+
+    Docks of one side are tabs, in the order of the fields. A dock with ``opens`` opens by itself
+    when it has something to show.
     """
-    return {"title": title, "area": area}
+    return {"title": title, "area": area, "content": content, "opens": opens}
+
+
+def _window(title: str, width: int, height: int) -> dict[str, Any]:
+    """Metadata of a field of `Panels` with a window of its own: title and first size, pixels."""
+    return {"window": title, "size": QSize(width, height)}
 
 
 class LogPanel(QPlainTextEdit):
@@ -84,26 +116,29 @@ class Panels:
     adjust: AdjustPanel = field(default_factory=AdjustPanel)
     validate: ValidatePanel = field(default_factory=ValidatePanel)
     report: ReportPanel = field(default_factory=ReportPanel)
-    workflow: WorkflowPanel = field(init=False, metadata=_dock(WORKFLOW, Area.LeftDockWidgetArea))
-    results: ResultsPanel = field(
-        default_factory=ResultsPanel, metadata=_dock(RESULTS, Area.RightDockWidgetArea)
+    workflow: WorkflowPanel = field(
+        init=False, metadata=_dock(WORKFLOW, Area.LeftDockWidgetArea, _always, opens=True)
     )
-    convention: ConventionPanel = field(
-        default_factory=ConventionPanel, metadata=_dock(CONVENTION, Area.RightDockWidgetArea)
+    results: ResultsPanel = field(
+        default_factory=ResultsPanel, metadata=_dock(RESULTS, BELOW, _has_result, opens=True)
     )
     table: SightingsTable = field(
-        default_factory=SightingsTable, metadata=_dock(SIGHTINGS, Area.BottomDockWidgetArea)
-    )
-    diagnostics: DiagnosticsPanel = field(
-        default_factory=DiagnosticsPanel, metadata=_dock(DIAGNOSTICS, Area.BottomDockWidgetArea)
+        default_factory=SightingsTable, metadata=_dock(SIGHTINGS, BELOW, _has_targets, opens=True)
     )
     histograms: HistogramsPanel = field(
-        default_factory=HistogramsPanel, metadata=_dock(HISTOGRAMS, Area.BottomDockWidgetArea)
+        default_factory=HistogramsPanel,
+        metadata=_dock(HISTOGRAMS, BELOW, _has_validation, opens=True),
     )
     warnings: WarningsPanel = field(
-        default_factory=WarningsPanel, metadata=_dock(WARNINGS, Area.BottomDockWidgetArea)
+        default_factory=WarningsPanel, metadata=_dock(WARNINGS, BELOW, _has_project)
     )
-    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, Area.BottomDockWidgetArea))
+    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, BELOW, _always))
+    diagnostics: DiagnosticsPanel = field(
+        default_factory=DiagnosticsPanel, metadata=_window(DIAGNOSTICS, 1000, 620)
+    )
+    convention: ConventionPanel = field(
+        default_factory=ConventionPanel, metadata=_window(CONVENTION, 460, 720)
+    )
 
     def __post_init__(self) -> None:
         steps = (self.data, self.targets, self.adjust, self.validate, self.report)
@@ -116,12 +151,34 @@ class Panels:
             if isinstance(panel, ProjectPanel):
                 panel.show_state(state)
 
-    def docks(self, tools: Mapping[str, tuple[QWidget, Area]]) -> dict[str, tuple[QWidget, Area]]:
+    def docks(self, tools: Mapping[str, QWidget]) -> dict[str, tuple[QWidget, Area]]:
         """Panels by title with their sides, in the order of their tabs, including ``tools``."""
         docks = {
             each.metadata["title"]: (getattr(self, each.name), each.metadata["area"])
-            for each in fields(self)
-            if each.metadata
+            for each in _dock_fields()
         }
         last = {title: docks.pop(title) for title in (WARNINGS, LOG)}
-        return {**docks, **tools, **last}
+        return {**docks, **{title: (panel, BELOW) for title, panel in tools.items()}, **last}
+
+    def windows(self) -> dict[str, tuple[QWidget, QSize]]:
+        """Panels with a window of their own by title, with the first size of the window."""
+        return {
+            each.metadata["window"]: (getattr(self, each.name), each.metadata["size"])
+            for each in fields(self)
+            if "window" in each.metadata
+        }
+
+
+def automatic_docks() -> list[str]:
+    """Titles of the docks that open by themselves."""
+    return [each.metadata["title"] for each in _dock_fields() if each.metadata["opens"]]
+
+
+def filled_docks(state: ProjectState, tools: Collection[str]) -> list[str]:
+    """Titles of the docks that have something to show, with those of the tools."""
+    docks = [each.metadata["title"] for each in _dock_fields() if each.metadata["content"](state)]
+    return [*docks, *(tools if state.project is not None else ())]
+
+
+def _dock_fields() -> list[Field[Any]]:
+    return [each for each in fields(Panels) if "title" in each.metadata]

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, QSize
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.app.actions import Actions
@@ -77,11 +77,11 @@ class InspectionTools(QObject):
         document.about_to_open.connect(self.clipping.reset)
 
     @property
-    def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:
-        """Panels of the tools by title, with their sides."""
-        below = Qt.DockWidgetArea.BottomDockWidgetArea
-        return {
-            SECTION: (self.sections.panel, below),
-            PATCH_TEST: (self.patch_test_controller.panel, below),
-            CLIPPING: (self.clipping.panel, below),
-        }
+    def panels(self) -> dict[str, QWidget]:
+        """Docked panels of the tools by title."""
+        return {SECTION: self.sections.panel, CLIPPING: self.clipping.panel}
+
+    @property
+    def windows(self) -> dict[str, tuple[QWidget, QSize]]:
+        """Panels with a window of their own by title, with the first size of the window."""
+        return {PATCH_TEST: (self.patch_test_controller.panel, QSize(1120, 430))}

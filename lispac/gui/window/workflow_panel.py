@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
-from lispac.gui.app.docks import raise_panel
+from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEP_NAMES, ProjectState, StepState, StepStatus
 from lispac.language import N_, gettext
@@ -43,7 +43,7 @@ class WorkflowPanel(QWidget):
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
-            area = widgets.VerticalScrollArea(_top_aligned(panel), 340)
+            area = widgets.VerticalScrollArea(_top_aligned(panel), SIDE_WIDTH_PX)
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)

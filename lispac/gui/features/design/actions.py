@@ -5,8 +5,8 @@ from lispac.language import N_
 
 ACTIONS = by_name(
     ActionRecord("design", N_("&Design a survey…"),
-        N_("Plan boards and lines, and predict the precision before the survey"), ("Adjust", 2, 5),
-        keys="Ctrl+Shift+D"),
+        N_("Plan boards and lines, and predict the precision before the survey"),
+        ("Calibrate", 4, 3), keys="Ctrl+Shift+D"),
 )  # fmt: skip
 
 WINDOW_MENUS = {

@@ -20,6 +20,7 @@ from lispac.design.scenarios import THESIS_SCENARIOS, ScenarioOutcome
 from lispac.gui import widgets
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.features.design.actions import WINDOW_ACTIONS, WINDOW_MENUS
 from lispac.gui.features.design.plan_tables import LinesList, TargetsList
 from lispac.gui.features.design.plan_view import PlanView
@@ -244,12 +245,12 @@ class DesignWindow(QMainWindow):
 
     def _show(self) -> None:
         history = self.workspace.history
-        for name, title, edit in (
-            ("undo", N_("&Undo: {edit}"), history.undo_name),
-            ("redo", N_("&Redo: {edit}"), history.redo_name),
+        for name, title, edit, missing in (
+            ("undo", N_("&Undo: {edit}"), history.undo_name, Unavailable.NO_EDIT),
+            ("redo", N_("&Redo: {edit}"), history.redo_name, Unavailable.NOTHING_UNDONE),
         ):
             action, record = self.actions_[name], WINDOW_ACTIONS[name]
-            action.setEnabled(edit is not None)
+            self.actions_.set_reason(name, first_reason((edit is None, missing)))
             action.setText(gettext(record.text) if edit is None else gettext(title, edit=str(edit)))
             action.setIconText(gettext(record.short))
         for table in (self.surveys.result_table, self.compared):
@@ -257,15 +258,15 @@ class DesignWindow(QMainWindow):
         design = gettext("Survey design")
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
         self.setWindowModified(history.is_modified)
-        self.actions_["save"].setEnabled(history.is_modified)
+        self.actions_.set_reason("save", first_reason((not history.is_modified, Unavailable.SAVED)))
 
     def show_busy(self, busy: bool) -> None:
         """Enable or disable the controls while a task runs."""
         self.search.show_busy(busy)
         self.surveys.show_busy(busy)
         for name in ("scenarios", "compare"):
-            self.actions_[name].setEnabled(not busy)
-        self.actions_["cancel"].setEnabled(busy)
+            self.actions_.set_reason(name, first_reason((busy, Unavailable.BUSY)))
+        self.actions_.set_reason("cancel", first_reason((not busy, Unavailable.NO_TASK)))
 
     def note(self, text: str) -> None:
         """Show a text in the status bar for some seconds."""

@@ -29,6 +29,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.project.status import ProjectState
+from lispac.gui.widgets.column_flow import ColumnFlow
 from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -46,8 +47,21 @@ OUTDATED_NOTE = note("project.out_of_date")
 WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal distribution, in standard deviations."""
-_ROW_HEIGHT_PX = 25
+_ROW_HEIGHT_PX = 21
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+MIN_WIDTH_PX = 380
+ARRANGEMENTS = (
+    (("warnings", "angles", "parameters", "weakest", "fit", "correlation", "convention"),),
+    (("angles", "correlation", "convention"), ("warnings", "fit", "parameters", "weakest")),
+    (("angles", "correlation"), ("fit", "convention"), ("warnings", "parameters", "weakest")),
+    (
+        ("angles",), ("fit",), ("warnings", "parameters", "weakest"),
+        ("correlation", "convention"),
+    ),
+)  # fmt: skip
+"""Blocks of each column, from one column in a narrow panel to four in a wide one."""
 
 
 class ResultsPanel(QWidget):
@@ -96,20 +110,15 @@ class ResultsPanel(QWidget):
     def _create_body(self) -> QScrollArea:
         outer = QWidget()
         around = widgets.vertical_layout(outer)
+        around.setContentsMargins(12, 4, 12, 4)
         self._waiting = widgets.label(
             gettext("A new estimate is running. The values below are from before the change."),
             "hint", wrap=True, name="results_waiting",
         )  # fmt: skip
         around.addWidget(self._waiting)
-        self._body = QWidget()
-        around.addWidget(self._body)
-        layout = widgets.vertical_layout(self._body, 0)
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
-        layout.addWidget(self.warnings)
         title = gettext("Boresight ({unit})", unit=units.shown_unit("°").sign)
-        layout.addWidget(widgets.label(title, "heading"))
         self.angles = _create_table("angles_table", gettext("Boresight angles"), 4)
-        layout.addWidget(self.angles)
         self._truth_note = widgets.label(
             gettext(
                 "Simulated survey with known true angles. Green: the true angle is within the 95 % "
@@ -117,31 +126,35 @@ class ResultsPanel(QWidget):
             ),
             "muted", wrap=True,
         )  # fmt: skip
-        layout.addWidget(self._truth_note)
         self.rotation = widgets.label("", wrap=True, name="results_rotation", rich=True)
-        layout.addWidget(self.rotation)
-        self._parameters_head = widgets.label(gettext("Other estimated parameters"), "heading")
-        layout.addWidget(self._parameters_head)
         self.parameters = widgets.label("", wrap=True, name="results_parameters", rich=True)
-        layout.addWidget(self.parameters)
-        layout.addWidget(widgets.label(gettext("Weakest direction"), "heading"))
         self.weakest = widgets.label("", wrap=True, name="results_weakest")
-        layout.addWidget(self.weakest)
-        layout.addWidget(widgets.label(gettext("Fit"), "heading"))
-        layout.addLayout(self._fit_form())
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
-        layout.addWidget(self._verdict)
-        layout.addWidget(widgets.label(gettext("Correlation"), "heading"))
         self.correlation = _create_table(
             "correlation_table", gettext("Correlation of the angles"), 3
         )
-        layout.addWidget(self.correlation)
-        layout.addWidget(widgets.label(gettext("Convention"), "heading"))
         convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
         convention.setText(convention_html())
-        layout.addWidget(convention)
+        self._body = ColumnFlow({
+            "warnings": _block(self.warnings),
+            "angles": _block(
+                widgets.label(title, "heading"), self.angles, self._truth_note, self.rotation
+            ),
+            "parameters": _block(
+                widgets.label(gettext("Other estimated parameters"), "heading"), self.parameters
+            ),
+            "weakest": _block(widgets.label(gettext("Weakest direction"), "heading"), self.weakest),
+            "fit": _block(
+                widgets.label(gettext("Fit"), "heading"), self._fit_form(), self._verdict
+            ),
+            "correlation": _block(
+                widgets.label(gettext("Correlation"), "heading"), self.correlation
+            ),
+            "convention": _block(widgets.label(gettext("Convention"), "heading"), convention),
+        }, ARRANGEMENTS)  # fmt: skip
+        around.addWidget(self._body)
         around.addStretch(1)
-        return widgets.VerticalScrollArea(outer, 380)
+        return widgets.VerticalScrollArea(outer, MIN_WIDTH_PX)
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
         """Show the rotation matrix if a steep pitch makes roll and yaw inseparable."""
@@ -164,11 +177,10 @@ class ResultsPanel(QWidget):
             further.insert(0, outdated_result_warning(refused_since))
         warnings = result_warnings(result, project.cross_checks, further)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
-        self.warnings.setVisible(bool(warnings))
+        self.warnings.parentWidget().setVisible(bool(warnings))
         rows = result_texts.parameters_html(result)
         self.parameters.setText(rows)
-        for each in (self._parameters_head, self.parameters):
-            each.setVisible(bool(rows))
+        self.parameters.parentWidget().setVisible(bool(rows))
         observability = result.observability
         self.weakest.setText(
             gettext("Not computed.")
@@ -176,10 +188,12 @@ class ResultsPanel(QWidget):
             else message_text(observability.messages[0])
         )
 
-    def _fit_form(self) -> QFormLayout:
-        form = QFormLayout()
+    def _fit_form(self) -> QWidget:
+        fit = QWidget()
+        form = QFormLayout(fit)
+        form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(14)
-        form.setVerticalSpacing(4)
+        form.setVerticalSpacing(2)
         self._values = {}
         for key, title in (
             ("rms", gettext("RMS point-to-plane")),
@@ -195,7 +209,7 @@ class ResultsPanel(QWidget):
             value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value
             form.addRow(widgets.label(title, "muted"), value)
-        return form
+        return fit
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
         before = quantities.figure(1000 * result.rms_before, "mm", 1)
@@ -219,6 +233,15 @@ class ResultsPanel(QWidget):
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
         self._verdict.setText(verdict)
+
+
+def _block(*parts: QWidget) -> QWidget:
+    block = QWidget()
+    layout = widgets.vertical_layout(block, 0)
+    layout.setSpacing(4)
+    for part in parts:
+        layout.addWidget(part)
+    return block
 
 
 def _matrix_cell(value: float) -> str:
@@ -254,15 +277,14 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
     header.setHighlightSections(False)
+    header.setFixedHeight(_ROW_HEIGHT_PX + 2)
     return table
 
 
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
     table.setRowCount(len(titles))
     table.setVerticalHeaderLabels(list(titles))
-    table.setFixedHeight(
-        table.horizontalHeader().sizeHint().height() + _ROW_HEIGHT_PX * len(titles) + 3
-    )
+    table.setFixedHeight(table.horizontalHeader().height() + _ROW_HEIGHT_PX * len(titles) + 3)
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:

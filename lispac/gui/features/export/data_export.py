@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.export.dialogs import ExportDialogs
+from lispac.gui.project.availability import data_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -77,6 +78,5 @@ class DataExport(QObject):
         self._runner.run(gettext(EXPORT_TITLES[request.what]), work, done, persistent=True)
 
     def _enable_controls(self) -> None:
-        ready = self._document.survey_is_current and not self._runner.busy
         for what in DATA_KINDS:
-            self._actions[what].setEnabled(ready)
+            self._actions.set_reason(what, data_reason(self._document, self._runner))

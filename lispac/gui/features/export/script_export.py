@@ -7,7 +7,9 @@ from PySide6.QtCore import QObject
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.features.export.dialogs import ExportDialogs
+from lispac.gui.project.availability import data_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.language import gettext
@@ -32,7 +34,7 @@ class ScriptExport(QObject):
         super().__init__(actions)
         self._document, self._runner = document, runner
         self._controller, self._dialogs = controller, dialogs
-        self._action = actions["script"]
+        self._actions = actions
         actions.connect_slots({"script": self.show_script})
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
@@ -76,5 +78,8 @@ class ScriptExport(QObject):
         self._dialogs.script(script, save)
 
     def _enable_controls(self) -> None:
-        resolved = self._document.survey_is_current and not self._document.awaits_result
-        self._action.setEnabled(resolved and not self._runner.busy)
+        self._actions.set_reason(
+            "script",
+            data_reason(self._document, self._runner)
+            or first_reason((self._document.awaits_result, Unavailable.WAITING)),
+        )

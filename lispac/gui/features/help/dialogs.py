@@ -31,6 +31,7 @@ KEYS = (
         ("W", N_("split view before and after; Ctrl + arrows move the divider")),
         (N_("Ctrl + C"), N_("copy the values of the point under the mouse")),
         (N_("Right click"), N_("menu to copy the point or the picture")),
+        ("F11", N_("maximise the view and hide all panels, or restore them")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a survey (Ctrl + Shift + D)"), (
@@ -71,8 +72,9 @@ KEYS = (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
         ("F9, F10", N_("estimate the boresight, validate")),
         (N_("Shift + F9"), N_("run the point spacing study")),
-        (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations")),
+        (N_("Shift + F10, Ctrl + F11"), N_("check against a reference, compare calibrations")),
         ("F12", N_("list all warnings")),
+        (N_("Ctrl + D"), N_("show the diagnostics of the adjustment")),
         (N_("Ctrl + ."), N_("cancel the running task")),
         (N_("Ctrl + E, Ctrl + Shift + E"), N_("export the report, the georeferenced lines")),
         (N_("Ctrl + Z, Ctrl + Y"), N_("undo, redo")),

@@ -58,8 +58,8 @@ TOUR_STEPS = (
     TourStep(N_("One board does not determine all three angles. Ctrl+click this second board, "
             "which leans back, and press Enter."), "T2",
          lambda project, _candidate_waits: _target_count(project, "target") >= 2),
-    TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
-            "standard deviations that include the errors of the trajectory."), "",
+    TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear below the view, "
+            "with standard deviations that include the errors of the trajectory."), "",
          lambda project, _candidate_waits: project.result is not None),
     TourStep(N_("Now check that the lines agree on a validation plane, which is not used in the "
             "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",

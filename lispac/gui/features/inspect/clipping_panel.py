@@ -2,7 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.viewport.clipping import MIN_SIDE_M, Box
@@ -34,8 +34,9 @@ class ClippingPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         column = widgets.vertical_layout(self)
+        column.setContentsMargins(12, 4, 12, 4)
         column.addWidget(widgets.label(gettext(HINT), "muted", wrap=True))
-        form = QFormLayout()
+        lengths = QHBoxLayout()
         self.fields = []
         for key, title, tip in LENGTH_FIELDS:
             field = widgets.number(
@@ -46,8 +47,13 @@ class ClippingPanel(QWidget):
             field.setKeyboardTracking(False)
             field.valueChanged.connect(lambda _value: self.lengths_changed.emit(self.lengths))
             self.fields.append(field)
-            form.addRow(gettext(title), field)
-        column.addLayout(form)
+            title_label = widgets.label(gettext(title))
+            title_label.setBuddy(field)
+            lengths.addWidget(title_label)
+            lengths.addWidget(field)
+            lengths.addSpacing(8)
+        lengths.addStretch(1)
+        column.addLayout(lengths)
         row = QHBoxLayout()
         self.about = widgets.button(
             gettext("Place around selection"), "clip_about",

@@ -22,6 +22,10 @@ CUT_TITLES_WITH_DISTANCE = {
     "prior": N_("Before: largest distance between lines {distance}"),
     "estimated": N_("After: largest distance between lines {distance}"),
 }
+SHORT_TITLES_WITH_DISTANCE = {
+    "prior": N_("Before: up to {distance}"), "estimated": N_("After: up to {distance}"),
+}  # fmt: skip
+"""Titles in a low figure, in which the cuts are narrow."""
 
 
 def draw_section(
@@ -29,6 +33,8 @@ def draw_section(
     colours: Mapping[str, Colour],
     titles: tuple[str, str],
     figure: Figure,
+    *,
+    labelled: bool = True,
 ) -> None:
     """Draw cuts side by side with common limits.
 
@@ -36,14 +42,16 @@ def draw_section(
     ----------
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
+    labelled : whether there is space for long titles and titles of the horizontal axes
     """
     figure.clear()
     first: Axes | None = None
     for number, cut in enumerate(cuts, start=1):
         axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
         first = first or axes
-        _draw_cut(axes, cut, colours)
-        axes.set_xlabel(gettext(titles[0]), fontsize=FONT_SIZE, color=theme.TEXT)
+        _draw_cut(axes, cut, colours, cut_title(cut, short=not labelled))
+        if labelled:
+            axes.set_xlabel(gettext(titles[0]), fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1:
             axes.set_ylabel(gettext(titles[1]), fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
@@ -64,15 +72,16 @@ def draw_section(
             text.set_parse_math(False)
 
 
-def cut_title(cut: SectionPoints) -> str:
+def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
     """Title of a cut: before or after, with the largest distance between two lines."""
     if cut.separation is None:
         return gettext(CUT_TITLES[cut.which])
     distance = quantities.amount(1000 * cut.separation, "mm", 0)
-    return gettext(CUT_TITLES_WITH_DISTANCE[cut.which], distance=distance)
+    titles = SHORT_TITLES_WITH_DISTANCE if short else CUT_TITLES_WITH_DISTANCE
+    return gettext(titles[cut.which], distance=distance)
 
 
-def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> None:
+def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour], title: str) -> None:
     axes.set_facecolor(theme.PAPER)
     total = sum(len(points) for points in cut.points.values())
     step = -(-total // MAX_POINTS) or 1
@@ -90,7 +99,7 @@ def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> 
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
-    axes.set_title(cut_title(cut), fontsize=FONT_SIZE, color=theme.TEXT, loc="left")
+    axes.set_title(title, fontsize=FONT_SIZE, color=theme.TEXT, loc="left")
     if not total:
         axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
                   ha="center", color=theme.MUTED, fontsize=FONT_SIZE)  # fmt: skip

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import widgets
@@ -29,6 +30,12 @@ RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from th
 PRINT_DPI = 200
 
 
+MIN_PRINT_HEIGHT_INCHES = 3.2
+"""Smallest height of a saved picture, whose titles need more space than a low panel has."""
+LOW_PANEL_PX = 230
+"""Height of the panel below which the horizontal axes have no titles, pixels."""
+
+
 class SectionPanel(QWidget):
     """Options of the section and its picture; emits `changed`."""
 
@@ -40,7 +47,6 @@ class SectionPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
         self.orientation = widgets.ChoiceBox(
             "section_laid", [gettext(title) for title in ORIENTATION_TITLES],
@@ -72,26 +78,30 @@ class SectionPanel(QWidget):
             gettext("Copy"), "section_copy",
             tip=gettext("Copy the section as shown to the clipboard"),
         )  # fmt: skip
-        pictures = QHBoxLayout()
-        pictures.addWidget(self.save_picture, 1)
-        pictures.addWidget(self.copy_picture, 1)
+        buttons = QHBoxLayout()
+        for each in (self.points, self.save_picture, self.copy_picture):
+            buttons.addWidget(each)
         self.text_label = widgets.label(
             gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
         )
         form = QFormLayout()
         form.addRow(self.through)
         form.addRow(gettext("Orientation"), self.orientation)
-        form.addRow(gettext("Thickness"), self.thickness)
-        form.addRow(gettext("Size"), self.size)
+        sizes = QHBoxLayout()
+        size_label = widgets.label(gettext("Size"))
+        size_label.setBuddy(self.size)
+        for each in (self.thickness, size_label, self.size):
+            sizes.addWidget(each)
+        form.addRow(gettext("Thickness"), sizes)
+        form.setVerticalSpacing(4)
         self._left = QVBoxLayout()
         self._left.addLayout(form)
-        self._left.addWidget(self.points)
-        self._left.addLayout(pictures)
+        self._left.addLayout(buttons)
         self._left.addStretch(1)
         side = QWidget()
         side.setLayout(self._left)
-        side.setFixedWidth(216)
-        self._left.setContentsMargins(8, 6, 4, 4)
+        side.setFixedWidth(side.minimumSizeHint().width() + 8)
+        self._left.setContentsMargins(8, 4, 4, 4)
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
@@ -100,6 +110,7 @@ class SectionPanel(QWidget):
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
+        self._is_low = True
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
@@ -107,6 +118,17 @@ class SectionPanel(QWidget):
         self.save_picture.clicked.connect(lambda _on: self.picture_requested.emit())
         self.copy_picture.clicked.connect(lambda _on: self.copy_requested.emit())
         self._allow_pictures(False)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out the titles of the horizontal axes in a low panel."""
+        super().resizeEvent(event)
+        is_low = self.height() < LOW_PANEL_PX
+        if is_low != self._is_low:
+            self._is_low = is_low
+            if self.canvas is not None and self.has_section:
+                self._draw(self.canvas.figure, labelled=not is_low)
+                self._zooming.set_home()
+                self.canvas.draw_idle()
 
     @property
     def is_horizontal(self) -> bool:
@@ -123,9 +145,11 @@ class SectionPanel(QWidget):
         from matplotlib.figure import Figure
 
         shown = self.canvas.figure
-        printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
+        width, height = shown.get_size_inches()
+        size = width, max(height, MIN_PRINT_HEIGHT_INCHES)
+        printed = Figure(figsize=size, dpi=PRINT_DPI, layout="constrained")
         with theme.paper_colours():
-            self._draw(printed)
+            self._draw(printed, labelled=True)
         for axes, shown_axes in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=shown_axes.get_xlim(), ylim=shown_axes.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
@@ -168,18 +192,18 @@ class SectionPanel(QWidget):
         upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
         axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
-        self._draw(self.canvas.figure)
+        self._draw(self.canvas.figure, labelled=not self._is_low)
         self._zooming.set_home()
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)
         self.canvas.setAccessibleName(gettext("Section of the lines: {section}", section=title))
 
-    def _draw(self, figure: "Figure") -> None:
+    def _draw(self, figure: "Figure", *, labelled: bool) -> None:
         # Imported here, so that the start of the window does not wait for Matplotlib.
         from lispac.gui.features.inspect.section_figure import draw_section
 
-        draw_section(*self._shown, figure)
+        draw_section(*self._shown, figure, labelled=labelled)
 
     def _make_canvas(self) -> None:
         if self.canvas is not None:
@@ -187,7 +211,7 @@ class SectionPanel(QWidget):
         from lispac.gui.widgets.chart import Chart
         from lispac.gui.widgets.plot_zoom import PlotZoom
 
-        self.canvas = Chart(300, 150, theme.PAPER)
+        self.canvas = Chart(300, 110, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
         self.canvas.setToolTip(gettext(ZOOM_HINT))
         self._zooming = PlotZoom(self.canvas)

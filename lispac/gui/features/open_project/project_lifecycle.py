@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.open_project.dialogs import ProjectDialogs
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
@@ -169,7 +170,9 @@ class ProjectLifecycle(QObject):
             action = menu.addAction(str(folder))
             action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
         if menu.isEmpty():
-            menu.addAction(gettext("No project yet")).setEnabled(False)
+            none = menu.addAction(gettext("No project yet"))
+            none.setEnabled(False)
+            none.setToolTip(Unavailable.NO_RECENT.text)
         else:
             menu.addSeparator()
             menu.addAction(gettext("Clear recent projects")).triggered.connect(

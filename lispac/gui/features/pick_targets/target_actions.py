@@ -10,10 +10,12 @@ from PySide6.QtWidgets import QAbstractButton
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.features.pick_targets.dialogs import TargetDialogs
 from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
 from lispac.gui.features.pick_targets.sightings_table import SightingsTable
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.project.availability import data_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -71,7 +73,7 @@ class SurveyActions(QObject):
         for button in self._buttons:
             button.setEnabled(ready)
         for name in self._names:
-            self._actions[name].setEnabled(ready)
+            self._actions.set_reason(name, data_reason(self._document, self._runner))
 
 
 class TargetActions(SurveyActions):
@@ -174,8 +176,12 @@ class TargetActions(SurveyActions):
 
     def _enable_controls(self) -> None:
         super()._enable_controls()
-        ready = self._current_data()[1] is not None
-        self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
+        nothing_selected = self._targets.current is None
+        self._actions.set_reason(
+            "find_again",
+            data_reason(self._document, self._runner)
+            or first_reason((nothing_selected, Unavailable.NO_SELECTION)),
+        )
 
 
 def _with_exclusions_of(target: Target, before: Target) -> Target:

@@ -385,6 +385,7 @@ class TargetsPanel(QWidget):
         self._expected = ExpectedFields()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
         form.addRow(gettext("Shape"), self.shape_choice)

@@ -10,7 +10,9 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.features.studies.dialogs import StudyDialogs
+from lispac.gui.project.availability import data_reason, result_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -180,16 +182,17 @@ class Studies(QObject):
         self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, modal=True)
 
     def _enable_controls(self) -> None:
-        (project, survey), busy = self._document.current_data, self._runner.busy
-        ready = survey is not None and not busy
+        document, runner = self._document, self._runner
+        project, data = document.project, data_reason(document, runner)
         picked = project is not None and bool(project.targets_of_role("target"))
-        estimated = project is not None and project.result is not None
         for name in ("history", "visibility"):
-            self._actions[name].setEnabled(not busy)
-        self._actions["subsampling"].setEnabled(picked and ready)
-        self._actions["line_quality"].setEnabled(ready)
+            self._actions.set_reason(name, first_reason((runner.busy, Unavailable.BUSY)))
+        self._actions.set_reason(
+            "subsampling", data or first_reason((not picked, Unavailable.NO_TARGET))
+        )
+        self._actions.set_reason("line_quality", data)
         for name in ("check", "budget"):
-            self._actions[name].setEnabled(estimated and ready)
+            self._actions.set_reason(name, result_reason(document, runner))
 
 
 MethodRuns = tuple[Project, Mapping[str, Message]]
@@ -210,7 +213,7 @@ class AlternativeMethods(QObject):
         super().__init__(actions)
         self._document, self._runner = document, runner
         self._controller, self._dialogs = controller, dialogs
-        self._action = actions["methods"]
+        self._actions = actions
         actions.connect_slots({"methods": self.compare})
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
@@ -246,5 +249,4 @@ class AlternativeMethods(QObject):
         self._controller.cancel_on_edit(task)
 
     def _enable_controls(self) -> None:
-        ready = self._document.survey_is_current and not self._runner.busy
-        self._action.setEnabled(self._document.project is not None and ready)
+        self._actions.set_reason("methods", data_reason(self._document, self._runner))

@@ -1,10 +1,11 @@
 """Distances between the lines on each validation plane, before and after the adjustment."""
 
+from html import escape
 from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication, QIcon
+from PySide6.QtGui import QGuiApplication, QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -134,6 +135,8 @@ _COLUMNS = (
 VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
 """Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+LOW_PANEL_PX = 230
+"""Height of the panel below which the histogram has no title and legend, pixels."""
 _WIDTH_SHARES = (3, 4)
 """Initial shares of the width for tables and plot."""
 PLOT_TITLES = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
@@ -177,7 +180,7 @@ class HistogramsPanel(QWidget):
         self._stack.addWidget(empty)
         filled = QSplitter(Qt.Orientation.Horizontal)
         filled.setObjectName("comparison_splitter")
-        filled.setContentsMargins(6, 6, 6, 6)
+        filled.setContentsMargins(4, 2, 4, 2)
         filled.setChildrenCollapsible(False)
         self.table = _create_table()
         self.table.itemSelectionChanged.connect(self._on_plane_selected)
@@ -188,19 +191,22 @@ class HistogramsPanel(QWidget):
         self.tabs.addTab(self.pairs, gettext("Pairs of lines"))
         filled.addWidget(self.tabs)
         plots = QWidget()
-        self._plots = QVBoxLayout(plots)
-        self._plots.setContentsMargins(0, 0, 0, 0)
+        beside = QHBoxLayout(plots)
+        beside.setContentsMargins(0, 0, 0, 0)
+        self._plots = QVBoxLayout()
         self._plots.setSpacing(2)
-        self._plots.addLayout(self._create_tool_row())
-        self._plots.addWidget(self.reading)
+        tools = self._create_tools()
+        beside.addLayout(self._plots, 1)
+        beside.addLayout(tools)
         filled.addWidget(plots)
         for part, share in enumerate(_WIDTH_SHARES):
             filled.setStretchFactor(part, share)
         self._parts = filled
         self._stack.addWidget(filled)
         self.canvas: QWidget | None = None
+        self._is_low = True
 
-    def _create_tool_row(self) -> QHBoxLayout:
+    def _create_tools(self) -> QVBoxLayout:
         self.plot = widgets.ChoiceBox(
             "comparison_plot", [gettext(plot) for plot in PLOT_TITLES],
             gettext(
@@ -211,8 +217,10 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         self.plot.setMinimumContentsLength(len(PLOT_TITLES[PROFILE_PLOT]))
         self.plot.currentIndexChanged.connect(self._redraw_selected)
-        self.reading = widgets.label(gettext(ZOOM_HINT), "muted", name="comparison_reading")
-        # A long text is cut off, so that it does not widen the plot.
+        self.reading = widgets.label(
+            gettext(ZOOM_HINT), "muted", wrap=True, name="comparison_reading"
+        )
+        # A long text is wrapped, so that it does not narrow the plot.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.copy_picture = widgets.button(
             gettext("Copy picture"), "copy_plot",
@@ -224,12 +232,18 @@ class HistogramsPanel(QWidget):
             tip=gettext("Copy the data of the plot to the clipboard, as a table for a spreadsheet"),
         )  # fmt: skip
         self.copy_numbers.clicked.connect(self._copy_numbers)
-        row = QHBoxLayout()
-        row.addWidget(self.plot)
-        row.addStretch(1)
-        row.addWidget(self.copy_picture)
-        row.addWidget(self.copy_numbers)
-        return row
+        self._colours = widgets.label("", name="comparison_colours", rich=True)
+        column = QVBoxLayout()
+        column.setSpacing(4)
+        column.addWidget(self.plot)
+        buttons = QHBoxLayout()
+        buttons.addWidget(self.copy_picture)
+        buttons.addWidget(self.copy_numbers)
+        column.addLayout(buttons)
+        column.addWidget(self._colours)
+        column.addWidget(self.reading)
+        column.addStretch(1)
+        return column
 
     @property
     def current(self) -> str | None:
@@ -241,6 +255,15 @@ class HistogramsPanel(QWidget):
     def _current_comparison(self) -> PlaneComparison | None:
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out title and legend of the histogram in a low panel, which names the colours."""
+        super().resizeEvent(event)
+        is_low = self.height() < LOW_PANEL_PX
+        if is_low != self._is_low:
+            self._is_low = is_low
+            self._colours.setVisible(is_low)
+            self._redraw_selected()
 
     def show_state(self, state: ProjectState) -> None:
         """Show the comparisons of the project."""
@@ -308,16 +331,24 @@ class HistogramsPanel(QWidget):
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
         from lispac.report.distance_profiles import profile_figure
-        from lispac.report.histograms import histogram_figure
+        from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
         self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
         canvas = self._plot_canvas()
+        self._colours.setText(
+            "&nbsp; ".join(
+                f"<span style='color:{colour}'>■</span> {escape(state)}"
+                for colour, state in zip(
+                    STATE_COLOURS, (gettext("before"), gettext("after")), strict=True
+                )
+            )
+        )
         if self.plot.currentIndex() == PROFILE_PLOT:
             profile_figure(comparison, canvas.figure)
         else:
             share = self.plot.currentIndex() == PERCENT_PLOT
-            histogram_figure(comparison, canvas.figure, share=share)
+            histogram_figure(comparison, canvas.figure, share=share, titled=not self._is_low)
         self._show_units(canvas.figure)
         self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
         self.reading.setText(gettext(ZOOM_HINT))
@@ -351,7 +382,7 @@ class HistogramsPanel(QWidget):
             from lispac.gui.widgets.chart import Chart
             from lispac.gui.widgets.plot_zoom import PlotZoom
 
-            self.canvas = Chart(260, 120)
+            self.canvas = Chart(260, 100)
             self.canvas.setObjectName("histogram_canvas")
             self._zooming = PlotZoom(self.canvas)
             canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
@@ -363,7 +394,7 @@ class HistogramsPanel(QWidget):
             self.reading.destroyed.connect(
                 lambda: [canvas.mpl_disconnect(each) for each in connections]
             )
-            self._plots.insertWidget(1, self.canvas, 1)
+            self._plots.addWidget(self.canvas, 1)
         return self.canvas
 
     def _show_values_at(self, event) -> None:

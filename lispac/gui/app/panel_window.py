@@ -1,0 +1,101 @@
+"""Window of one panel, beside the main window."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction, QCloseEvent, QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import QMainWindow, QWidget
+
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.widgets import tab_order
+from lispac.language import gettext
+
+OWN_KEYS = frozenset(map(QKeySequence, ("Esc", "Return", "Enter")))
+"""Keys that have their own meaning in this window: close, and press the focused button."""
+
+
+class PanelWindow(QMainWindow):
+    """Window that shows one panel and stays open beside the main window.
+
+    It closes with Esc or Ctrl+W, which changes nothing, and with the main window. Its geometry is
+    stored.
+
+    Parameters
+    ----------
+    title : English title
+    size : size in pixels when it is opened for the first time
+    """
+
+    def __init__(
+        self, title: str, panel: QWidget, size: QSize, parent: QWidget, settings: AppSettings
+    ) -> None:
+        super().__init__(parent, Qt.WindowType.Window)
+        self._size, self._settings = size, settings
+        self.setObjectName(f"window_{title.lower().replace(' ', '_')}")
+        self.setWindowTitle(f"{gettext(title)} – LISPAC")
+        self.setCentralWidget(panel)
+        self.task_bar = TaskStatusBar()
+        self.setStatusBar(self.task_bar)
+        self._is_placed = False
+        QShortcut(QKeySequence.StandardKey.Close, self, self.close)
+
+    def sizeHint(self) -> QSize:
+        """Size when it is opened for the first time, in pixels."""
+        return self._size
+
+    def share_actions(self, actions: Iterable[QAction]) -> None:
+        """Make the shortcuts of the main window work in this window too."""
+        self.addActions([each for each in actions if OWN_KEYS.isdisjoint(each.shortcuts())])
+
+    def bring_to_front(self) -> None:
+        """Open the window, or bring it to the front."""
+        if not self._is_placed:
+            self._place()
+        self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
+        self.show()
+        self.raise_()
+        self.activateWindow()
+
+    def _place(self) -> None:
+        """Restore the stored geometry; else put the window over the lower right of its parent."""
+        self._is_placed = True
+        stored = self._settings.window_geometry(self.objectName())
+        if stored is not None and self.restoreGeometry(stored):
+            return
+        screen, parent = self.screen().availableGeometry(), self.parentWidget().geometry()
+        size = self._size.boundedTo(screen.size())
+        self.resize(size)
+        corner = parent.bottomRight()
+        self.move(
+            max(screen.left(), min(corner.x(), screen.right()) - size.width() - 24),
+            max(screen.top(), min(corner.y(), screen.bottom()) - size.height() - 48),
+        )
+
+    def save_geometry(self) -> None:
+        """Store the geometry, if the window has been open."""
+        if self._is_placed:
+            self._settings.save_window_geometry(self.objectName(), self.saveGeometry())
+
+    def copy_state_from(self, former: "PanelWindow") -> None:
+        """Open the window where a former one is open."""
+        if former.isVisible():
+            self._is_placed = True
+            self.restoreGeometry(former.saveGeometry())
+            self.show()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Move the focus with Tab and Shift+Tab."""
+        return tab_order.focus_next(self, forward)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Press the focused button with Enter; close the window with Esc."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.close()
+        elif not tab_order.press_focused_button(self, event):
+            super().keyPressEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Store the geometry."""
+        self.save_geometry()
+        super().closeEvent(event)

@@ -1,0 +1,10 @@
+"""Action of the conventions of other programs."""
+
+from lispac.gui.app.actions import ActionRecord, by_name
+from lispac.language import N_
+
+ACTIONS = by_name(
+    ActionRecord("convention", N_("&Angles in another program"),
+        N_("Convert the boresight to the convention of another program, in a window"),
+        ("Calibrate", 4, 1)),
+)  # fmt: skip

@@ -1,0 +1,336 @@
+"""Tests of the layout: share of the 3D view in each state, panels that open and stay closed."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt
+from PySide6.QtGui import QAction, QHelpEvent
+from PySide6.QtWidgets import QAbstractButton, QApplication, QMenu, QToolBar, QToolTip, QWidget
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.app.unavailable import Unavailable
+from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.project import Project
+from tests.gui.by_hand import choose, open_menu
+from tests.gui.support import Control, Demo, Driver, Key, Left, click, press, seed, show_panel
+
+SIZES = {(1600, 1000): 0.55, (1366, 768): 0.45}
+"""Smallest share of the view by the size of the window, pixels."""
+SOON_MS = 10_000
+
+
+def shown_docks(driver: Driver) -> set[str]:
+    return {title for title, dock in driver.window.docks.items() if dock.isVisible()}
+
+
+def is_in_front(driver: Driver, title: str) -> bool:
+    return not driver.window.docks[title].visibleRegion().isEmpty()
+
+
+def view_share(driver: Driver) -> float:
+    """Area of the 3D view, or of the start page, relative to the window."""
+    window = driver.window
+    driver.rest()
+    view = window.viewport.widget if window.document.project else window.central_widget.start
+    assert view.isVisible()
+    return view.width() * view.height() / (window.width() * window.height())
+
+
+# -- share of the view -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_view_has_most_of_the_window_in_every_state(
+    driver: Driver, demo: Demo, estimated: Project, validated: Project, size: tuple[int, int]
+) -> None:
+    window, document = driver.window, driver.window.document
+    shares = {}
+
+    def measure(state: str) -> None:
+        window.resize(*size)
+        shares[state] = view_share(driver)
+        assert (window.width(), window.height()) == size, state
+
+    measure("start")
+    document.open(demo.project, demo.survey)
+    measure("import done")
+    assert shown_docks(driver) == {"Workflow"}
+    document.open(demo.picked, demo.survey)
+    measure("picked")
+    assert shown_docks(driver) == {"Workflow", "Targets by line"}
+    document.open(estimated, demo.survey)
+    measure("estimated")
+    assert shown_docks(driver) == {"Workflow", "Targets by line", "Results"}
+    document.open(validated, demo.survey)
+    measure("validated")
+    assert shown_docks(driver) == {"Workflow", "Targets by line", "Results", "Histograms"}
+    window._select("T1", "")
+    press(driver, Key.Key_S)
+    driver.bot.waitUntil(lambda: is_in_front(driver, "Section"), timeout=SOON_MS)
+    measure("section")
+    press(driver, Key.Key_T, Control)
+    assert window.panel_windows["Patch test"].isVisible()
+    measure("patch test")
+    press(driver, Key.Key_D, Control)
+    assert window.panel_windows["Diagnostics"].isVisible()
+    measure("diagnostics")
+    press(driver, Key.Key_D, Control | Qt.KeyboardModifier.ShiftModifier)
+    driver.bot.waitUntil(lambda: window.site_design.window is not None, timeout=SOON_MS)
+    measure("design")
+    assert min(shares.values()) >= SIZES[size], shares
+    assert shares["start"] >= 0.6
+    assert shares["import done"] >= 0.6
+
+
+# -- panels that open by themselves ----------------------------------------------------------
+
+
+def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver) -> None:
+    assert shown_docks(opened) == {"Workflow"}
+    for name in ("T1", "T2", "V1"):
+        seed(opened, name)
+        press(opened, Key.Key_Return)
+        opened.rest()
+    assert shown_docks(opened) == {"Workflow", "Targets by line"}
+    press(opened, Key.Key_F9)
+    opened.rest()
+    opened.bot.waitUntil(lambda: is_in_front(opened, "Results"), timeout=SOON_MS)
+    press(opened, Key.Key_F10)
+    opened.rest()
+    opened.bot.waitUntil(lambda: is_in_front(opened, "Histograms"), timeout=SOON_MS)
+
+
+def test_a_panel_that_the_user_closed_stays_closed(
+    driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = driver.window
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    close = window.docks["Results"].findChild(QAbstractButton, "qt_dockwidget_closebutton")
+    click(driver, close)
+    press(driver, Key.Key_F9)
+    driver.rest()
+    assert not window.docks["Results"].isVisible()
+    window.document.open(replace(estimated, result=None, cross_checks=None), demo.survey)
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    assert shown_docks(driver) == {"Workflow", "Targets by line"}
+    window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        later.window.document.open(estimated, demo.survey)
+        later.rest()
+        assert shown_docks(later) == {"Workflow", "Targets by line"}
+        choose(qtbot, open_menu(qtbot, later.window, "View"), "Panels", "Results")
+        qtbot.waitUntil(lambda: is_in_front(later, "Results"), timeout=SOON_MS)
+        later.window.document.open(demo.project, demo.survey)
+        assert shown_docks(later) == {"Workflow"}
+        later.window.document.open(estimated, demo.survey)
+        assert "Results" in shown_docks(later), "opened again by the user"
+    finally:
+        later.leave()
+
+
+def test_the_height_of_the_panels_is_kept(
+    driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = driver.window
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    window.resizeDocks([window.docks["Results"]], [290], Qt.Orientation.Vertical)
+    driver.rest()
+    window.document.open(demo.project, demo.survey)
+    driver.rest()
+    assert shown_docks(driver) == {"Workflow"}
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    height = window.docks["Results"].height()
+    assert height == pytest.approx(290, abs=30)
+    window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        assert shown_docks(later) == {"Workflow"}
+        later.window.document.open(estimated, demo.survey)
+        later.rest()
+        assert later.window.docks["Results"].height() == height
+    finally:
+        later.leave()
+
+
+# -- maximised view --------------------------------------------------------------------------
+
+
+def geometry(driver: Driver) -> dict[str, QRect | None]:
+    docks = driver.window.docks
+    return {t: docks[t].geometry() if is_in_front(driver, t) else None for t in docks}
+
+
+def test_one_key_maximises_the_view_and_restores_the_former_state(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    window = driver.window
+    window.document.open(validated, demo.survey)
+    driver.rest()
+    show_panel(window, "Targets by line")
+    window.docks["Workflow"].setFloating(True)
+    driver.rest()
+    before = geometry(driver)
+    press(driver, Key.Key_F11)
+    assert shown_docks(driver) == set()
+    assert not window.findChild(QToolBar).isVisible()
+    assert view_share(driver) > 0.9
+    assert window.actions_["maximise"].isChecked()
+    press(driver, Key.Key_F11)
+    driver.bot.waitUntil(lambda: geometry(driver) == before, timeout=SOON_MS)
+    assert window.findChild(QToolBar).isVisible()
+    assert not window.actions_["maximise"].isChecked()
+
+
+def test_a_panel_that_is_opened_ends_the_maximised_view(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    window = driver.window
+    window.document.open(validated, demo.survey)
+    driver.rest()
+    press(driver, Key.Key_F11)
+    press(driver, Key.Key_F12)
+    docks = {"Workflow", "Results", "Targets by line", "Histograms", "Warnings"}
+    driver.bot.waitUntil(lambda: shown_docks(driver) == docks, timeout=SOON_MS)
+    driver.bot.waitUntil(lambda: is_in_front(driver, "Warnings"), timeout=SOON_MS)
+    assert not window.actions_["maximise"].isChecked()
+
+
+def test_a_maximised_view_is_not_stored(
+    driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
+) -> None:
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    press(driver, Key.Key_F11)
+    driver.window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        later.window.document.open(estimated, demo.survey)
+        later.rest()
+        assert shown_docks(later) == {"Workflow", "Targets by line", "Results"}
+    finally:
+        later.leave()
+
+
+# -- windows of panels -----------------------------------------------------------------------
+
+
+def test_a_panel_window_closes_with_its_keys_and_with_the_main_window(
+    driver: Driver, qtbot: QtBot
+) -> None:
+    own = driver.window.panel_windows["Patch test"]
+    for key, modifier in ((Key.Key_Escape, Qt.KeyboardModifier.NoModifier), (Key.Key_W, Control)):
+        press(driver, Key.Key_T, Control)
+        qtbot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+        qtbot.keyClick(own, key, modifier)
+        assert not own.isVisible()
+        driver.window.activateWindow()
+        qtbot.waitUntil(driver.window.isActiveWindow, timeout=SOON_MS)
+    press(driver, Key.Key_T, Control)
+    driver.window.close()
+    assert not own.isVisible()
+
+
+def test_the_keys_of_the_main_window_work_in_a_panel_window(picked: Driver, qtbot: QtBot) -> None:
+    picked.window.controller.remove("V1")
+    press(picked, Key.Key_T, Control)
+    own = picked.window.panel_windows["Patch test"]
+    qtbot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+    assert len(picked.project.targets) == 2
+    qtbot.keyClick(own, Key.Key_Z, Control)
+    assert len(picked.project.targets) == 3
+
+
+def test_a_click_tool_of_a_panel_window_continues_in_the_main_window(
+    opened: Driver, qtbot: QtBot
+) -> None:
+    press(opened, Key.Key_T, Control)
+    own = opened.window.panel_windows["Patch test"]
+    qtbot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+    click(opened, opened.window.tools.patch_test_controller.panel.point)
+    qtbot.waitUntil(opened.window.isActiveWindow, timeout=SOON_MS)
+    qtbot.keyClick(opened.window, Key.Key_Escape)
+    assert opened.window.tools.mouse_tool.tool == ""
+    assert own.isVisible()
+
+
+# -- menus and reasons -----------------------------------------------------------------------
+
+
+def entries(menu: QWidget) -> list[QAction]:
+    """All entries of a menu bar or menu and of its submenus."""
+    found = []
+    for action in menu.actions():
+        if not action.isSeparator():
+            found += [action, *(entries(action.menu()) if action.menu() else [])]
+    return found
+
+
+def states(demo: Demo, estimated: Project) -> dict[str, Project | None]:
+    return {
+        "no project": None, "no targets": demo.project, "picked": demo.picked,
+        "estimated": estimated,
+    }  # fmt: skip
+
+
+def test_there_are_at_most_seven_menus(driver: Driver) -> None:
+    assert len(driver.window.menuBar().actions()) <= 7
+
+
+def test_every_disabled_entry_gives_its_reason(
+    driver: Driver, demo: Demo, estimated: Project
+) -> None:
+    actions, document = driver.window.actions_, driver.window.document
+    texts = [each.text for each in Unavailable]
+    for state, project in states(demo, estimated).items():
+        document.open(project, None if project is None else demo.survey)
+        driver.rest()
+        disabled = [each for each in entries(driver.window.menuBar()) if not each.isEnabled()]
+        assert disabled, state
+        for action in disabled:
+            assert any(text in action.toolTip() for text in texts), (state, action.text())
+        for action in entries(driver.window.menuBar()):
+            if action.isEnabled() and action in actions.all:
+                assert not any(text in action.toolTip() for text in texts), action.text()
+    document.open(None, None)
+    reasons = {name: actions.reason(name) for name in ("save", "estimate", "validate", "budget")}
+    assert set(reasons.values()) == {Unavailable.NO_PROJECT}
+    document.open(demo.project, demo.survey)
+    driver.rest()
+    assert actions.reason("estimate") is Unavailable.NO_TARGET
+    assert actions.reason("validate") is Unavailable.NO_PLANE
+    document.open(demo.picked, demo.survey)
+    driver.rest()
+    assert actions.reason("estimate") is None
+    assert actions.reason("validate") is Unavailable.NO_RESULT
+    assert actions.reason("save") is Unavailable.SAVED
+    document.open(estimated, demo.survey)
+    driver.rest()
+    assert actions.reason("validate") is None
+
+
+def tip_at(bot: QtBot, widget: QWidget, place: QPoint) -> str:
+    """Text of the tip after the mouse has rested at a place."""
+    QToolTip.hideText()
+    bot.mouseMove(widget, place)
+    QApplication.sendEvent(
+        widget, QHelpEvent(QEvent.Type.ToolTip, place, widget.mapToGlobal(place))
+    )
+    return QToolTip.text()
+
+
+def test_the_reason_is_the_tip_in_the_menu_and_in_the_toolbar(driver: Driver, qtbot: QtBot) -> None:
+    window = driver.window
+    menu: QMenu = open_menu(qtbot, window, "Calibrate")
+    action = window.actions_["estimate"]
+    assert Unavailable.NO_PROJECT.text in tip_at(qtbot, menu, menu.actionGeometry(action).center())
+    menu.close()
+    button = window.findChild(QToolBar).widgetForAction(action)
+    assert Unavailable.NO_PROJECT.text in tip_at(qtbot, button, button.rect().center())
+    qtbot.mouseClick(button, Left)
+    assert not window.runner.active
