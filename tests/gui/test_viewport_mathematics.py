@@ -169,6 +169,27 @@ def test_pick_prefers_the_front_surface_under_the_cursor():
     assert pick_point({}, camera, 400.0, 300.0, SIZE) is None
 
 
+def test_a_click_between_the_points_of_a_sparse_board_picks_the_board_not_the_wall():
+    """The wall is exactly under the cursor; points of the board are on all sides of it."""
+    camera = Camera(np.array([0.0, 15.0, 1.5]), -0.5 * np.pi, 0.0, 15.0)
+    metres = camera.metres_per_pixel(SIZE)
+    steps = np.array([-15.0, -5.0, 5.0, 15.0]) * metres
+    x, z = (each.ravel() for each in np.meshgrid(steps, steps))
+    board = np.column_stack([x, np.full(16, 15.0), 1.5 + z])
+    behind = camera.position + 18.0 * camera.axes[2]
+    assert picked_line({"board": board, "wall": behind[None]}, camera) == "board"
+    # At the edge of the board, its points are on one side only.
+    edge = camera.project(board, SIZE)[:, 0].max() + 3.0
+    beside = camera.point_at(edge, 300.0, camera.focal_depth + 3.0, SIZE)
+    assert picked_line({"board": board, "wall": beside[None]}, camera, edge) == "wall"
+
+
+def picked_line(clouds: dict[str, np.ndarray], camera: Camera, x: float = 400.0) -> str:
+    hit = pick_point(clouds, camera, x, 300.0, SIZE)
+    assert hit is not None
+    return hit.line
+
+
 def test_nothing_behind_the_eye_is_picked():
     camera = Camera(np.zeros(3), 0.0, 0.0, 10.0)
     assert pick_point({"a": np.array([[-30.0, 0.0, 0.0]])}, camera, 400.0, 300.0, SIZE) is None

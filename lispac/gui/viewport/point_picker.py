@@ -17,6 +17,9 @@ A point exactly under the cursor takes precedence over the edge of a nearer obje
 The larger radii are for sparse clouds, in which the cursor may be between the points of a surface.
 """
 
+MIN_SURROUNDING_POINTS = 4
+"""Smallest number of points of a surface around the cursor for a click into a gap between them."""
+
 CHUNK_POINTS = 1 << 14
 """Number of points processed at a time; the intermediate results fit in the processor cache."""
 
@@ -51,25 +54,41 @@ def pick_point(
     line = np.repeat(np.arange(len(names)), [len(part[0]) for part in found])
     if len(line) == 0:
         return None
-    index, distance, depth = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    for radius in radii:
+    index, pixels, depth = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    distance = np.hypot(*pixels.T)
+
+    def front_surface(radius: float) -> NDArray[np.int64]:
+        """Points of the front surface within ``radius``, whose depth varies if it is oblique."""
         inside = distance <= radius
         if not inside.any():
-            continue
+            return np.empty(0, np.int64)
         front = depth[inside].min()
-        # An oblique surface varies in depth within the circle; of the front surface, the point
-        # nearest to the cursor is chosen.
         slack = 4.0 * radius * camera.scale_depth(front) / size.pixels_per_tangent
-        candidates = np.flatnonzero(inside & (depth <= front + slack))
-        best = candidates[np.argmin(distance[candidates])]
-        return PointHit(names[line[best]], int(index[best]), float(depth[best]))
-    return None
+        return np.flatnonzero(inside & (depth <= front + slack))
+
+    candidates = front_surface(radii[-1])
+    # Behind the gaps of a sparse surface, another one may be exactly under the cursor.
+    if not _surround_cursor(pixels[candidates]):
+        candidates = next(filter(len, map(front_surface, radii)), candidates)
+    if not len(candidates):
+        return None
+    best = candidates[np.argmin(distance[candidates])]
+    return PointHit(names[line[best]], int(index[best]), float(depth[best]))
+
+
+def _surround_cursor(pixels: Array) -> bool:
+    """Whether points, by their offsets from the cursor of shape (n, 2), lie on all its sides."""
+    if len(pixels) < MIN_SURROUNDING_POINTS:
+        return False
+    angles = np.sort(np.arctan2(pixels[:, 1], pixels[:, 0]))
+    gaps = np.diff(angles, append=angles[0] + 2 * np.pi)
+    return bool(gaps.max() < np.pi)
 
 
 def _points_near_pixel(
     points: Array, camera: Camera, x: float, y: float, size: ViewportSize, radius: float
 ) -> tuple[NDArray[np.int64], Array, Array]:
-    """Index, distance in pixels and depth of the points within ``radius`` pixels."""
+    """Index, offset in pixels and depth of the points within ``radius`` pixels."""
     position, axes, focal = camera.position, camera.axes, size.pixels_per_tangent
     right, up = camera.ray_slopes(x, y, size)
     # Signed offsets from the ray are linear functions of a point, so that two products exclude
@@ -80,18 +99,18 @@ def _points_near_pixel(
         across = np.column_stack([axes[0] - right * axes[2], axes[1] - up * axes[2], axes[2]])
         lateral = np.zeros(3)
     shift = position @ across + lateral
-    indices, distances, depths = [], [], []
+    indices, pixel_offsets, depths = [], [], []
     for start in range(0, len(points), CHUNK_POINTS):
         offsets = points[start : start + CHUNK_POINTS] @ across - shift
         reach = camera.scale_depth(offsets[:, 2]) * (radius / focal)
         near = np.flatnonzero((np.abs(offsets[:, 0]) <= reach) & (np.abs(offsets[:, 1]) <= reach))
         near = near[offsets[near, 2] > 0.0]
         close = offsets[near]
-        pixels = np.hypot(close[:, 0], close[:, 1]) * focal / camera.scale_depth(close[:, 2])
-        inside = pixels <= radius
+        pixels = close[:, :2] * np.atleast_1d(focal / camera.scale_depth(close[:, 2]))[:, None]
+        inside = np.hypot(*pixels.T) <= radius
         indices.append(near[inside] + start)
-        distances.append(pixels[inside])
+        pixel_offsets.append(pixels[inside])
         depths.append(close[inside, 2])
     if not indices:
-        return np.empty(0, np.int64), np.empty(0), np.empty(0)
-    return np.concatenate(indices), np.concatenate(distances), np.concatenate(depths)
+        return np.empty(0, np.int64), np.empty((0, 2)), np.empty(0)
+    return np.concatenate(indices), np.concatenate(pixel_offsets), np.concatenate(depths)
