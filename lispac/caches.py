@@ -1,9 +1,9 @@
 """Cache of files that the program can create again.
 
-These are the built-in survey, the manual, compiled code, and matplotlib's list of fonts. The user
-can choose the folder, which the window and the command line share. If it cannot be written to, for
-example in a missing or read-only home directory, a temporary folder is used instead. Only files
-created by the program are ever removed from the cache.
+These are the manual, compiled code, and matplotlib's list of fonts. The user can choose the folder,
+which the window and the command line share. If it cannot be written to, for example in a missing or
+read-only home directory, a temporary folder is used instead. Only files created by the program are
+ever removed from the cache.
 """
 
 import os
@@ -22,8 +22,6 @@ CHOSEN_FOLDER_FILE = "cache-folder.txt"
 """Name of the file with the path of the chosen folder, in `user_folder`."""
 CACHE_FOLDER_NAME = "lispac"
 """Name of the cache folder within the chosen or default folder."""
-DEMO_FOLDER = "demo"
-"""Folder of the built-in survey within the cache folder."""
 MANUAL_FOLDER, MANUAL_MARKER_FILE = "manual", "made-by-lispac"
 """Folder of the built manual within the cache folder, and the file that marks it as created by
 this program."""
@@ -197,9 +195,6 @@ def _may_be_written(folder: Path) -> bool:
 
 def _cache_parts(place: Path) -> list[Path]:
     parts = [place / part for part in CACHE_VARIABLES.values()]
-    # A folder called demo may belong to another program; that of this program has a marker file.
-    if (place / DEMO_FOLDER / "raw" / DEMO_FOLDER).is_file():
-        parts.append(place / DEMO_FOLDER)
     if (place / MANUAL_FOLDER / MANUAL_MARKER_FILE).is_file():
         parts.append(place / MANUAL_FOLDER)
     return [part for part in parts if part.is_dir() and not part.is_symlink()]

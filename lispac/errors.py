@@ -65,6 +65,19 @@ class LispacError(Exception):
         return self._message.translate(CONTROL_CHARACTERS_TO_SPACES)
 
 
+def failure_reason(failure: BaseException) -> Message | str:
+    """Reason of any failure, as a parameter of a message.
+
+    The text of an `OSError` is not used, since it contains the path in quotation marks and with
+    doubled backslashes.
+    """
+    if isinstance(failure, LispacError):
+        return failure.reason
+    if isinstance(failure, OSError):
+        return system_reason(failure)
+    return str(failure) or type(failure).__name__
+
+
 class InputError(LispacError):
     """A file or value cannot be used."""
 

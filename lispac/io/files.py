@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, LispacError, system_reason
+from lispac.errors import InputError, LispacError, failure_reason, system_reason
 from lispac.io.points.compressed_files import require_uncompressed
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
@@ -83,7 +83,7 @@ def require_file(path: Path, what: str) -> Path:
     try:
         require_uncompressed(path, text=True)
     except OSError as failure:
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
     return path
 
@@ -157,7 +157,7 @@ def read_records(
         records = np.fromfile(path, dtype=f"{byte_order}f8").reshape(-1, columns)
     except (OSError, ValueError, MemoryError) as failure:
         raise InputError(
-            error("file.not_readable", file=str(path), reason=str(failure))
+            error("file.not_readable", file=str(path), reason=failure_reason(failure))
         ) from failure
     require_numbers(records, path, what)
     return records.astype(np.float64, copy=False)

@@ -17,7 +17,7 @@ MODEL = StochasticModel(loss="tukey")
 PRIOR = TRUTH.with_boresight(np.zeros(3))
 
 
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_a_wrong_roll_sign_in_a_survey_of_balls_is_named(seed: int) -> None:
     """The radii of the balls are unknown, and no other cause fits."""
     data = average_points_in_cells(changed(survey(seed), "roll_sign"), TRUTH, 0.02)

@@ -5,8 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QStandardPaths
+from PySide6.QtWidgets import QWidget
 
 from lispac.errors import ProjectError
+from lispac.gui.project.status import TARGETS
 from lispac.workflow.project.projects import open_project
 from tests.gui.support import (
     WAIT_MS,
@@ -19,6 +22,7 @@ from tests.gui.support import (
     open_step,
     press,
     sentence,
+    type_into,
 )
 
 # -- opening, saving, closing ------------------------------------------------------------------
@@ -127,6 +131,39 @@ def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo
     opened.rest()
     assert opened.project is before
     assert opened.viewport.clouds
+
+
+def test_the_options_of_the_next_seed_are_reset_with_the_project(picked: Driver, demo_copy: Path):
+    window, panel = picked.window, picked.window.targets
+    open_step(picked, TARGETS)
+    fresh = panel.seed_options
+    type_into(picked, panel.findChild(QWidget, "search_radius"), "2.5")
+    press(picked, Key.Key_F7)
+    panel.line_choice.setFocus()
+    picked.bot.keyClick(panel.line_choice, Key.Key_Down)
+    assert panel.seed_options != fresh
+    assert window.viewport.hint == ""
+    picked.window.actions_["measure_distance"].trigger()
+    assert window.viewport.mouse_mode != "navigate"
+    picked.dialogs.path = demo_copy / "project.json"
+    press(picked, Key.Key_O, Control)
+    picked.rest()
+    assert panel.seed_options == fresh
+    assert window.viewport.mouse_mode == "navigate"
+    assert not window.actions_["measure_distance"].isChecked()
+
+
+def test_the_demo_is_written_to_the_documents_of_the_user(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, demo_copy: Path
+):
+    """The cache may be emptied, and the demo may contain work of the user."""
+    documents = tmp_path / "Documents"
+    monkeypatch.setattr(QStandardPaths, "writableLocation", lambda _kind: str(documents))
+    documents.mkdir()
+    demo_copy.rename(documents / "LISPAC demo")
+    click(driver, driver.window.data.findChild(QWidget, "empty_demo"))
+    driver.rest()
+    assert driver.project.folder == documents / "LISPAC demo"
 
 
 def test_an_existing_demo_is_opened(driver: Driver, demo_copy: Path):

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale, QLockFile, Qt, QTimer
+from PySide6.QtCore import QLocale, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -14,7 +14,6 @@ from lispac.gui.features.open_project.import_survey.import_dialog import ImportD
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.features.preferences.settings_dialog import SettingsDialog
-from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
@@ -327,16 +326,3 @@ def test_the_cache_is_shown_and_emptied_after_confirmation(
     assert not page.cache.empty.isEnabled()
     qtbot.mouseClick(page.cache.usual, Left)
     assert page.preferences.cache is None
-
-
-def test_an_open_demo_is_not_removed(page: SettingsDialog, qtbot: QtBot, tmp_path: Path) -> None:
-    demo = tmp_path / "lispac" / "demo"
-    (demo / "raw").mkdir(parents=True)
-    (demo / "raw" / "demo").write_text("ours")
-    page.cache.choose_folder(tmp_path)
-    lock = QLockFile(str(demo / LOCK_FILE_NAME))
-    assert lock.tryLock(0)
-    qtbot.mouseClick(page.cache.empty, Left)
-    assert page.cache.message_label.text().startswith("The demo survey is open")
-    assert (demo / "raw" / "demo").is_file()
-    lock.unlock()

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette, QPixmap
+from PySide6.QtGui import QColor, QGuiApplication, QIcon, QImage, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -35,6 +35,14 @@ def contrast(one: str, other: str) -> float:
 
 
 # -- colours -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", list(QIcon.Mode), ids=lambda mode: mode.name)
+def test_a_swatch_has_the_colour_of_the_line_in_selected_rows_too(
+    qapp: QApplication, mode: QIcon.Mode
+) -> None:
+    picture = theme.swatch((12, 200, 100)).pixmap(12, 12, mode).toImage()
+    assert picture.pixelColor(6, 6).getRgb()[:3] == (12, 200, 100)
 
 
 def test_luminance_is_that_of_the_standard() -> None:

@@ -10,9 +10,21 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
 from lispac.gui.features.inspect.sections import section_box_sketch
+from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
+from lispac.gui.window.main_window import MainWindow
 from lispac.warning_causes import Cause
-from tests.gui.support import Driver, Key, click, press, seed, type_into, wait_until_idle
+from tests.gui.support import (
+    Driver,
+    Key,
+    Left,
+    click,
+    open_step,
+    press,
+    seed,
+    type_into,
+    wait_until_idle,
+)
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -255,6 +267,14 @@ def test_the_clip_box_moves_to_a_hidden_target(picked: Driver) -> None:
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
 
 
+def lit(window: MainWindow) -> set[str]:
+    """Choices of the lines shown that are switched on, in the menu and in the panel."""
+    panel = {"panel before": window.validate.before, "panel after": window.validate.after}
+    return {name for name in ("before", "after", "wipe") if window.actions_[name].isChecked()} | {
+        name for name, button in panel.items() if button.isChecked()
+    }
+
+
 def test_before_and_after_are_compared_in_one_picture(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport
     press(adjusted, Key.Key_W)
@@ -265,10 +285,22 @@ def test_before_and_after_are_compared_in_one_picture(adjusted: Driver) -> None:
         view.wipe_clouds[line], window.document.survey.clouds[line].sample
     )
     assert not np.array_equal(view.wipe_clouds[line], view.clouds[line])
+    assert lit(window) == {"wipe"}
     press(adjusted, Key.Key_W)
     assert view.wipe_clouds is None
     assert window.scene.which == "estimated"
+    assert lit(window) == {"after", "panel after"}
+    for button, shown in ((window.validate.after, "after"), (window.validate.before, "before")):
+        press(adjusted, Key.Key_W)
+        adjusted.rest()
+        assert lit(window) == {"wipe"}
+        open_step(adjusted, VALIDATE)
+        adjusted.bot.mouseClick(button, Left)
+        adjusted.rest()
+        assert view.wipe_clouds is None
+        assert lit(window) == {shown, f"panel {shown}"}
     press(adjusted, Key.Key_W)
+    adjusted.rest()
     assert view.wipe_clouds is not None
     press(adjusted, Key.Key_B)  # the view of the lines before ends the comparison
     adjusted.rest()

@@ -22,7 +22,7 @@ def config(tmp_path: Path) -> Path:
 
 def make_cache(place: Path) -> Path:
     """Make a cache with 35 bytes of the program among foreign files."""
-    for name, size in (("demo/raw/demo", 5), ("demo/raw/L1.laz", 10), ("numba/a/k.nbc", 20)):
+    for name, size in (("matplotlib/fonts.json", 15), ("numba/a/k.nbc", 20)):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         (place / name).write_bytes(bytes(size))
     (place / "window.ini").write_bytes(bytes(7))
@@ -63,17 +63,17 @@ def test_only_files_of_the_program_are_counted_and_removed(tmp_path: Path) -> No
     assert sorted(each.name for each in place.iterdir()) == ["thesis", "window.ini"]
 
 
-def test_a_foreign_folder_called_demo_is_not_removed(tmp_path: Path) -> None:
+def test_a_foreign_folder_called_manual_is_not_removed(tmp_path: Path) -> None:
     place = tmp_path / "lispac"
-    (place / "demo").mkdir(parents=True)
-    (place / "demo" / "tape.mp3").write_bytes(bytes(3))
+    (place / "manual").mkdir(parents=True)
+    (place / "manual" / "tape.mp3").write_bytes(bytes(3))
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     (elsewhere / "kept").write_text("")
     (place / "numba").symlink_to(elsewhere)
     assert caches.cache_size(place) == 0
     caches.empty_cache(place)
-    assert (place / "demo" / "tape.mp3").is_file()
+    assert (place / "manual" / "tape.mp3").is_file()
     assert (elsewhere / "kept").is_file()
 
 

@@ -172,7 +172,6 @@ def test_letterhead_and_texts_are_in_pdf_and_html(
     ("blank", "language", "page"),
     [
         (True, "fr", "a4"),
-        (False, "en", "letter"),
         *(
             pytest.param(*each, marks=pytest.mark.long)
             for each in product((True, False), ("en", "fr"), ("a4", "letter"))

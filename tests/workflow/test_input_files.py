@@ -89,7 +89,7 @@ def test_missing_files_are_reported_in_order(files: Path, tmp_path: Path) -> Non
     assert "already contains a project" in both.import_problem(str(tmp_path))
     assert "This is a file" in both.import_problem(str(files / "L1.laz"))
     assert both.import_problem(str(tmp_path / "new")) == ""
-    assert proposed_folder(both) == files / "boresight"
+    assert proposed_folder(both) == files.parent / f"{files.name}-boresight"
 
 
 def test_a_second_trajectory_is_an_error_until_it_is_skipped(

@@ -1,5 +1,6 @@
 """Tests of adding lines to an open project, and of single rules of the list of input files."""
 
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -183,19 +184,27 @@ def test_a_second_accuracy_file_is_an_error(files: Path, tmp_path: Path) -> None
 def test_a_free_folder_is_proposed_for_the_project(
     files: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Beside the data, else in the home folder, else with a number; none without write access."""
+    """Beside the folder of the data, with a number if needed; none without write access."""
     assert proposed_folder(InputFiles()) is None
     home = tmp_path / "home"
     home.mkdir()
     monkeypatch.setattr(Path, "home", lambda: home)
-    input_files = import_files(
-        InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0))
-    )
-    assert proposed_folder(input_files) == tmp_path / "boresight"
-    (tmp_path / "boresight").mkdir()
-    assert proposed_folder(input_files) == home / f"{tmp_path.name}-boresight"
-    (home / f"{tmp_path.name}-boresight").mkdir()
-    assert proposed_folder(input_files) == tmp_path / "boresight-2"
+    raw = tmp_path / "quay" / "raw"
+    raw.mkdir(parents=True)
+    input_files = import_files(InputFiles(), write_line(raw / "L1.las", START + np.arange(50.0)))
+    assert proposed_folder(input_files) == tmp_path / "quay" / "raw-boresight"
+    (tmp_path / "quay" / "raw-boresight").mkdir()
+    assert proposed_folder(input_files) == tmp_path / "quay" / "raw-boresight-2"
+    pos = tmp_path / "quay" / "pos"
+    pos.mkdir()
+    both = import_files(input_files, write_line(pos / "L2.las", START + np.arange(50.0)))
+    assert proposed_folder(both) == tmp_path / "quay" / "quay-boresight"
+    allowed = os.access
+    monkeypatch.setattr(
+        input_files_module.os, "access", lambda path, mode: home in (path, *Path(path).parents)
+        and allowed(path, mode),
+    )  # fmt: skip
+    assert proposed_folder(input_files) == home / "raw-boresight"
     monkeypatch.setattr(input_files_module.os, "access", lambda *_: False)
     assert folder_problem(str(tmp_path / "x")) == (
         f"{tmp_path}: cannot be written. Choose another folder."

@@ -102,13 +102,32 @@ def _find_unchecked_parts(
         depends = (sigma > MAX_SIGMA_RATIO * whole) & (sigma > least)
         return tuple(np.array(ANGLES)[depends].tolist())
 
+    def needed_parts(
+        part: NDArray[np.int64], candidates: NDArray[np.int64], least: float = 0.0
+    ) -> Iterator[tuple[int, tuple[str, ...] | None]]:
+        """Parts without which `dependent_angles` finds an angle, with its result.
+
+        ``part`` contains the part of each sighting. A standard deviation is largest without all
+        candidates. If no angle depends on all together, none depends on one of them, and hundreds
+        of parts are tested by a few solutions.
+        """
+        angles = dependent_angles(np.isin(part, candidates), least)
+        if angles == ():
+            return
+        if len(candidates) == 1:
+            yield int(candidates[0]), angles
+            return
+        for half in np.array_split(candidates, 2):
+            yield from needed_parts(part, half, least)
+
     targets = observations.targets
-    for k, target in enumerate(targets if len(targets) > 1 else ()):
-        angles = dependent_angles(observations.target_of_sighting == k, MAX_CHECK_SIGMA)
-        if angles is None:
-            yield UncontrolledObservations("target", target)
-        elif angles:
-            yield UncontrolledObservations("sighting", target, angles=angles)
+    if len(targets) > 1:
+        part, candidates = observations.target_of_sighting, np.arange(len(targets))
+        for k, angles in needed_parts(part, candidates, MAX_CHECK_SIGMA):
+            if angles is None:
+                yield UncontrolledObservations("target", targets[k])
+            else:
+                yield UncontrolledObservations("sighting", targets[k], angles=angles)
     if len(targets) > 1 and origins is not None:
         for members, size in _target_clusters(linearised, origins):
             names = tuple(np.array(targets)[members].tolist())
@@ -123,8 +142,9 @@ def _find_unchecked_parts(
                 )
     if needed or count > MAX_TESTED_SIGHTINGS:
         return
-    for k, sighting in enumerate(observations.sightings):
-        if carried := dependent_angles(np.arange(count) == k):
+    for k, carried in needed_parts(np.arange(count), np.arange(count)):
+        if carried:
+            sighting = observations.sightings[k]
             yield UncontrolledObservations("sighting", sighting.target, sighting.line, carried)
 
 

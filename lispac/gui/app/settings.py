@@ -6,7 +6,6 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
-from lispac.caches import usable_cache_folder
 from lispac.gui.app.point_colours import COLOUR_SCALES, Scale
 from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.viewport.decimation import Budget
@@ -212,9 +211,7 @@ class AppSettings:
         self._store.sync()
 
 
-def folder_outside_cache(folder: Path) -> Path:
-    """Return the folder, or the documents folder if it is in the cache, which may be emptied."""
-    if not folder.is_relative_to(usable_cache_folder()):
-        return folder
+def documents_folder() -> Path:
+    """Folder for the documents of the user."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
     return Path(QStandardPaths.writableLocation(documents) or home_folder())

@@ -73,10 +73,13 @@ def line_colours(lines: Sequence[str]) -> dict[str, Colour]:
 
 
 def swatch(colour: Colour, size: int = 12) -> QIcon:
-    """Icon of a square filled with a colour."""
+    """Icon of a square filled with a colour, which a selected row does not change."""
     pixmap = QPixmap(size, size)
     pixmap.fill(QColor(*colour))
-    return QIcon(pixmap)
+    icon = QIcon()
+    for mode in QIcon.Mode:
+        icon.addPixmap(pixmap, mode)
+    return icon
 
 
 QUALITY_ICONS = {

@@ -6,10 +6,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.caches import DEMO_FOLDER, usable_cache_folder
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
-from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.settings import AppSettings, documents_folder
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -474,8 +473,8 @@ def _settings_edit_name(before: Settings, after: Settings) -> Template:
 
 
 def demo_folder() -> Path:
-    """Folder of the demo survey in the cache."""
-    return usable_cache_folder() / DEMO_FOLDER
+    """Folder of the demo survey, among the documents of the user."""
+    return documents_folder() / "LISPAC demo"
 
 
 def _load_lines(project: Project, progress: Progress) -> OpenedProject:

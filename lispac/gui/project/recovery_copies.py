@@ -12,7 +12,7 @@ from typing import Any
 
 from PySide6.QtCore import QLockFile, QObject, Signal
 
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError, LispacError, failure_reason
 from lispac.gui.app.language import local_datetime
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.settings import AppSettings
@@ -180,8 +180,7 @@ class RecoveryCopies(QObject):
 
     def _on_write_failed(self, failure: BaseException) -> None:
         # The next edit tries again, since the disk or the drive may be available then.
-        reason = failure.reason if isinstance(failure, LispacError) else str(failure)
-        problem = error("window.unsaved_work_not_kept", reason=reason)
+        problem = error("window.unsaved_work_not_kept", reason=failure_reason(failure))
         if problem != self.problem:
             self._set_problem(problem)
             self._note(message_text(problem))

@@ -151,6 +151,7 @@ class MainWindow(QMainWindow):
             self.central_widget,
         )  # fmt: skip
         document.about_to_open.connect(self._discard_typed_texts)
+        document.about_to_open.connect(panels.targets.reset_seed_options)
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
@@ -251,7 +252,9 @@ class MainWindow(QMainWindow):
         self.adjust.estimate_requested.connect(self.actions_["estimate"].trigger)
         self.adjust.cancel_requested.connect(self.runner.cancel)
         self.validate.validate_requested.connect(self.actions_["validate"].trigger)
-        self.validate.shown_changed.connect(self.computations.show)
+        self.validate.shown_changed.connect(
+            lambda which: self.actions_["after" if which == "estimated" else "before"].trigger()
+        )
         self.validate.model_changed.connect(self.computations.set_surface_model)
         self.validate.acceptance_edited.connect(control.change_acceptance)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
@@ -391,8 +394,9 @@ class MainWindow(QMainWindow):
         if former.controller.candidate is not None:
             self.controller.set_candidate(former.controller.candidate)
         self.scene.copy_state_from(former.scene)
-        for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
-            self.actions_[name].setChecked(former.actions_[name].isChecked())
+        self.actions_[COLOUR_ACTIONS[former.scene.colouring]].setChecked(True)
+        if former.actions_["wipe"].isChecked():
+            self.actions_["wipe"].trigger()
         if former.tour.is_running:
             self.tour.resume()
 

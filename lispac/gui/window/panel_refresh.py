@@ -54,6 +54,8 @@ class PanelRefresh(QObject):
         controller.candidate_changed.connect(self._show_candidate)
         computations.counted.connect(self._show_count)
         scene.which_changed.connect(self._show_before_after)
+        for name in ("before", "after", "wipe"):
+            actions[name].toggled.connect(self._show_chosen_lines)
 
     def refresh(self) -> None:
         """Show the current document in all panels."""
@@ -147,8 +149,14 @@ class PanelRefresh(QObject):
         self._computations.count(self._panels.adjust.subsample)
 
     def _show_before_after(self, which: str) -> None:
-        self._panels.validate.show_before_after(which)
+        if self._actions["wipe"].isChecked() and which == "estimated":
+            return  # the split view shows both
         self._actions["after" if which == "estimated" else "before"].setChecked(True)
+
+    def _show_chosen_lines(self) -> None:
+        self._panels.validate.show_before_after(
+            before=self._actions["before"].isChecked(), after=self._actions["after"].isChecked()
+        )
 
     def _first_open_step(self) -> int:
         project = self._document.project

@@ -19,7 +19,7 @@ from lazrs import LazrsError
 from numpy.typing import NDArray
 
 from lispac import __version__
-from lispac.errors import InputError, system_reason
+from lispac.errors import InputError, failure_reason
 from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
 from lispac.io.las.las_chunks import MIXED_WAVEFORM_FORMATS, PackedColumns
@@ -405,7 +405,7 @@ def open_cloud_writer(
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
     except (LazrsError, OSError, LaspyException) as failure:
-        reason = system_reason(failure) if isinstance(failure, OSError) else str(failure)
+        reason = failure_reason(failure)
         raise InputError(error("las.not_writable", file=str(shown), reason=reason)) from failure
 
 

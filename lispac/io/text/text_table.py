@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.io.files import require_file
 from lispac.io.points.compressed_files import require_uncompressed
 from lispac.messages import error
@@ -105,7 +105,7 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
                     raise InputError(error("text.not_text", file=str(path), row=number))
                 yield number, line.rstrip("\r\n")
     except OSError as failure:
-        reason = str(failure.strerror or failure)
+        reason = system_reason(failure)
         raise InputError(error("text.not_read_to_end", file=str(path), reason=reason)) from failure
 
 

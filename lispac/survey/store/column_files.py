@@ -11,7 +11,7 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import ProjectError
+from lispac.errors import ProjectError, failure_reason
 from lispac.messages import error
 from lispac.survey.store.fingerprint import combine_crc32
 from lispac.survey.store.layout import StoredColumn, flush_to_disk, import_again_message
@@ -148,7 +148,8 @@ def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
     except (
         OSError, ValueError, EOFError, MemoryError, OverflowError, SyntaxError, tokenize.TokenError,
     ) as failure:  # fmt: skip
-        reason = str(failure).split("\n")[0]
+        reason = failure_reason(failure)
+        reason = reason.split("\n")[0] if isinstance(reason, str) else reason
         raise ProjectError(
             import_again_message(error("store.part_damaged", file=str(path), reason=reason))
         ) from failure

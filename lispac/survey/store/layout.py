@@ -22,7 +22,7 @@ from zlib import crc32
 
 import numpy as np
 
-from lispac.errors import ProjectError, system_reason
+from lispac.errors import ProjectError, failure_reason, system_reason
 from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
@@ -261,7 +261,7 @@ def read_manifest(folder: Path) -> Manifest | None:
     except FileNotFoundError:
         return None
     except (OSError, ValueError, KeyError, TypeError, OverflowError) as failure:
-        damage = error("store.manifest_damaged", file=str(path), reason=str(failure))
+        damage = error("store.manifest_damaged", file=str(path), reason=failure_reason(failure))
         raise DamagedStore(import_again_message(damage)) from failure
 
 

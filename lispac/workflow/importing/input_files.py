@@ -6,6 +6,7 @@ in `input_file`, and the messages about them are in `input_file_messages`.
 
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -446,14 +447,20 @@ def _require_number(value: object) -> float:
 def proposed_folder(input_files: InputFiles) -> Path | None:
     """Folder that a project can be created in, as a proposal; None if there is none.
 
-    It is in the folder of the data or, if that cannot be written, in the home folder.
+    It is beside the folders of the data or, if that cannot be written, in the home folder.
     """
     used = [file for file in (input_files.trajectory, *input_files.lines) if file is not None]
     if not used:
         return None
+    folders = {file.path.parent for file in used}
     data = used[0].path.parent
-    for name in ("boresight", *(f"boresight-{k}" for k in range(2, 20))):
-        for place in (data / name, home_folder() / f"{data.name}-{name}"):
+    with suppress(ValueError):  # files on two drives
+        common = Path(os.path.commonpath(folders))
+        data = common if common.name else data  # not the root of the drive
+    beside = data.parent if data in folders else data
+    for folder in (beside, home_folder()):
+        for number in ("", *(f"-{k}" for k in range(2, 20))):
+            place = folder / f"{data.name}-boresight{number}"
             if not folder_problem(str(place)) and not place.exists():
                 return place
     return None

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.io.files import require_file
 from lispac.language import LANGUAGES
 from lispac.messages import error
@@ -43,7 +43,9 @@ def _read_template(path: Path) -> ReportOptions:
     try:
         content = toml_values(path.read_bytes())
     except (OSError, InvalidContentError) as failure:
-        reason = failure.reason if isinstance(failure, InvalidContentError) else str(failure)
+        reason = (
+            failure.reason if isinstance(failure, InvalidContentError) else system_reason(failure)
+        )
         raise InputError(
             error("report_template.not_toml", file=str(path), reason=reason)
         ) from failure

@@ -21,7 +21,7 @@ ACTIONS = by_name(
         icon="swap-horizontal", keys="B"),
     ActionRecord("wipe", N_("Before a&nd after in a split view"),
         N_("Show the lines before on the left and after on the right of a divider that follows "
-           "the mouse"), ("View", 1, 4), keys="W", toggles=True),
+           "the mouse"), ("View", 1, 4), keys="W", choice="placement"),
     ActionRecord("fit", N_("&Zoom to all"), N_("Show all points in the view"), ("View", 2, 1),
         toolbar=(6, 1), short=N_("Zoom to all"), icon="fit-to-page-outline", keys="F"),
     ActionRecord("fit_selection", N_("Zoom to s&election"),

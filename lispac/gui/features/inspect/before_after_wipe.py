@@ -14,7 +14,7 @@ from lispac.language import gettext
 
 
 class BeforeAfterWipe(QObject):
-    """Split view, which ends when it is switched off or only the lines before are shown."""
+    """Split view, which ends when it is chosen again or another choice of lines is made."""
 
     def __init__(
         self,
@@ -29,34 +29,43 @@ class BeforeAfterWipe(QObject):
         self._document, self._scene, self._computations = document, scene, computing
         self._viewport, self._note = viewport, note
         self._action = actions["wipe"]
+        self._single = {"prior": actions["before"], "estimated": actions["after"]}
+        self._is_on = False
         self._action.triggered.connect(self._toggle_tool)
+        for action in self._single.values():
+            action.triggered.connect(self._stop_wipe)
         self._due = IdleTask(self._show_wipe, self)
         scene.drawn.connect(self._due.start)
         document.opened.connect(self._stop_wipe)
 
-    def _toggle_tool(self, on: bool) -> None:
+    def _toggle_tool(self) -> None:
         project = self._document.project
-        if not on:
+        if self._is_on:
             self._stop_wipe()
         elif project is None or project.result is None:
-            self._action.setChecked(False)
+            self._stop_wipe()
             self._note(
                 gettext("Estimate the boresight first, to compare the lines before and after.")
             )
-        elif self._scene.which == "estimated":
-            self._show_wipe()
         else:
-            self._computations.show("estimated")
+            self._is_on = True
+            if self._scene.which == "estimated":
+                self._show_wipe()
+            else:
+                self._computations.show("estimated")
 
     def _show_wipe(self) -> None:
         survey = self._document.survey
-        if not self._action.isChecked():
+        if not self._is_on:
             return
         if self._scene.which == "prior" or survey is None:
             self._stop_wipe()
             return
+        self._action.setChecked(True)
         self._viewport.show_wipe({name: cloud.sample for name, cloud in survey.clouds.items()})
 
     def _stop_wipe(self) -> None:
-        self._action.setChecked(False)
+        self._is_on = False
+        if self._action.isChecked():
+            self._single[self._scene.which].setChecked(True)
         self._viewport.show_wipe(None)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.settings import AppSettings, folder_outside_cache
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.open_project.dialogs import ProjectDialogs
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
@@ -179,7 +179,7 @@ class ProjectLifecycle(QObject):
 
 def _free_folder(folder: Path) -> Path:
     """Unused folder name beside the project, or in the home folder if that is not writable."""
-    parent = folder_outside_cache(folder.parent)
+    parent = folder.parent
     if not os.access(parent, os.W_OK):
         parent = home_folder()
     names = (f"{folder.name}-{k}" for k in itertools.count(2))

@@ -28,6 +28,7 @@ from lispac.gui.project.status import ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.workflow.project.survey import Survey
 
 DEFAULT_BOARD_SIZE_M = (1.23, 1.22)
@@ -68,6 +69,12 @@ class ExpectedFields(QWidget):
             row.addWidget(field, 1)
         for field in (self._width, self._height):
             field.setSpecialValueText(gettext("any"))
+
+    def reset(self) -> None:
+        """Expect nothing."""
+        for field in (self._width, self._height):
+            field.setValue(0.0)
+        self._tilt.setValue(90)
 
     @property
     def value(self) -> ExpectedTarget | None:
@@ -174,6 +181,16 @@ class TargetsPanel(QWidget):
         """Choose whether the next seed is for a target or a validation plane."""
         (self._validation if role == "validation" else self._target).setChecked(True)
 
+    def reset_seed_options(self) -> None:
+        """Choose the default options of the next seed, for another project."""
+        self.set_role("target")
+        self.shape_choice.setCurrentIndex(0)
+        self.line_choice.setCurrentIndex(0)
+        for field in (self._radius, self._threshold, self._sphere_radius):
+            field.setValue(0.0)
+        self._expected.reset()
+        self.search_fields.show_value(DEFAULT_CHOICES)
+
     def show_state(self, state: ProjectState) -> None:
         """Show the targets and the lines of the project."""
         project = state.project
@@ -246,6 +263,11 @@ class TargetsPanel(QWidget):
         is_sphere = self.shape == "sphere"
         if self.line is None:
             text = N_("Hold <b>Ctrl</b> and click a plane in the view. All lines are searched.")
+            if self.role == "validation":
+                text = N_(
+                    "Hold <b>Ctrl</b> and click a validation plane in the view. All lines are "
+                    "searched."
+                )
             if is_sphere:
                 text = N_(
                     "Hold <b>Ctrl</b> and click a sphere in the view. All lines are searched."

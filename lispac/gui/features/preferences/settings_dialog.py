@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile
 from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
@@ -24,15 +23,12 @@ from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.features.preferences.actions import ACTIONS
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
-from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.number_input import NumberDialog
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.language import LANGUAGES, N_, gettext
 from lispac.survey.conventions.systems import OTHER_SYSTEMS
 from lispac.workflow.planning.sensors import read_library
-
-DEMO_IS_OPEN_TEXT = N_("The demo survey is open. Close it, then empty the cache.")
 
 
 class CacheBox(QWidget):
@@ -47,8 +43,8 @@ class CacheBox(QWidget):
         self.choose = widgets.button(
             gettext("Choose…"), "settings_cache_choose",
             tip=gettext(
-                "Choose another folder for the demo survey, compiled code and font lists. "
-                "Projects and the contents of the former folder are not moved."
+                "Choose another folder for compiled code, the manual and font lists. The contents "
+                "of the former folder are not moved."
             ),
         )  # fmt: skip
         self.usual = widgets.button(
@@ -106,12 +102,6 @@ class CacheBox(QWidget):
 
     def _empty_cache(self) -> None:
         place = caches.cache_folder_in(self._folder)
-        lock = QLockFile(str(place / caches.DEMO_FOLDER / LOCK_FILE_NAME))
-        lock.setStaleLockTime(0)
-        if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
-            self._show_problem(gettext(DEMO_IS_OPEN_TEXT))
-            return
-        lock.unlock()
         if not self._confirm_deletion(place):
             return
         try:
@@ -130,8 +120,8 @@ class CacheBox(QWidget):
         box.setObjectName("empty_cache")
         box.setInformativeText(
             gettext(
-                "This deletes compiled code and the demo survey with its picked targets. Projects, "
-                "settings and sensors are kept."
+                "This deletes compiled code, the manual and font lists, which the program creates "
+                "again when needed. Projects, settings and sensors are kept."
             )
         )
         remove = box.addButton(gettext("Clear cache"), QMessageBox.ButtonRole.DestructiveRole)

@@ -12,7 +12,7 @@ from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.settings import AppSettings, folder_outside_cache
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance import units
 from lispac.gui.features.report.dialogs import ReportDialogs
@@ -102,9 +102,7 @@ class ReportExport(QObject):
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
-        path = self._dialogs.report_file(
-            folder_outside_cache(project.folder) / f"{project.name}.pdf"
-        )
+        path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(

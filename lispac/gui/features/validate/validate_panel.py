@@ -142,6 +142,10 @@ class ValidatePanel(QWidget):
         self.run.update_enabled(status.ready and not state.is_busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
-    def show_before_after(self, which: str) -> None:
-        """Show whether the view displays the lines before or after."""
-        (self.after if which == "estimated" else self.before).setChecked(True)
+    def show_before_after(self, *, before: bool, after: bool) -> None:
+        """Show whether the view displays the lines before or after; neither for a split view."""
+        group = self.before.group()
+        group.setExclusive(False)  # else one button would stay checked
+        self.before.setChecked(before)
+        self.after.setChecked(after)
+        group.setExclusive(True)
