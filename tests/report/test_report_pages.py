@@ -12,7 +12,7 @@ from lispac.report.document_blocks import Bullets, Document, Paragraph, Section,
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from tests.report.test_report import _pdf_text
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +40,7 @@ def test_headings_and_introductions_stay_with_what_follows(
     content, ends = sample_content(project), set()
     for lines in range(40, 60):
         monkeypatch.setattr(pdf, "report_document", lambda *_, lines=lines: _document(lines))
-        write_pdf(content, tmp_path / "r.pdf", {})
+        write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
         pages = _pdf_text(tmp_path / "r.pdf").split("\f")
         (announced,) = (k for k, page in enumerate(pages) if "Announced:" in page)
         assert "item one" in pages[announced], lines

@@ -22,12 +22,14 @@ from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Viewport
+from lispac.identity import COMPANY_FIELDS
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
+from lispac.workflow.output.output_crs import trajectory_datum_of
 from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey_dates import survey_dates
 
@@ -70,6 +72,7 @@ class ReportExport(QObject):
         panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
         panel.details_requested.connect(self.ask_details)
+        panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
 
@@ -78,20 +81,26 @@ class ReportExport(QObject):
         self._panel.show_choice(self._settings.report_choice())
 
     def ask_details(self) -> None:
-        """Ask for surveyor, dates and equipment, and store them as one undo step."""
+        """Ask for the details for the report, and store them as one undo step."""
         project, survey = self._document.project, self._survey
         if project is None:
             return
         identity = self._dialogs.identity(
-            project.identity, lambda: "" if survey is None else survey_dates(project, survey)
+            project.identity,
+            lambda: "" if survey is None else survey_dates(project, survey),
+            self._settings.companies(),
+            _reference_frame(project),
         )
+        if identity is not None and identity.company:
+            details = {name: getattr(identity, name) for name in COMPANY_FIELDS}
+            self._settings.save_company(identity.company, details)
         current = self._document.project  # a task may have changed it meanwhile
         if identity is not None and current is not None and identity != current.identity:
             self._document.edit(N_("change of report details"), current.with_identity(identity))
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
-        last = self._settings.report_choice()[0]
+        last = self._settings.report_choice().template
         path = self._dialogs.report_template(Path(last).parent if last else home_folder())
         if path is not None:
             self._panel.show_template(path)
@@ -130,7 +139,7 @@ class ReportExport(QObject):
             return path
 
         title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._on_written, project), persistent=True)
+        self._runner.run(title, work, partial(self._on_exported, project), persistent=True)
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -185,6 +194,11 @@ class ReportExport(QObject):
 
         self._dialogs.preview(preview.pages, save)
 
+    def _on_exported(self, project: Project, path: Path) -> None:
+        self._on_written(project, path)
+        if self._panel.opens.isChecked() and not self._dialogs.open_file(path):
+            self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
+
     def _on_written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
         self._controller.logged.emit(gettext("Wrote {path}", path=path))
@@ -199,10 +213,20 @@ class ReportExport(QObject):
 
     def _store_choice(self) -> None:
         self._settings.save_report_choice(self._panel.choice)
+        self._settings.opens_report = self._panel.opens.isChecked()
 
     @property
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
+
+
+def _reference_frame(project: Project) -> dict[str, str]:
+    """Datum and epoch with which georeferenced lines are read, to be proposed; empty if unknown."""
+    try:
+        datum, epoch = trajectory_datum_of(project.lines)
+    except InputError:
+        return {}
+    return {"datum": datum, "epoch": "" if epoch is None else str(epoch)}
 
 
 @contextmanager
