@@ -16,10 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui.app.settings import ReportChoice
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.widgets import ChoiceBox
-from lispac.identity import FIELD_NAMES, Identity
+from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
@@ -117,9 +118,9 @@ def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_
     assert "size: letter;" in text
     assert "Convention\u00a0: Applanix" in text
     assert 'lang="fr"' in text
-    assert adjusted.window.settings.report_choice() == (
-        str(template), "letter", "applanix", "fr",
-    )  # fmt: skip
+    assert adjusted.window.settings.report_choice() == ReportChoice(
+        str(template), "letter", "applanix", "fr", "short"
+    )
     fresh = ReportPanel()
     fresh.show_choice(adjusted.window.settings.report_choice())
     assert fresh.options() == panel.options()
@@ -175,7 +176,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
-    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 5
+    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 1
     # Letter at 96 pixels an inch
     assert {(page.width(), page.height()) for page in pictures} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
@@ -385,3 +386,57 @@ def test_no_report_is_proposed_in_the_cache(
     assert proposed.name == f"{adjusted.project.name}.pdf"
     assert (proposed.parent == folder) is not cached
     assert proposed.is_relative_to(folder.parent) is not cached
+
+
+def test_the_report_is_opened_after_the_export(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
+    panel, dialogs = adjusted.window.report, adjusted.dialogs
+    choose(adjusted, panel.extent, 1)
+    assert panel.options().extent == "full"
+    dialogs.path = tmp_path / "r.json"
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert dialogs.opened == [tmp_path / "r.json"]
+    dialogs.can_open = False
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert "r.json" in adjusted.window.log.toPlainText().splitlines()[-1]
+    assert dialogs.errors == []
+    click(adjusted, panel.opens)
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert len(dialogs.opened) == 2
+    settings = adjusted.window.settings
+    assert not settings.opens_report
+    assert settings.report_choice().extent == "full"
+    fresh = ReportPanel()
+    fresh.show_choice(settings.report_choice())
+    assert fresh.options() == panel.options()
+
+
+def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Driver) -> None:
+    open_step(adjusted, REPORT_STEP)
+    company = "Fleuve Surveys"  # keys of a test are ASCII
+    last = {"surveyor": "Ève Tremblay", "checked_by": "Ana Ruiz", "scanner": "Profiler 16"}
+    adjusted.window.settings.save_company(company, last)
+
+    def use_dialog(dialog: QWidget) -> None:
+        type_into(adjusted, field(dialog, "checked_by"), "Luc Roy")
+        type_into(adjusted, field(dialog, "company"), company)
+        assert field(dialog, "surveyor").text() == "Ève Tremblay"
+        assert field(dialog, "checked_by").text() == "Luc Roy"
+        assert field(dialog, "vessel").text() == ""
+        type_into(adjusted, field(dialog, "company"), "Another company")
+        assert field(dialog, "surveyor").text() == field(dialog, "scanner").text() == ""
+        assert field(dialog, "checked_by").text() == "Luc Roy"
+        type_into(adjusted, field(dialog, "company"), company)
+        type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(adjusted, use_dialog)
+    click(adjusted, adjusted.window.report.details)
+    identity = adjusted.project.identity
+    assert (identity.surveyor, identity.scanner) == ("Ève Tremblay", "Profiler 32")
+    stored = adjusted.window.settings.companies()[company]
+    assert (stored["scanner"], stored["checked_by"]) == ("Profiler 32", "Luc Roy")
+    assert set(stored) == set(COMPANY_FIELDS)
