@@ -1,30 +1,29 @@
-"""The report: details for its first page, pictures of the view, preview and export."""
+"""The report: its details, preview and export."""
 
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.appearance import units
 from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.report.report_pictures import Pictures, ReportPictures
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import PriorOrEstimated, Scene
+from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Viewport
 from lispac.identity import COMPANY_FIELDS
 from lispac.installation_paths import home_folder
-from lispac.language import N_, gettext
+from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
@@ -38,11 +37,6 @@ if TYPE_CHECKING:
 
 PIXELS_PER_INCH = 96.0
 """Resolution of the previewed pages on a screen without scaling."""
-CAPTIONS: dict[PriorOrEstimated, str] = {
-    "prior": N_("Lines georeferenced with the prior boresight"),
-    "estimated": N_("Lines georeferenced with the estimated boresight"),
-}
-"""English captions, which the report translates into its own language."""
 
 
 class ReportExport(QObject):
@@ -115,7 +109,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._pictures.capture(project, write)
+                project, survey, lambda: self._pictures.capture(project, options.extent, write)
             )
 
     def _write(
@@ -124,7 +118,7 @@ class ReportExport(QObject):
         survey: Survey,
         options: ReportOptions,
         path: Path,
-        pictures: dict[str, QImage],
+        pictures: Pictures,
     ) -> None:
         refused = self._document.refused_since
 
@@ -148,7 +142,7 @@ class ReportExport(QObject):
             return
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._pictures.capture(project, set_pages)
+            project, survey, lambda: self._pictures.capture(project, options.extent, set_pages)
         )
 
     def _lay_out_pages(
@@ -156,7 +150,7 @@ class ReportExport(QObject):
         project: Project,
         survey: Survey,
         options: ReportOptions,
-        pictures: dict[str, QImage],
+        pictures: Pictures,
     ) -> None:
         refused = self._document.refused_since
         ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
@@ -230,82 +224,13 @@ def _reference_frame(project: Project) -> dict[str, str]:
 
 
 @contextmanager
-def _temporary_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+def _temporary_files(pictures: Pictures) -> Iterator[dict[str | LazyText, Path]]:
     """Write pictures to temporary PNG files; slow, so used in the worker."""
     with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
-        files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
-        for caption, file in files.items():
-            if not pictures[caption].save(str(file), "PNG"):
+        files: dict[str | LazyText, Path] = {
+            caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)
+        }
+        for picture, file in zip(pictures.values(), files.values(), strict=True):
+            if not picture.save(str(file), "PNG"):
                 raise InputError(error("window.disk_full", file=str(file)))
         yield files
-
-
-class ReportPictures(QObject):
-    """Takes pictures of the lines before and after with one camera and one colour scale."""
-
-    def __init__(
-        self,
-        document: Document,
-        runner: TaskRunner,
-        controller: Controller,
-        scene: Scene,
-        viewport: Viewport,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._runner, self._controller = document, runner, controller
-        self._scene, self._viewport = scene, viewport
-        self._restoration = ExitStack()
-        for ended in (runner.stopped, runner.idle):
-            ended.connect(self._restore_view)
-
-    def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
-        """Take both pictures and call ``then`` with them, by caption.
-
-        The lines must already be georeferenced with both boresights. Showing the lines, loading the
-        detail and taking the picture are separate steps of the event loop, so that the window stays
-        responsive. An edit of the project or a cancellation ends the process.
-        """
-        pictures: dict[str, QImage] = {}
-
-        def prepare(which: PriorOrEstimated) -> None:
-            self._show_lines(which)  # the user may have switched
-            self._scene.draw_due()
-            self._viewport.prepare()
-
-        def capture(which: PriorOrEstimated) -> None:
-            prepare(which)  # no effect if nothing has changed
-            with units.standard_units():
-                pictures[CAPTIONS[which]] = self._viewport.picture()
-
-        steps: list[tuple[Callable[[PriorOrEstimated], None], PriorOrEstimated]] = [
-            (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
-        ]
-
-        def step(_nothing: None) -> None:
-            act, which = steps.pop(0)
-            act(which)
-            if self._document.project is not project:
-                self._restore_view()
-            elif steps:
-                self._run_step(step)
-            else:
-                self._restore_view()
-                then(pictures)
-
-        self._restoration.enter_context(self._scene.common_residual_scale())
-        self._run_step(step)
-
-    def _run_step(self, step: Callable[[None], None]) -> None:
-        task = self._runner.run(
-            gettext("Taking pictures of the view"), lambda _progress: None, step
-        )
-        self._controller.cancel_on_edit(task)
-
-    def _show_lines(self, which: PriorOrEstimated) -> None:
-        with units.standard_units():
-            self._scene.show(which)
-
-    def _restore_view(self) -> None:
-        """Restore the view as it was before."""
-        self._restoration.close()
