@@ -19,21 +19,36 @@ class Identity:
 
     Attributes
     ----------
-    scanner, pos : maker and model of the LiDAR and of the INS/GNSS
+    client, contract : who ordered the calibration, and the number of the order or contract
+    surveyor, processed_by, checked_by : who surveyed, processed the data, and checked the result
     dates : day or days of the survey
+    datum, epoch : reference frame of the trajectory and the epoch of its coordinates
+    gnss_base : base station or correction service of the GNSS
     lever_arm_origin : source of the lever arm, such as a measurement or a drawing
+    scanner, pos : maker and model of the LiDAR and of the INS/GNSS
+    processing_software : program and version that computed the trajectory
     """
 
-    surveyor: str = ""
+    report_number: str = ""
+    revision: str = ""
+    client: str = ""
+    contract: str = ""
     company: str = ""
+    surveyor: str = ""
+    processed_by: str = ""
+    checked_by: str = ""
     vessel: str = ""
     site: str = ""
+    dates: str = ""
+    datum: str = ""
+    epoch: str = ""
+    gnss_base: str = ""
+    lever_arm_origin: str = ""
     scanner: str = ""
     scanner_serial: str = ""
     pos: str = ""
     pos_serial: str = ""
-    dates: str = ""
-    lever_arm_origin: str = ""
+    processing_software: str = ""
     remarks: str = ""
 
     def changed(self, **texts: str) -> "Identity":
@@ -60,32 +75,71 @@ class Identity:
 EMPTY_IDENTITY = Identity()
 FIELD_NAMES = tuple(field.name for field in fields(Identity))
 
+FIELD_GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
+    (N_("Report"), ("report_number", "revision")),
+    (N_("Client"), ("client", "contract")),
+    (N_("Company and persons"), ("company", "surveyor", "processed_by", "checked_by")),
+    (
+        N_("Survey"),
+        ("vessel", "site", "dates", "datum", "epoch", "gnss_base", "lever_arm_origin"),
+    ),
+    (N_("Equipment"), ("scanner", "scanner_serial", "pos", "pos_serial", "processing_software")),
+    (N_("Remarks"), ("remarks",)),
+)
+"""Titles and fields of the groups of the dialogue, in the order of the fields."""
+SIGNATURE_FIELDS = ("surveyor", "processed_by", "checked_by")
+"""Fields of the persons who sign the report."""
+COMPANY_FIELDS = (
+    *SIGNATURE_FIELDS, "scanner", "scanner_serial", "pos", "pos_serial", "processing_software",
+)  # fmt: skip
+"""Fields that belong to a company rather than to one survey."""
+
 FIELD_LABELS = {
-    "surveyor": N_("Surveyor"),
+    "report_number": N_("Report number"),
+    "revision": N_("Revision"),
+    "client": N_("Client"),
+    "contract": N_("Contract"),
     "company": N_("Company"),
+    "surveyor": N_("Surveyor"),
+    "processed_by": N_("Processed by"),
+    "checked_by": N_("Checked by"),
     "vessel": N_("Vessel"),
     "site": N_("Site"),
+    "dates": N_("Survey dates"),
+    "datum": N_("Datum"),
+    "epoch": N_("Epoch"),
+    "gnss_base": N_("GNSS base"),
+    "lever_arm_origin": N_("Origin of the lever arm"),
     "scanner": N_("Scanner"),
     "scanner_serial": N_("Scanner serial number"),
     "pos": N_("INS/GNSS"),
     "pos_serial": N_("INS/GNSS serial number"),
-    "dates": N_("Survey dates"),
-    "lever_arm_origin": N_("Origin of the lever arm"),
+    "processing_software": N_("Processing software"),
     "remarks": N_("Remarks"),
 }
 """Labels of the fields."""
 
 FIELD_HINTS = {
-    "surveyor": "person responsible for the calibration",
+    "report_number": "number of the report",
+    "revision": "revision of the report",
+    "client": "client of the calibration",
+    "contract": "number of the contract or order",
     "company": "company of the surveyor",
+    "surveyor": "person responsible for the calibration",
+    "processed_by": "person who processed the data",
+    "checked_by": "person who checked the result",
     "vessel": "name of the vessel",
     "site": "name of the survey site",
+    "dates": "dates of the survey, e.g. 2026-03-04",
+    "datum": "reference frame of the trajectory, e.g. NAD83(CSRS)v7",
+    "epoch": "epoch of the coordinates, e.g. 2010.0",
+    "gnss_base": "GNSS base station or correction service",
+    "lever_arm_origin": "origin of the lever arm, e.g. total station survey in dock, 2026-03-04",
     "scanner": "maker and model of the LiDAR",
     "scanner_serial": "serial number of the LiDAR",
     "pos": "maker and model of the INS/GNSS",
     "pos_serial": "serial number of the INS/GNSS",
-    "dates": "dates of the survey, e.g. 2026-03-04",
-    "lever_arm_origin": "origin of the lever arm, e.g. total station survey in dock, 2026-03-04",
+    "processing_software": "program and version that computed the trajectory",
     "remarks": "other information for the reader of the report",
 }
 """Expected content of each field."""

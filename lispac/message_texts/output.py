@@ -75,6 +75,9 @@ TEXTS: Mapping[str, Template] = {
     "report_template.not_text": N_("{file}: {key} must be text in quotation marks."),
     "report_template.refused": N_("{file}: the report template cannot be used. {reason}"),
     "report_template.no_page": N_("There is no page size {page}. Choose one of {pages:choices}."),
+    "report_template.no_extent": N_(
+        "There is no report of the extent {extent}. Choose one of {extents:choices}."
+    ),
     "report_template.no_language": N_(
         "There is no report in the language {language}. Choose one of {languages:choices}."
     ),

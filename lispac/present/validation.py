@@ -1,6 +1,6 @@
 """Distances between the lines on validation planes, as values and tables."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
 from operator import itemgetter
@@ -8,8 +8,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
+from lispac.present.acceptance import VERDICT_TEXTS
 from lispac.present.tables import (
     COUNT,
     MILLIMETRES,
@@ -564,6 +566,23 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
     N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
     (Column("name", N_("Plane")), *distance_columns("before", "after")),
 )
+
+
+def judged_distances_table(verdicts: Mapping[str, Verdict]) -> Table[ValidationPlane]:
+    """`PLANE_DISTANCES_TABLE` with the verdict on each plane; without it if nothing is judged.
+
+    Parameters
+    ----------
+    verdicts : verdict by the name of the plane
+    """
+    if not verdicts:
+        return PLANE_DISTANCES_TABLE
+    column = Column[ValidationPlane](
+        lambda plane: verdicts.get(plane.name), N_("Verdict"), texts=VERDICT_TEXTS
+    )
+    return replace(PLANE_DISTANCES_TABLE, columns=(*PLANE_DISTANCES_TABLE.columns, column))
+
+
 PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     N_("Distances for every pair of lines (mm)"),
     (

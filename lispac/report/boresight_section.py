@@ -121,13 +121,14 @@ def convention_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the boresight and lever arm in the conventions of other programs."""
     blocks: list[Block] = []
     if content.in_convention is not None:
-        blocks += _convention_tables(content.in_convention)
+        blocks += convention_tables(content.in_convention)
     if content.matrix is not None:
         blocks += _matrix_tables(content.matrix)
     return blocks
 
 
-def _convention_tables(convention: ConventionValues) -> list[Block]:
+def convention_tables(convention: ConventionValues) -> list[Block]:
+    """Tables of the boresight and lever arm in the convention of one program."""
     # Some names of programs contain translated words.
     program = gettext(convention.name)
     blocks: list[Block] = []

@@ -26,6 +26,7 @@ from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Table, report_table
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
+from lispac.report.sections import identity_table
 
 _ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 """Fixed time of every file in the archive, so that the same report gives the same bytes."""
@@ -38,8 +39,9 @@ def write_tables(
 
     The last files contain the values of the histograms, profiles and maps of the validation planes.
     """
-    document = report_document(content, {}, options)
-    blocks: list[Block] = [document.identity, *document.summary]
+    document = report_document(content, {}, replace(options, extent="full"))
+    with in_language(options.language):
+        blocks: list[Block] = [identity_table(content), *document.summary]
     for section in document.sections:
         blocks += section.blocks
     tables = [block for block in blocks if isinstance(block, Table)]

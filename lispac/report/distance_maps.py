@@ -1,6 +1,7 @@
 """Maps of the distances between two lines on a plane, before and after the calibration."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -33,8 +34,8 @@ MIN_COLOUR_LIMIT_M = 1e-4
 """Smallest distance at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
-FIGURE_WIDTH, MAX_PANEL_HEIGHT, MIN_PANEL_HEIGHT = 6.3, 3.2, 0.5
-"""Width of the figure, and largest and smallest height of a panel, inches."""
+MIN_PANEL_HEIGHT = 0.5
+"""Smallest height of a panel, inches."""
 MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
 MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.85
 """Margins around and between the panels, inches; the top margin is larger if all pairs are in one
@@ -43,6 +44,28 @@ MAX_TEXT_SHARE = 0.95
 """Largest share of the distance between the centres of two panels that a text may fill."""
 ONE_ROW_RATIO = 1.4
 """Ratio of height to width of a plane above which the maps of all its pairs are in one row."""
+
+
+@dataclass(frozen=True)
+class _Size:
+    """Size of a figure of maps.
+
+    Attributes
+    ----------
+    width : width of the figure, inches
+    max_panel_height : largest height of a panel, inches
+    states : number of panels of a pair, from the start of `PANEL_TITLES`
+    max_pairs : largest number of pairs; None for all
+    """
+
+    width: float
+    max_panel_height: float
+    states: int
+    max_pairs: int | None = None
+
+
+FULL_SIZE = _Size(6.3, 3.2, 3)
+SMALL_SIZE = _Size(3.3, 0.75, 2, max_pairs=2)
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
@@ -61,9 +84,19 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
     return _draw_maps(None, plane.name, plane.maps)
 
 
-def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -> Figure:
+def small_map_figure_of(plane: ValidationPlane) -> Figure:
+    """Draw the maps before and after of two pairs, half as wide as a page."""
+    return _draw_maps(None, plane.name, plane.maps, SMALL_SIZE)
+
+
+def _draw_maps(
+    figure: Figure | None,
+    name: str,
+    maps: Sequence[DistanceMapValues],
+    form: _Size = FULL_SIZE,
+) -> Figure:
     if not maps:
-        figure = blank_figure(figure, (FIGURE_WIDTH, 1.0))
+        figure = blank_figure(figure, (form.width, 1.0))
         axes = figure.add_subplot()
         axes.set_axis_off()
         missing = gettext(
@@ -75,9 +108,10 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
             transform=axes.transAxes,
         )  # fmt: skip
         return figure
+    maps = maps[: form.max_pairs]
     sides = np.max([_map_size(each) for each in maps], axis=0)
-    tall = bool(sides[1] > ONE_ROW_RATIO * sides[0])
-    figure, places = _map_panels(figure, len(maps), sides, tall)
+    tall = form is FULL_SIZE and bool(sides[1] > ONE_ROW_RATIO * sides[0])
+    figure, places = _map_panels(figure, len(maps), sides, tall, form)
     common = max(_colour_limit(each.before_m + each.after_m) for each in maps)
     own = max(_colour_limit(each.after_m) for each in maps)
     named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
@@ -85,7 +119,7 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _cell_grids(pair)
         for axes, values, end, state in zip(
-            row, (before, after, after), (common, common, own), PANEL_TITLES, strict=True
+            row, (before, after, after), (common, common, own), PANEL_TITLES, strict=False
         ):
             _draw_map(axes, values, end, pair.cell_m)
             last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
@@ -97,7 +131,7 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
             elif first:
                 axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK_COLOUR)
             axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
-    for columns in ((0, 1), (2,)):
+    for columns in ((0, 1), (2,))[: form.states - 1]:
         _draw_colour_bar(figure, [row[k] for row in places for k in columns])
     figure.suptitle(
         short_name(name),
@@ -144,14 +178,14 @@ def _break_after_commas(text: str) -> str:
 
 
 def _map_panels(
-    figure: Figure | None, pairs: int, sides: Array, tall: bool
+    figure: Figure | None, pairs: int, sides: Array, tall: bool, form: _Size
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Three panels for each pair: one row for each pair, or a single row if the plane is tall."""
-    down, along = (1, 3 * pairs) if tall else (pairs, 3)
-    wide = (FIGURE_WIDTH - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
-    high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, MAX_PANEL_HEIGHT))
+    """Panels for each pair: one row for each pair, or a single row if the plane is tall."""
+    down, along = (1, form.states * pairs) if tall else (pairs, form.states)
+    wide = (form.width - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
+    high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, form.max_panel_height))
     top = MARGIN_TOP_ONE_ROW if tall else MARGIN_TOP
-    size = FIGURE_WIDTH, top + down * high + (down - 1) * ROW_SPACING + MARGIN_BOTTOM
+    size = form.width, top + down * high + (down - 1) * ROW_SPACING + MARGIN_BOTTOM
     figure = blank_figure(figure, size)
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
@@ -160,7 +194,7 @@ def _map_panels(
         left = MARGIN_LEFT + column * (wide + COLUMN_SPACING)
         low = size[1] - top - high - row * (high + ROW_SPACING)
         return figure.add_axes(
-            (left / FIGURE_WIDTH, low / size[1], wide / FIGURE_WIDTH, high / size[1])
+            (left / form.width, low / size[1], wide / form.width, high / size[1])
         )
 
     panels = [[panel(row, column) for column in range(along)] for row in range(down)]

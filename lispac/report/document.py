@@ -5,11 +5,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError, system_reason
-from lispac.language import gettext, in_language
+from lispac.language import LazyText, gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
-from lispac.report import sections
+from lispac.report import sections, short_report
 from lispac.report.boresight_section import boresight_blocks, convention_blocks
 from lispac.report.checks_section import cross_check_blocks, method_blocks, reliability_blocks
 from lispac.report.document_blocks import (
@@ -19,25 +19,25 @@ from lispac.report.document_blocks import (
     PageTexts,
     Paragraph,
     Picture,
+    PictureRows,
     Section,
     Status,
     UndrawnPictures,
 )
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
-from lispac.report.sections import identity_form, quality_blocks, settings_blocks, signature_lines
+from lispac.report.sections import identity_form, quality_blocks, settings_blocks
 from lispac.report.validation_section import (
     absolute_check_blocks,
     standards_blocks,
     validation_blocks,
 )
 
-MAX_HEIGHT_OF_TWO_MM = 92.0
-"""Largest height of two pictures, mm, that fit with their captions on one page of any size."""
-
 
 def report_document(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = DEFAULT_OPTIONS
+    content: ReportContent,
+    pictures: Mapping[str | LazyText, Path],
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> Document:
     """The texts, tables and figures of a report.
 
@@ -60,13 +60,57 @@ def report_document(
 
 def undrawn_document(
     content: ReportContent,
-    pictures: Mapping[str, Path],
+    pictures: Mapping[str | LazyText, Path],
     options: ReportOptions = DEFAULT_OPTIONS,
 ) -> Document:
     """Report in the language in use, with figures that `drawn_document` draws later."""
     serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
     status, verdict = _status_text(content, bool(serious))
-    parts = [
+    closing = [Paragraph(text) for text in options.closing.split("\n\n") if text]
+    views = [_make_picture(*each) for each in pictures.items()]
+    summary: list[Block]
+    if options.extent == "short":
+        notes = short_report.shortened_notes(notes)
+        summary = short_report.summary_blocks(content)
+        parts = short_report.short_sections(content, views, closing)
+    else:
+        signature = sections.signature_lines(content)
+        summary = [*sections.summary_blocks(content), *closing, signature]
+        parts = _full_sections(content, views)
+    letterhead = options.company or content.identity.company
+    return Document(
+        title=gettext("Boresight calibration report"),
+        project=content.project,
+        program=content.program,
+        generated=time_text(content.generated),
+        status=status,
+        verdict=verdict,
+        identity=identity_form(content, letterhead, blank=options.extent == "full"),
+        warnings=serious,
+        notes=notes,
+        summary=tuple(summary),
+        sections=tuple(section for section in parts if section.blocks),
+        page=options.page,
+        letterhead=Letterhead(
+            None if options.logo is None else _make_picture("", options.logo),
+            letterhead,
+            options.heading,
+        ),
+        language=options.language,
+        extent=options.extent,
+        header=_header_texts(content),
+        furniture=PageTexts(
+            made=gettext("Created {when} with {program}"),
+            page=gettext("Page {page} of {pages}"),
+            warnings=gettext("Errors and warnings"),
+            notes=gettext("Notes"),
+            contents=gettext("Contents"),
+        ),
+    )
+
+
+def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Section]:
+    return [
         _make_section(gettext("Boresight and its uncertainty"), boresight_blocks(content)),
         _make_section(
             gettext("Uncertainty in standard terms (IHO S-44, USGS)"), standards_blocks(content)
@@ -81,39 +125,21 @@ def undrawn_document(
         _make_section(gettext("Check against the reference"), absolute_check_blocks(content)),
         _make_section(gettext("Site and lines"), sections.site_blocks(content)),
         _make_section(gettext("Settings and input files"), settings_blocks(content)),
-        _make_section(gettext("Pictures"), _view_pictures(pictures)),
+        _make_section(gettext("Pictures"), _view_pictures(views)),
     ]
-    return Document(
-        title=gettext("Boresight calibration report"),
-        project=content.project,
-        program=content.program,
-        generated=time_text(content.generated),
-        status=status,
-        verdict=verdict,
-        identity=identity_form(content),
-        warnings=serious,
-        notes=notes,
-        summary=(
-            *sections.summary_blocks(content),
-            *(Paragraph(text) for text in options.closing.split("\n\n") if text),
-            signature_lines(content),
-        ),
-        sections=tuple(section for section in parts if section.blocks),
-        page=options.page,
-        letterhead=Letterhead(
-            None if options.logo is None else _make_picture("", options.logo),
-            options.company,
-            options.heading,
-        ),
-        language=options.language,
-        furniture=PageTexts(
-            made=gettext("Created {when} with {program}"),
-            page=gettext("Page {page} of {pages}"),
-            warnings=gettext("Errors and warnings"),
-            notes=gettext("Notes"),
-            contents=gettext("Contents"),
-        ),
-    )
+
+
+def _header_texts(content: ReportContent) -> tuple[str, str]:
+    """Report and revision, and project, vessel and company, at the top of each further page."""
+    known = content.identity
+    title = gettext("Boresight calibration report")
+    if known.report_number:
+        title = f"{title} {known.report_number}"
+    if known.revision:
+        revision = gettext("revision {revision}", revision=known.revision)
+        title = f"{title}, {revision}"
+    names = dict.fromkeys((content.project, known.vessel, known.company))
+    return title, " · ".join(name for name in names if name)
 
 
 def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
@@ -155,11 +181,24 @@ def drawn_document(document: Document) -> Document:
 def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
     from lispac.report.figures import svg_pictures
 
+    def drawn(block: UndrawnPictures) -> list[Picture]:
+        svgs = svg_pictures(block.draw, *block.values)
+        return [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
+
     made: list[Block] = []
     for block in blocks:
         if isinstance(block, UndrawnPictures):
-            svgs = svg_pictures(block.draw, *block.values)
-            made += [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
+            made += drawn(block)
+        elif isinstance(block, PictureRows):
+            rows = tuple(
+                tuple(
+                    picture
+                    for each in row
+                    for picture in ([each] if isinstance(each, Picture) else drawn(each))
+                )
+                for row in block.rows
+            )
+            made.append(replace(block, rows=rows))
         else:
             made.append(block)
     return tuple(made)
@@ -186,18 +225,18 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)
 
 
-def _view_pictures(pictures: Mapping[str, Path]) -> list[Picture]:
-    """Pictures of the 3D view with their captions, small enough for two on a page."""
-    tallest = MAX_HEIGHT_OF_TWO_MM if len(pictures) > 1 else Picture.tallest
-    return [replace(_make_picture(*each), tallest=tallest) for each in pictures.items()]
+def _view_pictures(views: Sequence[Picture]) -> list[Block]:
+    """Pictures of the 3D view with their captions: before and after side by side."""
+    return [PictureRows((tuple(views[k : k + 2]),)) for k in range(0, len(views), 2)]
 
 
-def _make_picture(caption: str, path: Path) -> Picture:
+def _make_picture(caption: str | LazyText, path: Path) -> Picture:
     suffix = path.suffix.lower()
     if suffix not in (".png", ".svg"):
         raise InputError(error("report.picture_format", file=str(path)))
+    text = gettext(caption) if isinstance(caption, str) else str(caption)
     try:
-        return Picture(gettext(caption), path.read_bytes(), suffix)
+        return Picture(text, path.read_bytes(), suffix)
     except OSError as failure:
         reason = system_reason(failure)
         raise InputError(

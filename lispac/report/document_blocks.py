@@ -7,7 +7,7 @@ from typing import Any, Literal
 from lispac.present.tables import Fact, Row, cell_text, plain_cell_text, title_text, unit_text
 from lispac.present.tables import Table as ResultTable
 from lispac.present.text_format import title_with_unit
-from lispac.report.options import Page
+from lispac.report.options import Extent, Page
 
 Status = Literal["bad", "fair", "good"]
 
@@ -123,7 +123,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class SignatureLines:
-    """Lines to be filled in by hand, except those whose ``values`` are known already."""
+    """Lines to be filled in by hand, three a row, except those whose ``values`` are known."""
 
     fields: tuple[str, ...]
     values: tuple[str, ...]
@@ -146,7 +146,24 @@ class UndrawnPictures:
     kind: str = "drawing"
 
 
-Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | SignatureLines
+@dataclass(frozen=True)
+class PictureRows:
+    """Rows of pictures on one page; the pictures of a row are side by side, equally wide.
+
+    Attributes
+    ----------
+    rows
+    columns : smallest number of columns; a shorter row leaves the others empty
+    tallest : largest height of a picture on the page, millimetres
+    """
+
+    rows: tuple[tuple[Picture | UndrawnPictures, ...], ...]
+    columns: int = 1
+    tallest: float = 215.0
+    kind: str = "pictures"
+
+
+Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | PictureRows | SignatureLines
 
 
 @dataclass(frozen=True)
@@ -184,8 +201,9 @@ NO_LETTERHEAD = Letterhead()
 class Document:
     """Complete report.
 
-    ``identity`` and ``summary`` are on page one, above and below the warnings. ``furniture`` has
-    the texts that do not depend on the project.
+    ``identity`` and ``summary`` are on page one, above and below the warnings. ``header`` has the
+    texts at the left and at the right of the top of each further page. ``furniture`` has the texts
+    that do not depend on the project.
     """
 
     title: str
@@ -202,4 +220,6 @@ class Document:
     page: Page = "a4"
     letterhead: Letterhead = NO_LETTERHEAD
     language: str = "en"
+    extent: Extent = "full"
+    header: tuple[str, str] = ("", "")
     furniture: PageTexts = PageTexts()

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 
+from lispac.language import LazyText
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Picture
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
@@ -15,7 +16,9 @@ _MEDIA_TYPES = {".png": "image/png", ".svg": "image/svg+xml"}
 
 
 def html_text(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = DEFAULT_OPTIONS
+    content: ReportContent,
+    pictures: Mapping[str | LazyText, Path],
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> str:
     """Report as HTML, with escaped texts and embedded pictures."""
     from jinja2 import Environment, StrictUndefined
@@ -32,7 +35,7 @@ def html_text(
 def write_html(
     content: ReportContent,
     path: Path,
-    pictures: Mapping[str, Path],
+    pictures: Mapping[str | LazyText, Path],
     options: ReportOptions = DEFAULT_OPTIONS,
 ) -> None:
     """Write the report as one HTML file.

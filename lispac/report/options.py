@@ -1,4 +1,4 @@
-"""Options of a report: language, page, convention of another program, letterhead."""
+"""Options of a report: extent, language, page, convention of another program, letterhead."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +9,11 @@ from lispac.language import N_
 Page = Literal["a4", "letter"]
 PAGE_SIZES: dict[Page, str] = {"a4": "A4", "letter": N_("Letter")}
 """Sizes of paper with their names."""
+Extent = Literal["short", "full"]
+EXTENTS: dict[Extent, str] = {
+    "short": N_("Short report (signed pages)"), "full": N_("Full report"),
+}  # fmt: skip
+"""Extents of a report with their names. JSON and the CSV tables are always complete."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +29,7 @@ class ReportOptions:
     heading : text under the title
     closing : text above the signature
     language : code of one of `LANGUAGES`
+    extent : result, validation, pictures and signature only, or everything
     """
 
     page: Page = "a4"
@@ -33,6 +39,7 @@ class ReportOptions:
     heading: str = ""
     closing: str = ""
     language: str = "en"
+    extent: Extent = "short"
 
 
 DEFAULT_OPTIONS = ReportOptions()

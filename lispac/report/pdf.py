@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import LispacError
+from lispac.language import LazyText
 from lispac.messages import error
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Document
@@ -30,7 +31,7 @@ break points."""
 def write_pdf(
     content: ReportContent,
     path: Path,
-    pictures: Mapping[str, Path],
+    pictures: Mapping[str | LazyText, Path],
     options: ReportOptions = DEFAULT_OPTIONS,
 ) -> None:
     """Write the report as PDF.
@@ -58,7 +59,7 @@ class Preview:
 
 def preview_of(
     content: ReportContent,
-    pictures: Mapping[str, Path],
+    pictures: Mapping[str | LazyText, Path],
     options: ReportOptions = DEFAULT_OPTIONS,
     *,
     ppi: float,
@@ -82,7 +83,7 @@ def preview_of(
 
 @contextmanager
 def _typesetter(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
+    content: ReportContent, pictures: Mapping[str | LazyText, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
     """Context with a function that typesets the report as ``pdf``, or as ``png`` with a resolution.
 
@@ -150,10 +151,12 @@ def _write_template_input(document: Document, folder: Path) -> str:
     pictures = 0
     for section in values["sections"]:
         for block in section["blocks"]:
-            if block["kind"] == "picture":
-                block["file"] = f"picture-{pictures}{block['suffix']}"
-                (folder / block["file"]).write_bytes(block.pop("data"))
-                pictures += 1
+            rows = block["rows"] if block["kind"] == "pictures" else [[block]]
+            for picture in (each for row in rows for each in row):
+                if picture["kind"] == "picture":
+                    picture["file"] = f"picture-{pictures}{picture['suffix']}"
+                    (folder / picture["file"]).write_bytes(picture.pop("data"))
+                    pictures += 1
     if logo := values["letterhead"]["logo"]:
         logo["file"] = f"logo{logo['suffix']}"
         (folder / logo["file"]).write_bytes(logo.pop("data"))

@@ -3,7 +3,9 @@
 Boresight angles have four decimals in degrees, residuals one decimal in millimetres.
 """
 
-from lispac.identity import FIELD_LABELS, FIELD_NAMES
+from collections.abc import Sequence
+
+from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
@@ -21,7 +23,7 @@ from lispac.present.text_format import (
     quantity_text,
     sentence_text,
 )
-from lispac.present.validation import PLANE_DISTANCES_TABLE
+from lispac.present.validation import ValidationPlane, judged_distances_table
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -76,6 +78,15 @@ VARIANCE_COMPONENTS_TEXT = N_(
 
 def summary_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the results, for the first page."""
+    return [
+        *angle_blocks(content),
+        *validation_summary(content, content.validation),
+        convention_paragraph(content),
+    ]
+
+
+def angle_blocks(content: ReportContent) -> list[Block]:
+    """Table of the angles, and what was estimated with them."""
     blocks: list[Block] = [
         report_table(
             boresight_table(calibrated=content.calibrated, simulated=content.simulated),
@@ -98,8 +109,14 @@ def summary_blocks(content: ReportContent) -> list[Block]:
                     )
                 )
             )
-    if content.validation:
-        blocks.append(report_table(PLANE_DISTANCES_TABLE, content.validation))
+    return blocks
+
+
+def validation_summary(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Blocks on the distances on ``planes``, the acceptance, and the check against a reference."""
+    blocks: list[Block] = []
+    if planes:
+        blocks.append(distances_table(content, planes))
     if content.calibrated:
         blocks += acceptance_blocks(content.acceptance)
     against = content.absolute
@@ -109,10 +126,22 @@ def summary_blocks(content: ReportContent) -> list[Block]:
             "Checked against {reference}: {finding}", reference=against.reference, finding=finding
         )
         blocks.append(Paragraph(checked))
+    return blocks
+
+
+def convention_paragraph(content: ReportContent) -> Paragraph:
+    """Description of the convention of the angles."""
     # The formula may be broken between its factors only
     convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
-    blocks.append(Paragraph(convention.replace("·", "·\u200b")))
-    return blocks
+    return Paragraph(convention.replace("·", "·\u200b"))
+
+
+def distances_table(content: ReportContent, planes: Sequence[ValidationPlane]) -> Table:
+    """Table of the distances on validation planes, with verdicts if they are judged."""
+    acceptance = content.acceptance
+    judged = any(check.plane for check in acceptance.checks)
+    verdicts = {each.plane: each.verdict for each in acceptance.planes} if judged else {}
+    return report_table(judged_distances_table(verdicts), planes)
 
 
 def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
@@ -195,27 +224,46 @@ def site_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def identity_form(content: ReportContent) -> Table:
-    """Details of the survey, as a form."""
+def identity_table(content: ReportContent) -> Table:
+    """All details of the survey, as a form."""
+    return _details_form(content, FIELD_NAMES)
+
+
+def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Table:
+    """Details of the survey that are not in the letterhead or beside the signatures, as a form.
+
+    Parameters
+    ----------
+    letterhead : text of the letterhead
+    blank : whether to print empty fields, as lines to fill in by hand
+    """
+    known = content.identity
+    elsewhere = {*SIGNATURE_FIELDS}
+    if known.company and known.company in letterhead:
+        elsewhere.add("company")
+    return _details_form(
+        content,
+        [name for name in FIELD_NAMES if name not in elsewhere and (blank or getattr(known, name))],
+    )
+
+
+def _details_form(content: ReportContent, names: Sequence[str]) -> Table:
     return form_table(
         gettext("Details of the survey"),
-        [
-            Fact(gettext(FIELD_LABELS[name]), getattr(content.identity, name))
-            for name in FIELD_NAMES
-        ],
+        [Fact(gettext(FIELD_LABELS[name]), getattr(content.identity, name)) for name in names],
     )
 
 
 def signature_lines(content: ReportContent) -> SignatureLines:
-    """Lines for surveyor, company, place, date and signature, with the known values."""
-    known = content.identity
-    return SignatureLines(
-        (
-            gettext("Surveyor"), gettext("Company"), gettext("Place and date"),
-            gettext("Signature"),
-        ),
-        (known.surveyor, known.company, "", ""),
-    )  # fmt: skip
+    """Lines for name, place and date, and signature of each person, with the known names."""
+    fields: list[str] = []
+    values: list[str] = []
+    for name in SIGNATURE_FIELDS:
+        fields += [
+            gettext(FIELD_LABELS[name]), gettext("Place and date"), gettext("Signature"),
+        ]  # fmt: skip
+        values += [getattr(content.identity, name), "", ""]
+    return SignatureLines(tuple(fields), tuple(values))
 
 
 def quality_blocks(content: ReportContent) -> list[Block]:

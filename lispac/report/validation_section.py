@@ -35,6 +35,7 @@ from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
+    PictureRows,
     UndrawnPictures,
     report_table,
 )
@@ -137,8 +138,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         Paragraph(gettext(ROBUST_SIGMA_TEXT)),
         *_acceptance_blocks(content.acceptance),
     ]
-    for plane in content.validation:
-        blocks += _figure_blocks(plane)
+    blocks += map(_plane_figures, content.validation)
     blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
     blocks += _shift_blocks(content.validation)
@@ -170,7 +170,8 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
     return [report_table(SHIFTS_TABLE, rows), Paragraph(gettext(SHIFTS_TEXT))] if rows else []
 
 
-def _figure_blocks(plane: ValidationPlane) -> list[Block]:
+def _plane_figures(plane: ValidationPlane) -> PictureRows:
+    """Histogram, profiles and maps of one plane, on one page."""
     from lispac.report.distance_maps import map_figure_of
     from lispac.report.distance_profiles import profile_figure_of
     from lispac.report.histograms import validation_figure
@@ -178,15 +179,15 @@ def _figure_blocks(plane: ValidationPlane) -> list[Block]:
     caption = gettext(
         "{plane}: distances between lines before and after the calibration.", plane=plane.name
     )
-    blocks: list[Block] = [UndrawnPictures(caption, validation_figure, (plane,))]
+    figures = [UndrawnPictures(caption, validation_figure, (plane,))]
     if plane.by_height is not None or plane.by_range is not None:
         caption = gettext(_profile_caption(plane), plane=plane.name)
-        blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
+        figures.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
-        blocks.append(
+        figures.append(
             UndrawnPictures(gettext(MAP_CAPTION, plane=plane.name), map_figure_of, (plane,))
         )
-    return blocks
+    return PictureRows(tuple((each,) for each in figures))
 
 
 def _profile_caption(plane: ValidationPlane) -> str:

@@ -313,6 +313,7 @@ class OpenProject(LoadedProject):
         page: str = "",
         convention: str = "",
         language: str = "",
+        extent: str = "",
         generated: datetime | None = None,
     ) -> None:
         """Write the report: .pdf, .html, .json, or .zip for all tables as CSV.
@@ -321,10 +322,12 @@ class OpenProject(LoadedProject):
         ----------
         template, page, convention, language
             As the options of ``lispac report``.
+        extent
+            ``"short"`` or ``"full"``; by default, that of the template, or the short report.
         generated : date and time given in the report; now by default
         """
         options = report_options(
-            None if template is None else Path(template), page, convention, language
+            None if template is None else Path(template), page, convention, language, extent
         )
         write_report(
             self.project, self.survey, Path(path), options=options, generated=generated,

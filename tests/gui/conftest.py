@@ -15,6 +15,7 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session
@@ -75,6 +76,12 @@ def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathF
         tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey)
     )
     return replace(made, folder=demo.project.folder)
+
+
+@pytest.fixture(autouse=True)
+def _no_file_is_opened(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Do not start other programs with real dialogues."""
+    monkeypatch.setattr(ReportDialogs, "open_file", lambda _self, _path: True)
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMessageBo
 from lispac.report.pdf import write_pdf
 from tests.gui.monkey_hands import Doing, Hands
 from tests.gui.pulse import Draws, Pulse, resident_mb, timed_viewport
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0
@@ -335,7 +335,7 @@ def main() -> int:
     monkey = Monkey(session, folder, options.seed, draws)
     # The first report allocates 250 MB permanently (fonts, caches of Typst), later reports nothing:
     # make one before the first measurement, or it looks like growth
-    write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
+    write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {}, FULL_REPORT)
     for logger in (LOGGER, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
     sys.unraisablehook = lambda known: monkey.caught(

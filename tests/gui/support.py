@@ -58,6 +58,8 @@ class ScriptedDialogs(Dialogs):
         self.recovers, self.opens_twice, self.overwrites = False, True, True
         self.requests: list[str] = []
         self.proposed = Path()
+        self.opened: list[Path] = []
+        self.can_open = True
         self.errors: list[BaseException] = []
 
     def new_project(
@@ -85,6 +87,10 @@ class ScriptedDialogs(Dialogs):
     def report_file(self, start: Path) -> Path | None:
         self.proposed = start
         return self.path
+
+    def open_file(self, path: Path) -> bool:
+        self.opened.append(path)
+        return self.can_open
 
     def pdf_file(self, start: Path) -> Path | None:
         self.requests.append(start.name)

@@ -170,7 +170,7 @@ def test_buttons_are_in_the_order_of_the_system(qtbot: QtBot) -> None:
     system = QDialogButtonBox(standard.Ok | standard.Cancel)
     qtbot.addWidget(system)
     system.show()
-    dialog = IdentityDialog(Identity(), str)
+    dialog = IdentityDialog(Identity(), str, {}, {})
     qtbot.addWidget(dialog)
     dialog.show()
     keep, cancel = (

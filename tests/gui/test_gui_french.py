@@ -116,7 +116,7 @@ def test_dialogues_are_french(french: Driver, demo: Demo, estimated: Project) ->
         BudgetDialog(ErrorBudgetValues.of(error_budget_of(estimated, demo.survey)), window),
         CheckDialog(estimated, track, window),
         FindAgainDialog(estimated.target("T1"), window),
-        IdentityDialog(estimated.identity, str, window),
+        IdentityDialog(estimated.identity, str, {}, {}, window),
         SeedCoordinatesDialog(estimated, track, window.targets.seed_options, "T9", window),
         *(
             ExportDialog(what, "estimated", estimated, track, window)

@@ -227,7 +227,7 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     rebuild_window(session, qtbot, "fr")
     assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
     QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)
-    assert session.window.settings.report_choice()[1] == "letter"
+    assert session.window.settings.report_choice().page == "letter"
     assert written() == "fr"
     for _ in "window", "English":
         QTest.keyClick(session.window.report.language, Qt.Key.Key_Down)

@@ -1,5 +1,6 @@
 """Tests of the report in the window: details, options, preview and pictures."""
 
+import base64
 import re
 from pathlib import Path
 
@@ -16,11 +17,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui.app.settings import ReportChoice
 from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
 from lispac.gui.viewport.frame_times import FrameTimes
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
-from lispac.identity import FIELD_NAMES, Identity
-from lispac.report.options import ReportOptions
+from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, Identity
+from lispac.project import Project
+from lispac.report.options import EXTENTS, ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
@@ -117,9 +122,9 @@ def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_
     assert "size: letter;" in text
     assert "Convention\u00a0: Applanix" in text
     assert 'lang="fr"' in text
-    assert adjusted.window.settings.report_choice() == (
-        str(template), "letter", "applanix", "fr",
-    )  # fmt: skip
+    assert adjusted.window.settings.report_choice() == ReportChoice(
+        str(template), "letter", "applanix", "fr", "short"
+    )
     fresh = ReportPanel()
     fresh.show_choice(adjusted.window.settings.report_choice())
     assert fresh.options() == panel.options()
@@ -175,7 +180,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
-    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 5
+    assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(pictures) > 1
     # Letter at 96 pixels an inch
     assert {(page.width(), page.height()) for page in pictures} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
@@ -200,141 +205,154 @@ def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: 
     assert "cannot be written" in str(error)
 
 
-CAPTIONS = (
-    "Lines georeferenced with the prior boresight",
-    "Lines georeferenced with the estimated boresight",
-)
+@pytest.fixture
+def picture_viewports(monkeypatch: pytest.MonkeyPatch) -> list[RecordingViewport]:
+    """Return the viewports made for pictures."""
+    made: list[RecordingViewport] = []
+
+    def create(_self: RecordingViewport) -> RecordingViewport:
+        made.append(RecordingViewport())
+        return made[-1]
+
+    monkeypatch.setattr(RecordingViewport, "create_empty_viewport", create)
+    return made
 
 
-def test_the_report_has_pictures_before_and_after_the_estimate(
-    adjusted: Driver, tmp_path: Path
+@pytest.mark.parametrize("extent", ["short", "full"])
+def test_pictures_are_taken_from_defined_views_before_and_after(
+    driver: Driver,
+    demo: Demo,
+    validated: Project,
+    picture_viewports: list[RecordingViewport],
+    tmp_path: Path,
+    extent: str,
 ) -> None:
-    open_step(adjusted, REPORT_STEP)
-    scene = adjusted.window.scene
-    adjusted.window.computations.show("prior")
-    adjusted.rest()
+    driver.window.document.open(validated, demo.survey)
+    driver.rest()
+    open_step(driver, REPORT_STEP)
+    panel, project = driver.window.report, driver.project
+    choose(driver, panel.extent, list(EXTENTS).index(extent))
+    scene = driver.window.scene
+    driver.window.computations.show("prior")
+    driver.rest()
+    prior = dict(driver.viewport.clouds)
+    seen = len(driver.viewport.calls)
+    driver.dialogs.path = tmp_path / "r.html"
+    click(driver, panel.report)
+    driver.rest()
+    assert driver.dialogs.errors == []
+    # The view of the window is unchanged.
+    names = {name for name, _ in driver.viewport.calls[seen:]}
+    assert not {"fit", "view", "view_along", "set_parallel", "clip", "show_clouds"} & names
     assert scene.which == "prior"
-    prior = adjusted.viewport.clouds
-    adjusted.dialogs.path = tmp_path / "r.html"
-    click(adjusted, adjusted.window.report.report)
-    adjusted.rest()
-    assert adjusted.dialogs.errors == []
+    (viewport,) = picture_viewports
+    assert viewport.closed
+    compared = {plane.name for plane in project.validation}
+    targets = [
+        each.name
+        for each in project.targets
+        if each.name in compared or (extent == "full" and each.role == "target")
+    ]
+    assert compared & set(targets)
+    views = ["Overview", *targets]
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
-    assert [text.count(f"<figcaption>{caption}<") for caption in CAPTIONS] == [1, 1]
-    # Compare the clouds shown in each picture, and check that the camera does not move between them
-    shown, calls = {}, adjusted.viewport.calls
-    for name, arguments in calls:
+    captions = re.findall(r"<figcaption>([^<]*) boresight<", text)
+    assert captions == [f"{view}, {when}" for view in views for when in ("prior", "estimated")]
+    shown: list[dict[str, np.ndarray]] = []
+    cameras: list[list[tuple[str, tuple[object, ...]]]] = [[]]
+    for name, arguments in viewport.calls:
         if name == "show_clouds":
             clouds = arguments[0]
+        elif name in ("view", "view_along", "fit", "clip"):
+            cameras[-1].append((name, arguments))
         elif name == "picture":
-            shown["estimated" if shown else "prior"] = clouds
-    assert len([name for name, _ in calls if name == "picture"]) == 2
+            shown.append(clouds)
+            cameras.append([])
+    assert len(shown) == 2 * len(views)
     first = next(iter(prior))
-    np.testing.assert_array_equal(shown["prior"][first], prior[first])
-    moved = np.linalg.norm(shown["estimated"][first] - prior[first], axis=1)
+    np.testing.assert_array_equal(shown[0][first], prior[first])
+    moved = np.linalg.norm(shown[-1][first] - prior[first], axis=1)
     # The prior boresight is some tenths of a degree off, at distances of some tens of metres
     assert 0.01 < np.median(moved) < 2.0
-    names = [name for name, _ in calls]
-    between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
-    assert not {"fit", "view", "view_along", "set_parallel"} & set(between)
-    assert scene.which == "prior"
+    # Before and after are seen with the same camera, and targets in a box.
+    for k in range(len(views)):
+        before, after = cameras[k], cameras[k + len(views)]
+        assert [name for name, _ in before] == [name for name, _ in after]
+        box = before[0][1][0]
+        assert (box is None) == (k == 0)
+        if box is not None:
+            np.testing.assert_array_equal(box.corners, after[0][1][0].corners)
+
+
+def test_real_pictures_show_the_calibration_of_a_validation_plane(
+    real: Driver, demo: Demo, validated: Project, tmp_path: Path
+) -> None:
+    real.window.document.open(validated, demo.survey)
+    real.rest()
+    open_step(real, REPORT_STEP)
+    real.dialogs.path = tmp_path / "r.html"
+    click(real, real.window.report.report)
+    real.rest()
+    assert real.dialogs.errors == []
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    pictures = {}
+    for data, caption in re.findall(
+        r'data:image/png;base64,([^"]*)"[^>]*><figcaption>([^<]*)<', text
+    ):
+        image = QImage.fromData(base64.b64decode(data))
+        assert (image.width(), image.height()) == PICTURE_SIZE_PX
+        grey = image.convertToFormat(QImage.Format.Format_Grayscale8)
+        pictures[caption] = np.frombuffer(grey.constBits(), np.uint8).astype(int)
+    (name,) = (plane.name for plane in validated.validation)
+    for view in ("Overview", name):
+        before, after = (pictures[f"{view}, {when} boresight"] for when in ("prior", "estimated"))
+        assert before.std() > 5
+        assert np.abs(after - before).mean() > 0.2
 
 
 def test_an_edit_while_pictures_are_taken_cancels_the_report(
-    adjusted: Driver, tmp_path: Path
+    adjusted: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    adjusted.window.computations.show("estimated")
-    adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
-    take_picture = adjusted.viewport.picture
+    taken: list[QImage] = []
 
-    def edited_meanwhile() -> QImage:
+    def edited_meanwhile(_self: RecordingViewport) -> QImage:
         edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
         adjusted.window.document.edit("change of report details", edited)
-        return take_picture()
+        taken.append(QImage(8, 8, QImage.Format.Format_RGB32))
+        return taken[-1]
 
-    adjusted.viewport.picture = edited_meanwhile
+    monkeypatch.setattr(RecordingViewport, "picture", edited_meanwhile)
     click(adjusted, adjusted.window.report.report)
     adjusted.rest()
     assert adjusted.dialogs.errors == []
-    assert len([name for name, _ in adjusted.viewport.calls if name == "picture"]) == 1
+    assert len(taken) == 1
     assert not (tmp_path / "r.html").exists()
 
 
-@pytest.mark.parametrize("shown", ["prior", "estimated"])
-def test_cancelling_the_pictures_restores_the_view(
-    adjusted: Driver, tmp_path: Path, shown: str
+def test_cancelling_the_pictures_closes_their_viewport(
+    adjusted: Driver,
+    picture_viewports: list[RecordingViewport],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ) -> None:
     open_step(adjusted, REPORT_STEP)
-    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
-    adjusted.window.computations.show(shown)
-    adjusted.rest()
-    adjusted.window.actions_["colour_residual"].trigger()
-    adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
+    taken: list[QImage] = []
 
-    def cancelled_meanwhile() -> QImage:
-        image = take_picture()
+    def cancelled_meanwhile(_self: RecordingViewport) -> QImage:
         QTimer.singleShot(0, adjusted.window.runner.cancel)
-        return image
+        taken.append(QImage(8, 8, QImage.Format.Format_RGB32))
+        return taken[-1]
 
-    adjusted.viewport.picture = cancelled_meanwhile
-    before = _last_shading(adjusted)
+    monkeypatch.setattr(RecordingViewport, "picture", cancelled_meanwhile)
     click(adjusted, adjusted.window.report.report)
     adjusted.rest()
     assert adjusted.dialogs.errors == []
     assert not (tmp_path / "r.html").exists()
-    assert len([name for name, _ in adjusted.viewport.calls if name == "picture"]) == 1
-    assert scene.which == shown
-    after = _last_shading(adjusted)
-    assert (after.low, after.high) == (before.low, before.high)
-
-
-def _last_shading(adjusted: Driver):
-    calls = adjusted.viewport.calls
-    return next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
-
-
-def test_a_change_of_view_between_the_pictures_does_not_affect_them(
-    adjusted: Driver, tmp_path: Path
-) -> None:
-    open_step(adjusted, REPORT_STEP)
-    scene, take_picture = adjusted.window.scene, adjusted.viewport.picture
-    adjusted.dialogs.path = tmp_path / "r.html"
-    shown_clouds: list[str] = []
-
-    def switched_afterwards() -> QImage:
-        shown_clouds.append(scene.which)
-        QTimer.singleShot(0, lambda: scene.show("prior"))
-        return take_picture()
-
-    adjusted.viewport.picture = switched_afterwards
-    click(adjusted, adjusted.window.report.report)
-    adjusted.rest()
-    assert shown_clouds == ["prior", "estimated"]
-    assert (tmp_path / "r.html").exists()
-
-
-def test_both_pictures_have_the_same_colour_scale(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT_STEP)
-    adjusted.window.actions_["colour_residual"].trigger()
-    adjusted.rest()
-    adjusted.dialogs.path = tmp_path / "r.html"
-    click(adjusted, adjusted.window.report.report)
-    adjusted.rest()
-    ends, calls, last = {}, adjusted.viewport.calls, None
-    for name, arguments in calls:
-        if name == "show_clouds":
-            last = arguments[2]
-        elif name == "picture":
-            ends["estimated" if ends else "prior"] = last.low, last.high
-    assert ends["prior"] == ends["estimated"]
-    # The residuals before are decimetres; the view of the lines after has its own scale again.
-    assert float(ends["prior"][1]) > 50
-    adjusted.window.scene.show("estimated")
-    own = next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
-    assert float(own.high) < float(ends["prior"][1]) / 2
+    assert len(taken) == 1
+    assert [viewport.closed for viewport in picture_viewports] == [True]
 
 
 def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
@@ -372,16 +390,60 @@ def test_there_is_no_preview_without_a_result(opened: Driver) -> None:
     assert not opened.window.report.preview.isEnabled()
 
 
-@pytest.mark.parametrize("cached", [False, True])
-def test_no_report_is_proposed_in_the_cache(
-    adjusted: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
-) -> None:
-    """The cache may be emptied at any time; other projects keep their reports in their folders."""
-    folder = adjusted.project.folder
-    place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
+def test_the_report_is_proposed_in_the_folder_of_the_project(adjusted: Driver) -> None:
     adjusted.window.actions_["report"].trigger()
-    proposed = adjusted.dialogs.proposed
-    assert proposed.name == f"{adjusted.project.name}.pdf"
-    assert (proposed.parent == folder) is not cached
-    assert proposed.is_relative_to(folder.parent) is not cached
+    assert adjusted.dialogs.proposed == adjusted.project.folder / f"{adjusted.project.name}.pdf"
+
+
+def test_the_report_is_opened_after_the_export(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
+    panel, dialogs = adjusted.window.report, adjusted.dialogs
+    choose(adjusted, panel.extent, 1)
+    assert panel.options().extent == "full"
+    dialogs.path = tmp_path / "r.json"
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert dialogs.opened == [tmp_path / "r.json"]
+    dialogs.can_open = False
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert "r.json" in adjusted.window.log.toPlainText().splitlines()[-1]
+    assert dialogs.errors == []
+    click(adjusted, panel.opens)
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert len(dialogs.opened) == 2
+    settings = adjusted.window.settings
+    assert not settings.opens_report
+    assert settings.report_choice().extent == "full"
+    fresh = ReportPanel()
+    fresh.show_choice(settings.report_choice())
+    assert fresh.options() == panel.options()
+
+
+def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Driver) -> None:
+    open_step(adjusted, REPORT_STEP)
+    company = "Fleuve Surveys"  # keys of a test are ASCII
+    last = {"surveyor": "Ève Tremblay", "checked_by": "Ana Ruiz", "scanner": "Profiler 16"}
+    adjusted.window.settings.save_company(company, last)
+
+    def use_dialog(dialog: QWidget) -> None:
+        type_into(adjusted, field(dialog, "checked_by"), "Luc Roy")
+        type_into(adjusted, field(dialog, "company"), company)
+        assert field(dialog, "surveyor").text() == "Ève Tremblay"
+        assert field(dialog, "checked_by").text() == "Luc Roy"
+        assert field(dialog, "vessel").text() == ""
+        type_into(adjusted, field(dialog, "company"), "Another company")
+        assert field(dialog, "surveyor").text() == field(dialog, "scanner").text() == ""
+        assert field(dialog, "checked_by").text() == "Luc Roy"
+        type_into(adjusted, field(dialog, "company"), company)
+        type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(adjusted, use_dialog)
+    click(adjusted, adjusted.window.report.details)
+    identity = adjusted.project.identity
+    assert (identity.surveyor, identity.scanner) == ("Ève Tremblay", "Profiler 32")
+    stored = adjusted.window.settings.companies()[company]
+    assert (stored["scanner"], stored["checked_by"]) == ("Profiler 32", "Luc Roy")
+    assert set(stored) == set(COMPANY_FIELDS)

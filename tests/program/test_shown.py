@@ -21,7 +21,7 @@ from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
 from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.text_format import quantity_text
 from lispac.report.document import report_document
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 Sample = tuple[AdjustmentResult, CrossChecks]
 
@@ -71,7 +71,9 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
         assert (values["surface_sigma_m"], values["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))
         assert content.settings.offset_sigma_m == offset
-        blocks = [block for s in report_document(content, {}).sections for block in s.blocks]
+        blocks = [
+            block for s in report_document(content, {}, FULL_REPORT).sections for block in s.blocks
+        ]
         cells = [cell for b in blocks if b.kind == "table" for row in b.rows for cell in row]
         assert any(str(cell).startswith(f"{words}, estimated from the data") for cell in cells)
 
@@ -118,7 +120,10 @@ def test_spread_has_the_same_name_everywhere_and_halves_are_reported_once(
     assert [name for name in names if "half" in name] == ["Second minus first half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [
-        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+        b
+        for s in report_document(content, {}, FULL_REPORT).sections
+        for b in s.blocks
+        if b.kind == "table"
     ]
     assert any("Jackknife, one line omitted" in row[0] for t in tables for row in t.rows)
 
@@ -180,7 +185,10 @@ def test_a_variance_component_is_reported_equally_everywhere(
     assert reported.applied == component.applied
     assert reported.text == finding
     tables = [
-        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+        b
+        for s in report_document(content, {}, FULL_REPORT).sections
+        for b in s.blocks
+        if b.kind == "table"
     ]
     (row,) = [row for table in tables for row in table.rows if english_text(finding) in row]
     assert f"{row[0]}: factor {row[1]} (95 %: {row[2]}), {row[3]}" == shown
@@ -238,7 +246,10 @@ def test_the_point_with_the_largest_residual_has_its_time_everywhere(
     assert [cell.text for cell in cells[1]] == ["2.9", "\u2013"]
     content = sample_content(replace(sample_project(tmp_path / "report"), result=result))
     tables = [
-        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+        b
+        for s in report_document(content, {}, FULL_REPORT).sections
+        for b in s.blocks
+        if b.kind == "table"
     ]
     (points,) = [table for table in tables if table.title == "Tests of single points"]
     assert points.rows[0][-2:] == ("12.3", "416012.500")

@@ -16,7 +16,7 @@ from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 SIGMA_DEG = (0.0163, 0.0291, 0.0376)
 """Standard deviations of the angles of the sample project."""
@@ -140,9 +140,9 @@ def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Proj
     assert codes["acceptance.rms"].is_serious
     failed = [each for each in content.warnings if each.code == "acceptance.rms"]
     assert max(each.params["rms"] for each in failed) == rms
-    document = undrawn_document(content, {})
+    document = undrawn_document(content, {}, FULL_REPORT)
     assert document.status == "bad"
-    french = undrawn_document(content, {}, ReportOptions(language="fr"))
+    french = undrawn_document(content, {}, ReportOptions(language="fr", extent="full"))
     assert french.status == "bad"
     values = json.loads(json_text(content))["acceptance"]
     assert values["verdict"] == "fail"
@@ -158,7 +158,7 @@ def test_only_a_pass_without_messages_is_good(project: Project) -> None:
     assert not_judged.acceptance.verdict == "not judged"
     assert not any(each.code.startswith("acceptance.") for each in not_judged.warnings)
     status = [
-        undrawn_document(replace(content, warnings=()), {}).status
+        undrawn_document(replace(content, warnings=()), {}, FULL_REPORT).status
         for content in (passed, not_judged)
     ]
     assert status == ["good", "fair"]

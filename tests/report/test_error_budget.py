@@ -30,7 +30,7 @@ from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked_and_estimated
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 DRAWS = 5_000
 
@@ -201,7 +201,7 @@ def test_the_command_and_the_report_give_the_same_budget(
     for message in found["messages"]:
         assert message["text"] in out
     content = replace(sample_content(sample), budget=budget)
-    section = report_document(content, {}).sections[0]
+    section = report_document(content, {}, FULL_REPORT).sections[0]
     tables = [b for b in section.blocks if isinstance(b, Table) and "Error of a point" in b.title]
     assert len(tables) == len(BEAM_DIRECTIONS)
     last = tables[0].rows[-1]

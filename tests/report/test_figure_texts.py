@@ -9,8 +9,8 @@ from matplotlib.text import Text
 
 from lispac.language import LANGUAGES, in_language
 from lispac.report.document import undrawn_document
-from lispac.report.document_blocks import UndrawnPictures
-from tests.support.report_sample import sample_content, sample_project
+from lispac.report.options import Extent, ReportOptions
+from tests.support.report_sample import sample_content, sample_project, undrawn_pictures
 
 DESCENT = 2.0
 """Pixels at 100 dpi: space for descenders below a text of 7 points, which is always included."""
@@ -34,15 +34,17 @@ def cut_texts(figure: Figure) -> list[str]:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_no_text_of_a_figure_is_cut(language: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("extent", "least"), [("short", 2), ("full", 6)])
+def test_no_text_of_a_figure_is_cut(
+    language: str, extent: Extent, least: int, tmp_path: Path
+) -> None:
     content = sample_content(sample_project(tmp_path))
     with in_language(language):
-        document = undrawn_document(content, {})
+        document = undrawn_document(content, {}, ReportOptions(extent=extent))
         blocks = [*document.summary, *(b for s in document.sections for b in s.blocks)]
-        pictures = [each for each in blocks if isinstance(each, UndrawnPictures)]
-        drawn = [each.draw(*each.values) for each in pictures]
+        drawn = [each.draw(*each.values) for each in undrawn_pictures(blocks)]
         figures = [
             each for made in drawn for each in ([made] if isinstance(made, Figure) else made)
         ]
-        assert len(figures) >= 5
+        assert len(figures) >= least
         assert {text for figure in figures for text in cut_texts(figure)} == set()

@@ -15,7 +15,14 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
-from lispac.identity import EMPTY_IDENTITY, FIELD_HINTS, FIELD_LABELS, FIELD_NAMES, Identity
+from lispac.identity import (
+    EMPTY_IDENTITY,
+    FIELD_GROUPS,
+    FIELD_HINTS,
+    FIELD_LABELS,
+    FIELD_NAMES,
+    Identity,
+)
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
@@ -23,16 +30,23 @@ from lispac.project import LineSource, Project, Reading
 from lispac.report.csv_tables import write_tables
 from lispac.report.document import report_document
 from lispac.report.html import html_text
+from lispac.report.options import Extent, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.workflow.project.survey_dates import survey_dates
 from tests.cli.test_cli import run
-from tests.report.test_report import _page, _pdf_text
+from tests.report.test_report import _pdf_text
 from tests.support.command_errors import command_error
 from tests.support.report_sample import sample_content, sample_project
 
 FULL = Identity(
-    surveyor="Ève Tremblay",
+    report_number="R-0412",
+    revision="2",
+    client="Port Authority",
+    contract="C-77/2026",
     company="Levés du Fleuve inc.",
+    surveyor="Ève Tremblay",
+    processed_by="Luc Roy",
+    checked_by="Ana Ruiz",
     vessel="F. J. Saucier",
     site="Port of Quebec",
     scanner="Profiler 16",
@@ -40,12 +54,17 @@ FULL = Identity(
     pos="Inertial C",
     pos_serial="1,218",
     dates="2026-03-04 to 2026-03-05",
+    datum="NAD83(CSRS)v7",
+    epoch="2010.0",
+    gnss_base="base LEV2",
+    processing_software="Example 9.1",
     lever_arm_origin="tacheometer in dock, 2026-03-04",
     remarks="Wind from the west.\nL4 was run twice.",
 )
 
 
 def test_every_field_has_a_name_and_a_hint() -> None:
+    assert tuple(name for _, names in FIELD_GROUPS for name in names) == FIELD_NAMES
     assert tuple(FIELD_LABELS) == tuple(FIELD_HINTS) == FIELD_NAMES == tuple(asdict(FULL))
     assert all(asdict(FULL).values())
 
@@ -125,21 +144,48 @@ def test_the_command_sets_given_fields_and_shows_all(
     assert refusal.message == error("identity.not_printable", field=note("identity_field.vessel"))
 
 
-def test_the_first_page_shows_the_details_and_blank_fields(tmp_path: Path) -> None:
-    project = sample_project(tmp_path / "p")
-    write_pdf(sample_content(project.with_identity(FULL)), tmp_path / "full.pdf", {})
-    first = _pdf_text(tmp_path / "full.pdf", "-f", "1", "-l", "1")
+@pytest.mark.parametrize("extent", ["short", "full"])
+def test_each_detail_is_printed_once_and_vessel_and_company_on_every_page(
+    tmp_path: Path, extent: Extent
+) -> None:
+    project = sample_project(tmp_path / "p").with_identity(FULL)
+    options = ReportOptions(extent=extent)
+    write_pdf(sample_content(project), tmp_path / "full.pdf", {}, options)
+    first, *others = _pdf_text(tmp_path / "full.pdf").rstrip("\f").split("\f")
+    assert all(
+        text in page
+        for page in others
+        for text in (FULL.vessel, FULL.company, FULL.report_number, f"revision {FULL.revision}")
+    )
+    bodies = "\n".join([first, *(page.split("\n", 1)[1] for page in others)])
     for name, text in asdict(FULL).items():
-        assert FIELD_LABELS[name] in first
-        assert all(line in first for line in text.splitlines())
-    assert first.count(FULL.surveyor) == first.count(FULL.company) == 2  # also above the signature
-    assert first.index("CALIBRATED") < first.index(FULL.vessel) < first.index("Estimated")
-    page = html_text(sample_content(project.with_identity(replace(FULL, vessel=""))), {})
-    assert page.count("<dd></dd>") == 1
-    assert [word for word in _page(page).words if word == FULL.company] == [FULL.company] * 2
-    blank = report_document(sample_content(project), {})
+        longest = max(text.splitlines(), key=len)
+        if len(longest) > 3:
+            assert bodies.count(longest) == 1, name
+    labels = set(FIELD_LABELS) - {"company"}  # the company is in the letterhead
+    assert all(FIELD_LABELS[name] in bodies for name in labels)
+    assert first.index(FULL.company) < first.index("CALIBRATED") < first.index(FULL.vessel)
+
+
+def test_blank_details_are_printed_in_the_full_report_only(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    one = sample_content(project.with_identity(replace(FULL, vessel="")))
+    assert html_text(one, {}, ReportOptions(extent="full")).count("<dd></dd>") == 1
+    short = report_document(one, {})
+    names = [name for name, _ in short.identity.rows]
+    assert FIELD_LABELS["site"] in names
+    assert FIELD_LABELS["vessel"] not in names
+    blank = report_document(sample_content(project), {}, ReportOptions(extent="full"))
     assert {value for _, value in blank.identity.rows} == {""}
-    assert blank.warnings == ()
+    assert report_document(sample_content(project), {}).identity.rows == ()
+
+
+def test_a_letterhead_of_another_company_does_not_replace_the_company(tmp_path: Path) -> None:
+    content = sample_content(sample_project(tmp_path / "p").with_identity(FULL))
+    for letterhead, shown in (("Another company", True), (f"{FULL.company}\nQuay 1", False)):
+        document = report_document(content, {}, ReportOptions(company=letterhead))
+        assert document.letterhead.company == letterhead
+        assert ((FIELD_LABELS["company"], FULL.company) in document.identity.rows) == shown
 
 
 def test_details_are_exported_as_a_table(tmp_path: Path) -> None:
@@ -148,6 +194,7 @@ def test_details_are_exported_as_a_table(tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
         text = archive.read("01-details-of-the-survey.csv").decode("utf-8-sig")
     values = dict(csv.reader(text.splitlines()))
+    assert list(values) == list(FIELD_LABELS.values())
     assert values["INS/GNSS serial number"] == "1,218"  # a text, though it looks like a number
 
 

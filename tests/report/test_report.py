@@ -30,7 +30,7 @@ from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
 from tests.support.error_codes import has_code
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 SPECIAL_CHARACTERS = (
     "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
@@ -194,7 +194,7 @@ def test_a_missing_file_gives_a_warning_in_the_report(project: Project, tmp_path
     content = sample_content(moved)
     assert content.files[0].sha256 is None
     assert "report.file_missing" in _codes(content)
-    assert "not readable" in html_text(content, {})
+    assert "not readable" in html_text(content, {}, FULL_REPORT)
 
 
 def test_finished_project_has_no_warnings(content: ReportContent) -> None:
@@ -237,7 +237,7 @@ def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     assert codes == ["targets.single_line_targets", "report.not_found_target"]
     (few,) = [each for each in content.warnings if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
-    html = html_text(content, {})
+    html = html_text(content, {}, FULL_REPORT)
     reason = message_text(note("finder.not_alike"))
     assert f"T1 was not found on L2. {reason}" in html
 
@@ -266,9 +266,9 @@ def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_p
     write_json(content, tmp_path / "r.json")
     numbers = _shown_numbers(json.loads((tmp_path / "r.json").read_text(encoding="utf-8")))
     assert len(numbers) > 400
-    page = " ".join(_page(html_text(content, {})).words).replace("\u2212", "-")
+    page = " ".join(_page(html_text(content, {}, FULL_REPORT)).words).replace("\u2212", "-")
     assert [n for n in numbers if not _has(page, n)] == []
-    write_pdf(content, tmp_path / "r.pdf", {})
+    write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
     text = _pdf_text(tmp_path / "r.pdf")
     assert [n for n in numbers if not _has(text, n)] == []
     for file in content.files:
@@ -311,10 +311,10 @@ def test_page_one_states_that_a_project_is_not_calibrated(
     bare = replace(project, result=None, validation=())
     content = sample_content(bare if picked else replace(bare, targets=()))
     assert content.warnings[0].code == "report.not_calibrated"
-    assert _page(html_text(content, {})).words[:30].count("NOT CALIBRATED") == 1
+    assert _page(html_text(content, {}, FULL_REPORT)).words[:30].count("NOT CALIBRATED") == 1
     write_json(content, tmp_path / "r.json")
     assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["calibrated"] is False
-    write_pdf(content, tmp_path / "r.pdf", {})
+    write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
     first = _pdf_text(tmp_path / "r.pdf", "-f", "1", "-l", "1")
     assert "NOT CALIBRATED" in first
     pages = re.findall(r"Page (\d) of (\d)", _pdf_text(tmp_path / "r.pdf"))
@@ -327,7 +327,7 @@ def test_html_loads_no_other_files(content: ReportContent, tmp_path: Path) -> No
     picture = tmp_path / "view.png"
     figures.site_figure({}, {"T1": (1.0, 2.0)}, {}).savefig(picture, dpi=40)
     path = tmp_path / "report.html"
-    write_html(content, path, {"The view after": picture})
+    write_html(content, path, {"The view after": picture}, FULL_REPORT)
     text = path.read_text(encoding="utf-8")
     page = _page(text)
     assert not re.search(r"https?://|url\(|@import", text)
@@ -342,11 +342,11 @@ def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", target=SPECIAL_CHARACTERS)
     content = sample_content(project)
     content = replace(content, project=SPECIAL_CHARACTERS)
-    page = _page(html_text(content, {}))
+    page = _page(html_text(content, {}, FULL_REPORT))
     assert page.words.count(SPECIAL_CHARACTERS) >= 3
     assert "script" not in page.tags
     path = tmp_path / "odd.pdf"
-    write_pdf(content, path, {})
+    write_pdf(content, path, {}, FULL_REPORT)
     # Long words may be broken, and a long cell into lines.
     text = re.sub(r"[\s\u200b]", "", _pdf_text(path, "-raw"))
     assert text.count(re.sub(r"\s", "", SPECIAL_CHARACTERS)) >= 3
@@ -355,7 +355,7 @@ def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
 def test_letters_missing_in_the_fonts_do_not_fail(content: ReportContent, tmp_path: Path) -> None:
     far = replace(content, project="\u6e2f\u53e3", validation=content.validation[:1])
     far = replace(far, validation=(replace(far.validation[0], name="\u5854"),))
-    write_pdf(far, tmp_path / "far.pdf", {})
+    write_pdf(far, tmp_path / "far.pdf", {}, FULL_REPORT)
     assert (tmp_path / "far.pdf").stat().st_size > 10_000
 
 
@@ -387,11 +387,11 @@ def test_invalid_pictures_are_refused(content: ReportContent, tmp_path: Path) ->
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"no picture")
     with pytest.raises(LispacError, check=has_code("report.picture_invalid", file=str(broken))):
-        write_pdf(content, tmp_path / "r.pdf", {"View": broken})
+        write_pdf(content, tmp_path / "r.pdf", {"View": broken}, FULL_REPORT)
     with pytest.raises(InputError, check=lambda e: e.code == "report.picture_unreadable"):
-        write_html(content, tmp_path / "r.html", {"View": tmp_path / "gone.png"})
+        write_html(content, tmp_path / "r.html", {"View": tmp_path / "gone.png"}, FULL_REPORT)
     with pytest.raises(InputError, check=lambda e: e.code == "report.picture_format"):
-        write_html(content, tmp_path / "r.html", {"View": tmp_path / "view.bmp"})
+        write_html(content, tmp_path / "r.html", {"View": tmp_path / "view.bmp"}, FULL_REPORT)
 
 
 def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:

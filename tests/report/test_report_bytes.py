@@ -19,7 +19,7 @@ from lispac.workflow.output.export import write_report
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
 from tests.report.test_report import _pdf_text
-from tests.support.report_sample import MADE, sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, MADE, sample_content, sample_project
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = """
@@ -75,9 +75,9 @@ def test_another_date_changes_only_lines_with_the_date(tmp_path: Path) -> None:
     texts, others = [], []
     for made in (MADE, MADE + timedelta(days=3)):
         content = sample_content(project, made)
-        write_pdf(content, tmp_path / "r.pdf", {})
+        write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
         write_json(content, tmp_path / "r.json")
-        write_html(content, tmp_path / "r.html", {})
+        write_html(content, tmp_path / "r.html", {}, FULL_REPORT)
         texts.append(_pdf_text(tmp_path / "r.pdf").splitlines())
         others.append([(tmp_path / name).read_bytes() for name in ("r.json", "r.html")])
     for early, late in zip(*others, strict=True):

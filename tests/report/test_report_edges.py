@@ -11,11 +11,11 @@ from lispac.report import boresight_section, checks_section, sections
 from lispac.report.content import ReportContent
 from lispac.report.design_figures import simulated_errors_figure
 from lispac.report.distance_profiles import profile_figure
-from lispac.report.document_blocks import Block, Paragraph, Table, UndrawnPictures
+from lispac.report.document_blocks import Block, Paragraph, Table
 from lispac.report.figures import correlation_figure_of, site_figure, svg_of, svg_pictures
 from lispac.report.validation_section import validation_blocks
 from lispac.validation.comparison_results import PairState
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import sample_content, sample_project, undrawn_pictures
 
 
 @pytest.fixture(scope="module")
@@ -29,8 +29,8 @@ def content(project: Project) -> ReportContent:
 
 
 def _titles(blocks: list[Block]) -> list[str]:
-    return [b.title if isinstance(b, Table) else b.caption
-            for b in blocks if isinstance(b, Table | UndrawnPictures)]  # fmt: skip
+    tables = [block.title for block in blocks if isinstance(block, Table)]
+    return tables + [picture.caption for picture in undrawn_pictures(blocks)]
 
 
 def _text(blocks: list[Block]) -> str:

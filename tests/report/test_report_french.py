@@ -34,12 +34,11 @@ from lispac.report.document_blocks import (
     Paragraph,
     SignatureLines,
     Table,
-    UndrawnPictures,
     facts_table,
     report_table,
 )
 from lispac.report.html import html_text
-from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
+from lispac.report.options import Extent, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.occlusion import ObservedExtent
@@ -57,11 +56,11 @@ from lispac.validation.comparison_results import DistanceStatistics, SignedStati
 from tests.program.test_consistent_warnings import CASES
 from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
-from tests.support.report_sample import MADE, sample_project
+from tests.support.report_sample import FULL_REPORT, MADE, sample_project, undrawn_pictures
 from tests.support.report_variants import VARIANTS, content_of_sample, with_result, with_settings
 from tests.targets.test_quality import board, quality_of
 
-FRENCH = ReportOptions(language="fr")
+FRENCH = ReportOptions(language="fr", extent="full")
 
 
 @pytest.fixture(scope="module")
@@ -71,10 +70,12 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 def _english_texts(content: ReportContent) -> tuple[str, ...]:
     """Return the texts of the French report that contain English words."""
+    extents: tuple[Extent, ...] = ("short", "full")
+    options = [ReportOptions(language="fr", extent=extent) for extent in extents]
     with in_language("fr"):
-        made = drawn_document(undrawn_document(content, {}, FRENCH))
+        made = [asdict(drawn_document(undrawn_document(content, {}, each))) for each in options]
     english = re.compile(r"\b(the|of|and|or|to|is|was|were|are|with|from|by|its|they)\b")
-    texts = json.dumps(asdict(made), default=lambda _: "", ensure_ascii=False).split('"')
+    texts = json.dumps(made, default=lambda _: "", ensure_ascii=False).split('"')
     return tuple(text for text in texts if english.search(text))
 
 
@@ -209,17 +210,20 @@ def test_error_budgets_are_in_french(project: Project, known: dict[str, Any]) ->
 
 def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
-    options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
+    options = ReportOptions(
+        language="fr", extent="full", heading="Good.", closing="yes", company="no"
+    )
     document = report_document(content_of_sample(replace(project, identity=typed)), {}, options)
     details = dict(document.identity.rows)  # type: ignore[arg-type]
     assert (details["Navire"], details["Remarques"]) == ("Points", "Roll. Pitch.")
     assert document.letterhead.company == "no"
     assert document.letterhead.heading == "Good."
+    assert details["Entreprise"] == "up"  # the letterhead is of another company
     *_, closing, signature = document.summary
     assert closing == Paragraph("yes")
     assert isinstance(signature, SignatureLines)
-    assert signature.values[1] == "up"
-    assert signature.fields[:2] == ("Hydrographe", "Entreprise")
+    assert signature.values[0] == typed.surveyor
+    assert signature.fields[:2] == ("Hydrographe", "Lieu et date")
 
 
 def test_french_report_counts_texts_without_translation(project: Project) -> None:
@@ -228,14 +232,16 @@ def test_french_report_counts_texts_without_translation(project: Project) -> Non
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
     assert document.notes == ()
-    assert report_document(content, {}) == drawn_document(undrawn_document(content, {}))
+    assert report_document(content, {}, FULL_REPORT) == drawn_document(
+        undrawn_document(content, {}, FULL_REPORT)
+    )
 
 
 def test_numbers_and_names_equal_those_of_the_english_report(project: Project) -> None:
     content = content_of_sample(project)
     english, french = (
         [b for s in report_document(content, {}, options).sections for b in s.blocks]
-        for options in (DEFAULT_OPTIONS, FRENCH)
+        for options in (FULL_REPORT, FRENCH)
     )
     for block, french_block in zip(english, french, strict=True):
         if block.kind != "table":
@@ -263,10 +269,9 @@ def test_texts_tables_and_figures_use_the_decimal_comma(project: Project, varian
         document = undrawn_document(content, {}, FRENCH)
         blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
         figures: list[Figure] = []
-        for block in blocks:
-            if isinstance(block, UndrawnPictures):
-                drawn = block.draw(*block.values)
-                figures += [drawn] if isinstance(drawn, Figure) else drawn
+        for picture in undrawn_pictures(blocks):
+            drawn = picture.draw(*picture.values)
+            figures += [drawn] if isinstance(drawn, Figure) else drawn
         assert len(figures) > 4
         shown = []
         for figure in figures:
@@ -308,7 +313,7 @@ def test_names_that_are_english_words_are_not_translated(tmp_path: Path) -> None
 def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -> None:
     project = sample_project(tmp_path / "p", target=name)
     content = content_of_sample(CASES[case][2](project))
-    english = undrawn_document(content, {})
+    english = undrawn_document(content, {}, FULL_REPORT)
     with in_language("fr"):
         french = undrawn_document(content, {}, FRENCH)
     before, after = (json.dumps(asdict(d), default=lambda _: "") for d in (english, french))

@@ -36,7 +36,7 @@ from lispac.workflow.output.report_options import TEMPLATE_KEYS, report_options
 from tests.report.test_identity import FULL
 from tests.report.test_report import _page, _pdf_text
 from tests.support.command_errors import codes_of, is_refusal, refused_with
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 LOGO = (
     b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">'
@@ -50,6 +50,7 @@ heading = "Order 4711"
 closing = "Valid until an instrument is moved."
 page = "Letter"
 convention = "Applanix"
+extent = "full"
 '''
 LEVER_ARM = np.array([-0.1856, 0.0377, 2.4191])
 
@@ -80,15 +81,17 @@ def test_a_template_has_the_settings_of_a_company(template: Path) -> None:
     assert options == ReportOptions(
         "letter", "applanix", logo=template.parent / "art" / "logo.svg",
         company="Levés du Fleuve inc.\n12, rue du Quai", heading="Order 4711",
-        closing="Valid until an instrument is moved.",
+        closing="Valid until an instrument is moved.", extent="full",
     )  # fmt: skip
     assert set(TEMPLATE_KEYS) == set(asdict(options))
     chosen = report_options(template, "a4", "qinsy")
-    assert (chosen.page, chosen.convention) == ("a4", "qinsy")
+    assert (chosen.page, chosen.convention, chosen.extent) == ("a4", "qinsy", "full")
+    assert report_options(template, extent="short").extent == "short"
     template.write_text(TEMPLATE + 'language = "FR"', encoding="utf-8")
     assert report_options(template).language == "fr"
     assert report_options(template, language="en").language == "en"
     assert report_options() == DEFAULT_OPTIONS
+    assert DEFAULT_OPTIONS.extent == "short"
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
@@ -111,6 +114,7 @@ def test_the_template_of_the_manual_is_valid(language: str, tmp_path: Path) -> N
         ("page = 'a5'", "report_template.no_page"),
         ("page = 4", "report_template.not_text"),
         ("language = 'de'", "report_template.no_language"),
+        ("extent = 'long'", "report_template.no_extent"),
         ("convention = 'lidarsoft'", "survey.unknown_program"),
         ("company = Fleuve", "report_template.not_toml"),
         ("logo = 'none.png'", "file.not_found"),
@@ -241,7 +245,7 @@ def test_pages_are_numbered_for_any_position_of_the_contents(
         project = replace(project, result=None, validation=(), cross_checks=None, targets=())
     identity = EMPTY_IDENTITY.changed(remarks="\n".join(["word"] * line_count))
     content = sample_content(project.with_identity(identity))
-    write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions(page))
+    write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions(page, extent="full"))
     text = _pdf_text(tmp_path / "r.pdf")
     numbers = [tuple(map(int, found)) for found in re.findall(r"Page (\d+) of (\d+)", text)]
     assert numbers == [(k + 1, len(numbers)) for k in range(len(numbers))]
@@ -288,9 +292,9 @@ def test_report_has_values_and_their_uncertainty(
     content = _content(project, key)
     found = content.in_convention
     assert found is not None
-    write_pdf(content, tmp_path / "r.pdf", {})
+    write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
     pdf = re.sub(r"\s+", " ", _pdf_text(tmp_path / "r.pdf"))
-    html = " ".join(_page(html_text(content, {})).words).replace("\u2212", "-")
+    html = " ".join(_page(html_text(content, {}, FULL_REPORT)).words).replace("\u2212", "-")
     for text in (pdf, html):
         for angle in found.angles:
             assert f"{angle.value_deg:+.4f}" in text
@@ -307,7 +311,9 @@ def test_classical_model_warns_that_its_sigmas_are_too_small(tmp_path: Path) -> 
     )
     assert content.in_convention is not None
     assert content.in_convention.warning == UNCORRELATED_WARNING
-    assert message_text(UNCORRELATED_WARNING) in "".join(_page(html_text(content, {})).words)
+    assert message_text(UNCORRELATED_WARNING) in "".join(
+        _page(html_text(content, {}, FULL_REPORT)).words
+    )
 
 
 def test_matrix_equals_that_of_the_boresight(project: Project, tmp_path: Path) -> None:
@@ -337,7 +343,7 @@ def test_values_are_not_reported_without_a_result(project: Project) -> None:
     content = _content(replace(project, result=None, validation=()), "applanix")
     assert content.in_convention is None
     assert content.matrix is None
-    assert "Values for other programs" not in html_text(content, {})
+    assert "Values for other programs" not in html_text(content, {}, FULL_REPORT)
 
 
 def test_the_command_takes_page_convention_and_template(

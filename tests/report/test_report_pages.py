@@ -1,18 +1,36 @@
-"""Tests of page breaks in the PDF: headings and introductions stay with what follows."""
+"""Tests of the pages of the PDF: number, filled height, and what stays together."""
 
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
+from lispac.acceptance import NO_CRITERIA
+from lispac.language import LANGUAGES, LazyText
+from lispac.messages import note, warning
 from lispac.project import Project
 from lispac.report import pdf
+from lispac.report.content import ReportContent
+from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Bullets, Document, Paragraph, Section, Table
-from lispac.report.options import ReportOptions
-from lispac.report.pdf import write_pdf
+from lispac.report.options import PAGE_SIZES, Page, ReportOptions
+from lispac.report.pdf import preview_of, write_pdf
+from lispac.report.short_report import MAX_MAPPED_PLANES, MAX_NOTES, MAX_PLANES
+from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import (
+    FULL_REPORT,
+    sample_content,
+    sample_project,
+    undrawn_pictures,
+)
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +58,7 @@ def test_headings_and_introductions_stay_with_what_follows(
     content, ends = sample_content(project), set()
     for lines in range(40, 60):
         monkeypatch.setattr(pdf, "report_document", lambda *_, lines=lines: _document(lines))
-        write_pdf(content, tmp_path / "r.pdf", {})
+        write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
         pages = _pdf_text(tmp_path / "r.pdf").split("\f")
         (announced,) = (k for k, page in enumerate(pages) if "Announced:" in page)
         assert "item one" in pages[announced], lines
@@ -66,3 +84,95 @@ def test_pictures_before_and_after_are_on_one_page(
     (shown,) = (text for text in pages if "The lines before" in text)
     assert "The lines after" in shown
     assert "Pictures" in shown
+
+
+VIEWS = ["Overview", *(f"V{k}" for k in range(1, 6))]
+"""Views of which the window takes pictures before and after for the short report."""
+TEXT_HEIGHTS_MM = {"a4": 250.0, "letter": 232.4}
+"""Heights of the text on a page."""
+TOP_MM, PPI = 25.0, 40.0
+
+
+def _survey_content(project: Project, planes: int = 5) -> ReportContent:
+    """Return a content as of a common survey, with all details and an acceptance."""
+    criteria = NO_CRITERIA.changed(rms=0.05, roll_sigma_deg=0.05, source="Contract C-77")
+    content = sample_content(
+        replace(project, identity=FULL, acceptance=criteria), convention="qinsy"
+    )
+    plane = content.validation[0]
+    named = tuple(replace(plane, name=f"V{k}") for k in range(1, planes + 1))
+    return replace(content, validation=named)
+
+
+@pytest.fixture(scope="module")
+def views(tmp_path_factory: pytest.TempPathFactory) -> dict[str | LazyText, Path]:
+    folder = tmp_path_factory.mktemp("views")
+    figure = Figure((10, 7), dpi=20, facecolor="0.8")
+    figure.savefig(folder / "view.png")
+    return {f"{name} {when}": folder / "view.png" for name in VIEWS for when in ("before", "after")}
+
+
+def _filled_shares(pages: Sequence[bytes], page: Page) -> list[float]:
+    """Return the share of the text height of each page that is filled."""
+    shares = []
+    for data in pages:
+        grey = np.asarray(Image.open(BytesIO(data)).convert("L"))
+        first = round(TOP_MM / 25.4 * PPI)
+        height = TEXT_HEIGHTS_MM[page] / 25.4 * PPI
+        rows = np.flatnonzero((grey[first : round(first + height)] < 245).any(axis=1))
+        shares.append((rows[-1] + 1) / height)
+    return shares
+
+
+@pytest.mark.parametrize("has_views", [True, False])
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("page", PAGE_SIZES)
+def test_the_short_report_has_at_most_four_well_filled_pages(
+    project: Project, views: dict[str | LazyText, Path], page: Page, language: str, has_views: bool
+) -> None:
+    options = ReportOptions(page, language=language)
+    content = _survey_content(project)
+    made = preview_of(content, views if has_views else {}, options, ppi=PPI)
+    assert 2 <= len(made.pages) <= 4
+    assert min(_filled_shares(made.pages[:-1], page)) >= 0.5
+
+
+@pytest.mark.parametrize(("language", "page"), [("en", "a4"), ("fr", "letter")])
+def test_the_full_report_keeps_planes_together_on_well_filled_pages(
+    project: Project,
+    views: dict[str | LazyText, Path],
+    tmp_path: Path,
+    page: Page,
+    language: str,
+) -> None:
+    options = ReportOptions(page, language=language, extent="full")
+    made = preview_of(_survey_content(project), views, options, ppi=PPI)
+    assert min(_filled_shares(made.pages[:-1], page)) >= 0.5
+    (tmp_path / "r.pdf").write_bytes(made.pdf)
+    pages = _pdf_text(tmp_path / "r.pdf").split("\f")
+    for k in range(1, 6):
+        captions = [
+            number
+            for number, text in enumerate(pages)
+            for _ in re.findall(rf"^ *V{k}\s?: ", text, re.MULTILINE)
+        ]
+        assert len(captions) == 3
+        assert len(set(captions)) == 1
+
+
+def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project: Project) -> None:
+    content = _survey_content(project, planes=40)
+    warnings = tuple(warning("report.file_missing", files=(f"L{k}.las",)) for k in range(6))
+    notes = tuple(note("report.not_compared", reason=f"reason {k}") for k in range(40))
+    content = replace(content, warnings=(*warnings, *notes))
+    document = undrawn_document(content, {})
+    assert len(document.warnings) == len(warnings)
+    assert len(document.notes) == MAX_NOTES
+    tables = [b for s in document.sections for b in s.blocks if isinstance(b, Table)]
+    (distances,) = (table for table in tables if len(table.rows) > 10)
+    assert len(distances.rows) == MAX_PLANES
+    assert len(list(undrawn_pictures(b for s in document.sections for b in s.blocks))) == (
+        MAX_MAPPED_PLANES + 1
+    )
+    made = preview_of(content, {}, ReportOptions("letter"), ppi=PPI)
+    assert len(made.pages) <= 4

@@ -23,7 +23,7 @@ from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.targets.sighting_quality import SightingQuality
-from tests.support.report_sample import MADE, sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, MADE, sample_content, sample_project
 from tests.targets.test_quality import board, quality_of
 
 Changed = Callable[..., ReportContent]
@@ -76,7 +76,7 @@ def _words(document: Document, title: str) -> str:
 
 
 def _settings(content: ReportContent) -> dict[str, str]:
-    return dict(_tables(report_document(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
+    return dict(_tables(report_document(content, {}, FULL_REPORT))["Stochastic model"].rows)  # type: ignore[arg-type]
 
 
 def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
@@ -126,7 +126,7 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
         (sample_content(project), "averaged"),
         (sample_content(sample_project(tmp_path / "p", model="independent")), "thinned"),
     ):
-        facts = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        facts = dict(_tables(report_document(content, {}, FULL_REPORT))["System and points"].rows)  # type: ignore[arg-type]
         assert facts["Point spacing"].startswith(word)
 
 
@@ -136,7 +136,7 @@ def test_variance_components_are_reported_with_their_intervals(changed: Changed)
         VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
         VarianceComponent("POS attitude", 1.3, 0.6, 2.9),
     )
-    table = _tables(report_document(changed(components=found), {}))[
+    table = _tables(report_document(changed(components=found), {}, FULL_REPORT))[
         "Variance components: ratio of estimated to given sigmas"
     ]
     assert table.rows[0] == (
@@ -153,7 +153,7 @@ def test_variance_components_are_reported_with_their_intervals(changed: Changed)
 
 
 def test_extra_parameters_are_reported(project: Project, changed: Changed) -> None:
-    document = report_document(sample_content(project), {})
+    document = report_document(sample_content(project), {}, FULL_REPORT)
     row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
     assert row == (
         "Lever arm X", "\u22120.1856\u00a0m", "not given", "\u22120.2017\u00a0m", "0.0048\u00a0m",
@@ -170,7 +170,7 @@ def test_extra_parameters_are_reported(project: Project, changed: Changed) -> No
     assert _warning(content, "report.parameter_not_seen") == {
         "parameter": note("quantity.scan_angle_offset"), "reason": note("parameter.kept"),
     }  # fmt: skip
-    rows = _tables(report_document(content, {}))[
+    rows = _tables(report_document(content, {}, FULL_REPORT))[
         "Parameters estimated together with the boresight"
     ].rows
     assert rows[1][-1] == "not estimated, given value used"
@@ -179,7 +179,7 @@ def test_extra_parameters_are_reported(project: Project, changed: Changed) -> No
 
 def test_heat_map_is_shown_only_with_extra_parameters(project: Project, tmp_path: Path) -> None:
     def captions(content: ReportContent) -> list[str]:
-        blocks = report_document(content, {}).sections[0].blocks
+        blocks = report_document(content, {}, FULL_REPORT).sections[0].blocks
         return [block.caption for block in blocks if block.kind == "picture"]
 
     assert captions(sample_content(project)) == ["Correlations of all estimated parameters."]
@@ -195,13 +195,15 @@ def test_rejected_sighting_is_named_on_page_one(project: Project, changed: Chang
     )
     (other,) = _warning(content, "adjustment.sighting_disagrees")["sightings"]
     assert (other.params["target"], other.params["line"]) == ("T1", "L2")
-    rows = _tables(report_document(content, {}))["Agreement of the sightings"].rows
+    rows = _tables(report_document(content, {}, FULL_REPORT))["Agreement of the sightings"].rows
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
 
 def test_sighting_without_a_check_has_no_numbers(project: Project, changed: Changed) -> None:
     first, *rest = _result(project).reliability
-    document = report_document(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
+    document = report_document(
+        changed(reliability=(replace(first, detectable=1e5), *rest)), {}, FULL_REPORT
+    )
     row = _tables(document)["Agreement of the sightings"].rows[0]
     assert row[2:8] == ("\u2013",) * 6
     assert row[-1] == "not checked"
@@ -225,13 +227,13 @@ def test_more_outliers_than_expected_by_chance_give_a_warning(
 def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
     checks = project.cross_checks
     assert checks is not None
-    plain = _tables(report_document(sample_content(project), {}))
+    plain = _tables(report_document(sample_content(project), {}, FULL_REPORT))
     rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
     assert [row[0] for row in rows[-3:]] == [
         "Without target T1", "Without target T2", "Second minus first half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
-    words = _words(report_document(sample_content(project), {}), "Cross-checks")
+    words = _words(report_document(sample_content(project), {}, FULL_REPORT), "Cross-checks")
     reason = message_text(error("adjustment.parallel_planes"))
     assert f"Without target T1: {reason}" in words
     assert "The jackknife standard deviation with one target omitted at a time requires" in words
@@ -269,11 +271,11 @@ def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Chan
         for target in project.targets
     )
     picked = sample_content(replace(project, targets=targets))
-    shown = _tables(report_document(content, {}))[
+    shown = _tables(report_document(content, {}, FULL_REPORT))[
         "Fit of each target to one surface, all lines together"
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
-    shown = _tables(report_document(picked, {}))[
+    shown = _tables(report_document(picked, {}, FULL_REPORT))[
         "Targets and validation planes (coordinates of the seed in the local frame)"
     ]
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
@@ -282,7 +284,7 @@ def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Chan
 def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
-    document = report_document(content, {})
+    document = report_document(content, {}, FULL_REPORT)
     assert "Sightings are not tested: in this stochastic model" in _words(
         document, "Reliability of the sightings"
     )
@@ -293,12 +295,12 @@ def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
     assert {each["status"] for each in data["adjustment"]["sightings"]} == {"not tested"}
     assert data["cross_checks"] is None
     assert data["settings"]["surface_sigma_m"] is None
-    write_pdf(content, tmp_path / "thesis.pdf", {})
+    write_pdf(content, tmp_path / "thesis.pdf", {}, FULL_REPORT)
 
 
 def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> None:
     content = sample_content(replace(project, result=None, cross_checks=None))
-    titles = {section.title for section in report_document(content, {}).sections}
+    titles = {section.title for section in report_document(content, {}, FULL_REPORT).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
     roughness = _settings(content)["Form error of the targets (1 sigma)"]
     assert roughness.startswith("to be estimated from the data")
@@ -364,7 +366,7 @@ def test_accepted_single_orientation_is_shown(project: Project) -> None:
             project, settings=replace(project.settings, accept_single_orientation=accepted)
         )
         content = sample_content(other)
-        shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        shown = dict(_tables(report_document(content, {}, FULL_REPORT))["System and points"].rows)  # type: ignore[arg-type]
         assert ("Targets of a single orientation" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_single_orientation"] == accepted
 
@@ -379,7 +381,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
         qualities={(target.name, line): quality for line in (first.line, second.line)},
         generated=MADE,
     )  # fmt: skip
-    table = _tables(report_document(content, {}))["Quality of each sighting"]
+    table = _tables(report_document(content, {}, FULL_REPORT))["Quality of each sighting"]
     assert [row[-1].endswith("were edited manually.") for row in table.rows] == [
         False, True,
     ]  # fmt: skip
@@ -422,7 +424,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     assert _warning(worse, "report.sightings") == {
         "total": 4, "poor": 1, "doubtful": 2, "target": second.name, "line": one, "reasons": few,
     }  # fmt: skip
-    french = report_document(worse, {}, ReportOptions(language="fr")).notes
+    french = report_document(worse, {}, ReportOptions(language="fr", extent="full")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # A sighting that is not used is not counted.
     excluded = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))

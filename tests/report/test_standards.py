@@ -15,7 +15,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import SignedStatistics
 from lispac.validation.plane_comparison import signed_distances
 from tests.report.test_report import _page
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 
 def _result(folder: Path, boresight_deg: tuple[float, float, float]) -> AdjustmentResult:
@@ -106,11 +106,13 @@ def test_a_comparison_of_an_earlier_version_has_no_table(tmp_path: Path) -> None
     assert swath_overlap([replace(plane, pairs=(old,))]) == ()
     assert swath_overlap([]) == ()
     bare = sample_content(replace(project, validation=(replace(plane, pairs=(old,)),)))
-    assert "Swath overlap difference" not in html_text(bare, {})
+    assert "Swath overlap difference" not in html_text(bare, {}, FULL_REPORT)
 
 
 def test_the_report_names_the_standards_and_their_editions(tmp_path: Path) -> None:
-    words = " ".join(_page(html_text(sample_content(sample_project(tmp_path)), {})).words)
+    words = " ".join(
+        _page(html_text(sample_content(sample_project(tmp_path)), {}, FULL_REPORT)).words
+    )
     assert "IHO S-44, edition 6.1.0" in words
     assert "contribution of the boresight alone" in words
     assert "USGS Lidar Base Specification (2024 rev. A)" in words

@@ -1,5 +1,6 @@
 """A complete project with invented results, for tests of reports and views."""
 
+from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -22,6 +23,8 @@ from lispac.messages import error, note
 from lispac.present.survey_data import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
+from lispac.report.document_blocks import Block, PictureRows, UndrawnPictures
+from lispac.report.options import ReportOptions
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
     DistanceStatistics,
@@ -34,6 +37,7 @@ from lispac.validation.distance_map import DistanceMap
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.plane_offset import PlaneOffset
 
+FULL_REPORT = ReportOptions(extent="full")
 HEADINGS = {"L1": 0.4, "L2": 180.2, "L3": 45.1, "L4": 224.7, "L5": 315.3, "L6": 134.8}
 MADE = datetime(2025, 6, 4, 14, 3, 20, tzinfo=UTC)
 
@@ -273,3 +277,10 @@ def with_lines_of_its_own(project: Project) -> Project:
     for line in project.lines:
         line.path.write_bytes(str(line.path).encode() * 100)
     return project
+
+
+def undrawn_pictures(blocks: Iterable[Block]) -> Iterator[UndrawnPictures]:
+    """Yield the figures of a report, also those in rows."""
+    for block in blocks:
+        rows = block.rows if isinstance(block, PictureRows) else ((block,),)
+        yield from (each for row in rows for each in row if isinstance(each, UndrawnPictures))

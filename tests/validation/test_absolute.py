@@ -37,7 +37,7 @@ from tests.support.absolute_sample import (
     true_offsets,
 )
 from tests.support.command_errors import is_refusal, refused_with
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 from tests.support.static_scans import on_plane, tripod_scan, write_pts
 
 SHIFTS = (0.0, 0.005, 0.020)
@@ -255,7 +255,9 @@ def test_surveyed_points_and_planes(
 
     content = sample_content(sample.with_absolute(check))
     (section,) = (
-        s for s in report_document(content, {}).sections if s.title == "Check against the reference"
+        s
+        for s in report_document(content, {}, FULL_REPORT).sections
+        if s.title == "Check against the reference"
     )
     (listed,) = (b for b in section.blocks if isinstance(b, Table) and "surveyed points" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
@@ -361,7 +363,9 @@ def test_the_project_stores_the_check_and_the_report_shows_it(
     assert content.files[-1].sha256 == check.sha256
     assert followed(json_text(content))["absolute"]["reference"] == check.reference
     (section,) = (
-        s for s in report_document(content, {}).sections if s.title == "Check against the reference"
+        s
+        for s in report_document(content, {}, FULL_REPORT).sections
+        if s.title == "Check against the reference"
     )
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
@@ -378,7 +382,9 @@ def test_the_project_stores_the_check_and_the_report_shows_it(
     path.write_text(json.dumps(stored))
     without_check = read_project(project.folder)
     assert without_check.absolute is None
-    titles = [s.title for s in report_document(sample_content(without_check), {}).sections]
+    titles = [
+        s.title for s in report_document(sample_content(without_check), {}, FULL_REPORT).sections
+    ]
     assert "Check against the reference" not in titles
 
 

@@ -12,7 +12,6 @@ from lispac.messages import Level, Value
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Paragraph
-from lispac.report.options import ReportOptions
 from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
@@ -22,7 +21,7 @@ from lispac.validation.absolute_check import (
     SigmaSources,
 )
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
-from tests.support.report_sample import sample_content, sample_project
+from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 SIGMA = 0.012
 LINES = ("L1", "L2", "L3", "L4", "L5", "L6")
@@ -112,7 +111,7 @@ def test_page_one_has_one_sentence_or_warning_for_each_check(
 ) -> None:
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
-    document = undrawn_document(content, {}, ReportOptions())
+    document = undrawn_document(content, {}, FULL_REPORT)
     first = message_text(AbsoluteCheckValues.of(found).messages[0])
     sentences = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [

@@ -50,6 +50,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="template of the reports; see `lispac report --help`",
     )
+    parser.add_argument(
+        "--full", action="store_true", help="write full reports instead of short ones"
+    )
     add_json_option(parser)
 
 
@@ -68,9 +71,11 @@ def run(arguments: Namespace) -> None:
     from lispac.workflow.checking.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
 
-    if arguments.reports is None and (arguments.report_format or arguments.template):
-        raise UsageError("batch: --report-format and --template require --reports DIR.")
-    options = report_options(arguments.template)
+    if arguments.reports is None and (
+        arguments.report_format or arguments.template or arguments.full
+    ):
+        raise UsageError("batch: --report-format, --template and --full require --reports DIR.")
+    options = report_options(arguments.template, extent="full" if arguments.full else "")
     rows: list[BatchRow] = []
     with ConsoleProgress() as progress:
         for row in calibrate_each(

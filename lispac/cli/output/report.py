@@ -21,6 +21,15 @@ def add_arguments(parser: ArgumentParser) -> None:
         choices=tuple(LANGUAGES),
         help="language of the report (default en; JSON is always English)",
     )
+    extent = parser.add_mutually_exclusive_group()
+    extent.add_argument(
+        "--full", dest="extent", action="store_const", const="full", default="",
+        help="full report; JSON and CSV tables are always complete",
+    )  # fmt: skip
+    extent.add_argument(
+        "--short", dest="extent", action="store_const", const="short",
+        help="short report of at most a few pages to sign (default)",
+    )  # fmt: skip
     parser.add_argument("--page", choices=("a4", "letter"), help="paper size (default a4)")
     parser.add_argument(
         "--convention", metavar="SYSTEM",
@@ -30,8 +39,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--template", type=Path, metavar="FILE",
         help="TOML file with defaults for the report: logo (PNG or SVG file beside it), company, "
-             "heading, closing, page, convention, language; options of the command line override "
-             "it",
+             "heading, closing, page, convention, language, extent; options of the command line "
+             "override it",
     )  # fmt: skip
     parser.add_argument(
         "--schema", action="store_true", help="print the JSON schema of the report and exit"
@@ -62,6 +71,7 @@ def run(arguments: Namespace) -> None:
         arguments.page or "",
         arguments.convention or "",
         arguments.language or "",
+        arguments.extent,
     )
     project = projects.open_project(arguments.project)
     with ConsoleProgress() as progress:

@@ -1,6 +1,8 @@
 """Settings that are stored between runs of the program, and proposed folders."""
 
 import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
@@ -15,12 +17,24 @@ from lispac.untrusted_values import json_values
 from lispac.workflow.planning.sensors import user_sensors_folder
 
 MAX_RECENT_PROJECTS = 8
-REPORT_CHOICE_KEYS = ("template", "page", "convention", "language")
+MAX_COMPANIES = 20
+"""Largest number of companies whose details for the report are stored."""
 THEMES = ("system", "light", "dark")
 POINT_SIZES_PX = range(1, 13)
 DEFAULT_POINT_SIZE_PX = 2
 POINT_BUDGETS = range(100_000, 20_000_001)
 """Numbers of points that can be chosen as the largest number of drawn points."""
+
+
+@dataclass(frozen=True)
+class ReportChoice:
+    """Options of a report as texts, as last chosen; empty if nothing was chosen."""
+
+    template: str = ""
+    page: str = ""
+    convention: str = ""
+    language: str = ""
+    extent: str = ""
 
 
 class AppSettings:
@@ -227,15 +241,44 @@ class AppSettings:
     def cache_folder(self, folder: Path | None) -> None:
         caches.choose_folder(folder, self._config)
 
-    def report_choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language that were last used for a report."""
-        a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_CHOICE_KEYS)
-        return a, b, c, d
+    def report_choice(self) -> ReportChoice:
+        """Choices that were last used for a report."""
+        names = [each.name for each in fields(ReportChoice)]
+        return ReportChoice(*(str(self._store.value(f"report_{name}", "")) for name in names))
 
-    def save_report_choice(self, choice: tuple[str, str, str, str]) -> None:
+    def save_report_choice(self, choice: ReportChoice) -> None:
         """Store the choices for the next report."""
-        for key, text in zip(REPORT_CHOICE_KEYS, choice, strict=True):
-            self._store.setValue(f"report_{key}", text)
+        for name, text in asdict(choice).items():
+            self._store.setValue(f"report_{name}", text)
+
+    @property
+    def opens_report(self) -> bool:
+        """Whether a report is opened after its export."""
+        return str(self._store.value("opens_report", "yes")) == "yes"
+
+    @opens_report.setter
+    def opens_report(self, opens: bool) -> None:
+        self._store.setValue("opens_report", "yes" if opens else "no")
+
+    def companies(self) -> dict[str, dict[str, str]]:
+        """Details for the report last used with each company, the newest company first."""
+        try:
+            stored = json_values(str(self._store.value("companies", "{}")))
+        except ValueError:
+            return {}
+        if not isinstance(stored, dict):
+            return {}
+        return {
+            str(name): {str(key): str(text) for key, text in details.items()}
+            for name, details in stored.items()
+            if isinstance(details, dict)
+        }
+
+    def save_company(self, name: str, details: Mapping[str, str]) -> None:
+        """Store the details of a company for its next report."""
+        others = {k: v for k, v in self.companies().items() if k != name}
+        kept = list(others.items())[: MAX_COMPANIES - 1]
+        self._store.setValue("companies", json.dumps({name: dict(details), **dict(kept)}))
 
     def sync(self) -> None:
         """Write the settings now."""

@@ -5,7 +5,7 @@ the adjustment, is the plane fitted to the points of all lines as displayed: the
 colour before the calibration and have about the same colour after it.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,22 +81,6 @@ def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[
             plane = fit_plane(np.concatenate(list(points.values())))
             found |= {(target.name, line): plane.distances(own) for line, own in points.items()}
     return found
-
-
-def residual_colour_limit(
-    project: Project, survey: Survey, states: Iterable[Mapping[str, Cloud]]
-) -> float:
-    """Distance, metres, at the end of a colour scale that is common to several states.
-
-    Raises
-    ------
-    ValueError
-        If nothing has been adjusted yet; the text is in the language of the window.
-    """
-    return max(
-        _colour_limit(residuals(project, survey) | validation_distances(project, clouds))
-        for clouds in states
-    )
 
 
 def _colour_limit(residuals_by_sighting: Mapping[SightingKey, Array]) -> float:

@@ -1,7 +1,6 @@
 """Content of the viewport: lines before or after the adjustment, sightings and labels."""
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from typing import Literal
 
 import numpy as np
@@ -12,7 +11,7 @@ from lispac.geometry.radius_search import nearest_point
 from lispac.gui.app.point_colours import Colouring, point_shading
 from lispac.gui.appearance import theme
 from lispac.gui.project.document import Document
-from lispac.gui.project.residuals import residual_colour_limit, residual_shading
+from lispac.gui.project.residuals import residual_shading
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, PointColouring, Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.project import Target, Triple
@@ -50,7 +49,6 @@ class Scene(QObject):
         self._markers: list[Marker] = []
         self._searched: tuple[Marker, ...] = ()
         """Seed of the running search."""
-        self._colour_limit: float | None = None
         self._shaded: ColouredPoints | None = None
         """Colours that were computed but not yet drawn; None if there are none."""
         # One task for several changes in a row, as when a project is opened.
@@ -63,10 +61,14 @@ class Scene(QObject):
     @property
     def clouds(self) -> Mapping[str, Cloud]:
         """Lines as displayed."""
+        return self.clouds_of(self.which)
+
+    def clouds_of(self, which: PriorOrEstimated) -> Mapping[str, Cloud]:
+        """Lines before or after the adjustment; before if they are not georeferenced with it."""
         survey = self._document.survey
         if survey is None:
             return {}
-        if self.which == "estimated" and self._estimated is not None:
+        if which == "estimated" and self._estimated is not None:
             return self._estimated[1]
         return survey.clouds
 
@@ -192,24 +194,6 @@ class Scene(QObject):
             self._viewport.fit(points)
         self.selection_changed.emit()
 
-    @contextmanager
-    def common_residual_scale(self) -> Iterator[None]:
-        """Context in which residuals before and after have the same colour scale."""
-        project, survey, shown = self._document.project, self._document.survey, self.which
-        estimated = self._estimated
-        coloured = self.colouring == "residual" and self.has_estimated
-        if coloured and project and survey and estimated:
-            self._colour_limit = residual_colour_limit(
-                project, survey, (survey.clouds, estimated[1])
-            )
-            self._drawn = {}  # forces a redraw with the common scale
-        try:
-            yield
-        finally:
-            if self._colour_limit is not None:
-                self._colour_limit, self._drawn = None, {}
-            self.show(shown)
-
     def _clear(self) -> None:
         self.candidate = self.selected = None
         self._markers, self._searched = [], ()
@@ -298,7 +282,7 @@ class Scene(QObject):
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
             return None, {}
-        return residual_shading(project, survey, self.clouds, colour_limit=self._colour_limit)
+        return residual_shading(project, survey, self.clouds)
 
     def _schedule_targets(self) -> None:
         if not self._lines_due.isActive():  # drawn after the lines

@@ -9,7 +9,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import atomic_write
-from lispac.language import gettext_lazy
+from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Level, Message, error
 from lispac.present.survey_data import LineTrajectorySummary
 from lispac.progress import Progress, no_progress, sub_progress
@@ -62,7 +62,7 @@ def write_report(
     survey: Survey,
     path: Path,
     *,
-    pictures: Mapping[str, Path] | None = None,
+    pictures: Mapping[str | LazyText, Path] | None = None,
     options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     generated: datetime | None = None,
@@ -117,7 +117,7 @@ def preview_report(
     project: Project,
     survey: Survey,
     *,
-    pictures: Mapping[str, Path] | None = None,
+    pictures: Mapping[str | LazyText, Path] | None = None,
     options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     ppi: float = 96.0,

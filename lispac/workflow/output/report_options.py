@@ -8,18 +8,24 @@ from lispac.errors import InputError, system_reason
 from lispac.io.files import require_file
 from lispac.language import LANGUAGES
 from lispac.messages import error
-from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, Page, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, Extent, Page, ReportOptions
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.untrusted_values import InvalidContentError, toml_values
 
-TEMPLATE_KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
+TEMPLATE_KEYS = (
+    "logo", "company", "heading", "closing", "page", "convention", "language", "extent",
+)  # fmt: skip
 """Keys of a report template."""
 MAX_TEXT_LENGTH = 2000
 """Largest number of characters of a text in a template."""
 
 
 def report_options(
-    template: Path | None = None, page: str = "", convention: str = "", language: str = ""
+    template: Path | None = None,
+    page: str = "",
+    convention: str = "",
+    language: str = "",
+    extent: str = "",
 ) -> ReportOptions:
     """Options from a template, if there is one, overridden by the chosen options.
 
@@ -35,6 +41,8 @@ def report_options(
         options = replace(options, convention=convention_of_key(convention).key)
     if language:
         options = replace(options, language=_parse_language(language))
+    if extent:
+        options = replace(options, extent=_parse_extent(extent))
     return options
 
 
@@ -63,6 +71,7 @@ def _read_template(path: Path) -> ReportOptions:
             if content.get("convention")
             else "",
             language=_parse_language(content.get("language", DEFAULT_OPTIONS.language)),
+            extent=_parse_extent(content.get("extent", DEFAULT_OPTIONS.extent)),
             logo=_find_logo(path.parent, content["logo"]) if content.get("logo") else None,
             **{
                 key: _clean_text(key, content.get(key, ""))
@@ -89,6 +98,13 @@ def _parse_language(text: str) -> str:
             error("report_template.no_language", language=str(text), languages=tuple(LANGUAGES))
         )
     return code
+
+
+def _parse_extent(text: str) -> Extent:
+    for extent in EXTENTS:
+        if text.strip().lower() == extent:
+            return extent
+    raise InputError(error("report_template.no_extent", extent=text, extents=tuple(EXTENTS)))
 
 
 def _find_logo(folder: Path, name: str) -> Path:

@@ -84,8 +84,8 @@ class DataPanel(QWidget):
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",
             icon="card-account-details-outline",
-            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
-                        "the report"),
+            tip=gettext("Enter client, company, persons, vessel, instruments and dates for the "
+                        "report"),
         )  # fmt: skip
         self.details.clicked.connect(self.details_requested)
         filled.addWidget(self.details)

@@ -1,6 +1,6 @@
 """Preferences of the user for all projects, read and stored."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from lispac.gui.app.point_colours import Scale
@@ -43,7 +43,7 @@ class Preferences:
         scanner, pos = settings.default_sensors
         return cls(
             settings.chosen_language, settings.point_size, settings.point_budget,
-            settings.report_choice()[2], scanner, pos, *settings.units,
+            settings.report_choice().convention, scanner, pos, *settings.units,
             settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
 
@@ -59,8 +59,8 @@ class Preferences:
         settings.language = self.language
         settings.point_size = self.point_size
         settings.point_budget = self.point_budget
-        template, page, _, language = settings.report_choice()
-        settings.save_report_choice((template, page, self.convention, language))
+        choice = replace(settings.report_choice(), convention=self.convention)
+        settings.save_report_choice(choice)
         settings.default_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.theme, settings.colour_scale = self.theme, self.scale

@@ -1,10 +1,10 @@
 """Dialogues about the report."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QEvent, QObject, Qt
-from PySide6.QtGui import QImageReader, QKeyEvent, QPaintEvent, QPixmap
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QObject, Qt, QUrl
+from PySide6.QtGui import QDesktopServices, QImageReader, QKeyEvent, QPaintEvent, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
@@ -171,7 +171,17 @@ class ReportDialogs(Questions):
         )  # fmt: skip
         return Path(name) if name else None
 
-    def identity(self, identity: Identity, dates: Callable[[], str]) -> Identity | None:
-        """Ask for the details of the report; ``dates`` returns the days of the lines."""
-        dialog = IdentityDialog(identity, dates, self.parent)
+    def open_file(self, path: Path) -> bool:
+        """Open a file in the program that the system uses for it; False if there is none."""
+        return QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+
+    def identity(
+        self,
+        identity: Identity,
+        dates: Callable[[], str],
+        companies: Mapping[str, Mapping[str, str]],
+        proposals: Mapping[str, str],
+    ) -> Identity | None:
+        """Ask for the details of the report; the parameters are those of `IdentityDialog`."""
+        dialog = IdentityDialog(identity, dates, companies, proposals, self.parent)
         return dialog.identity if run_dialog(dialog) else None

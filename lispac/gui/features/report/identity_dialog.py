@@ -1,67 +1,115 @@
-"""Dialogue for the details on page one of the report: surveyor, vessel, instruments, dates."""
+"""Dialogue for the details of the report: client, company, persons, survey and equipment."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
-from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QPlainTextEdit, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QCompleter,
+    QDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QPlainTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
 
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
-from lispac.identity import EMPTY_IDENTITY, FIELD_LABELS, FIELD_NAMES, Identity
+from lispac.identity import (
+    COMPANY_FIELDS,
+    EMPTY_IDENTITY,
+    FIELD_GROUPS,
+    FIELD_LABELS,
+    FIELD_NAMES,
+    Identity,
+)
 from lispac.language import N_, gettext
 
 FIELD_TIPS = {
+    "report_number": N_("Number of the report, printed on every page"),
+    "revision": N_("Revision of the report, printed on every page"),
+    "client": N_("Client of the calibration"),
+    "contract": N_("Number of the contract or order"),
+    "company": N_("Company of the surveyor; the details last used with it are proposed"),
     "surveyor": N_("Surveyor responsible for the calibration"),
-    "company": N_("Company of the surveyor"),
+    "processed_by": N_("Person who processed the data"),
+    "checked_by": N_("Person who checked the result"),
     "vessel": N_("Name of the vessel"),
     "site": N_("Place where the lines were surveyed"),
+    "dates": N_("Date or dates of the survey, such as 2026-03-04"),
+    "datum": N_("Reference frame of the trajectory, such as NAD83(CSRS)v7"),
+    "epoch": N_("Epoch of the coordinates, such as 2010.0"),
+    "gnss_base": N_("GNSS base station or correction service"),
+    "lever_arm_origin": N_(
+        "How the lever arm was determined, such as “total station in dock, 2026-03-04”"
+    ),
     "scanner": N_("Maker and model of the LiDAR"),
     "scanner_serial": N_("Serial number of the LiDAR"),
     "pos": N_("Maker and model of the INS/GNSS"),
     "pos_serial": N_("Serial number of the INS/GNSS"),
-    "dates": N_("Date or dates of the survey, such as 2026-03-04"),
-    "lever_arm_origin": N_(
-        "How the lever arm was determined, such as “total station in dock, 2026-03-04”"
-    ),
+    "processing_software": N_("Program and version that computed the trajectory"),
     "remarks": N_("Other information to print in the report"),
 }
 """Tips of the fields by their names."""
+LEFT_GROUPS = 3
+"""Number of groups in the left column; the last group is below both columns."""
 
 
 class IdentityDialog(QDialog):
-    """Dialogue with a field for each detail; empty ones are printed as lines to be filled in.
+    """Dialogue with a field for each detail.
 
     Parameters
     ----------
     dates : function that returns the days of the survey from the times of the lines, or ""
+    companies : details last used with each company, which are proposed when its name is entered
+    proposals : texts shown in empty fields; they are not stored
     """
 
     def __init__(
-        self, identity: Identity, dates: Callable[[], str], parent: QWidget | None = None
+        self,
+        identity: Identity,
+        dates: Callable[[], str],
+        companies: Mapping[str, Mapping[str, str]],
+        proposals: Mapping[str, str],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
         self.setWindowTitle(gettext("Details for the report"))
-        self.setMinimumWidth(560)
-        self._dates = dates
+        self.setMinimumWidth(820)
+        self._dates, self._companies = dates, companies
+        self._proposed: dict[str, str] = {}
         self.identity: Identity = identity
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
             widgets.label(
-                gettext("Empty fields are printed blank, to be filled in by hand."), wrap=True
+                gettext(
+                    "Empty fields are omitted in the short report, and printed blank in the full "
+                    "report, to be filled in by hand."
+                ),
+                wrap=True,
             )
         )
-        form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACING)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
-        for name, field in self.fields.items():
-            form.addRow(
-                gettext(FIELD_LABELS[name]),
-                self._row_with_button(field) if name == "dates" else field,
-            )
-        layout.addLayout(form)
+        for name, text in proposals.items():
+            field = self.fields[name]
+            if isinstance(field, QLineEdit):
+                field.setPlaceholderText(text)
+        columns = QHBoxLayout()
+        columns.setSpacing(24)
+        for groups in (FIELD_GROUPS[:LEFT_GROUPS], FIELD_GROUPS[LEFT_GROUPS:-1]):
+            column = QVBoxLayout()
+            for title, names in groups:
+                column.addWidget(widgets.label(gettext(title), "heading"))
+                column.addLayout(self._form(names))
+            column.addStretch(1)
+            columns.addLayout(column, 1)
+        layout.addLayout(columns)
+        layout.addLayout(self._form(FIELD_GROUPS[-1][1]))
+        self._complete_company()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         layout.addWidget(self.message_label)
         self.keep = widgets.button(gettext("OK"), "identity_keep", primary=True)
@@ -75,9 +123,40 @@ class IdentityDialog(QDialog):
         for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
         layout.addLayout(row)
-        for field in self.fields.values():
-            field.textChanged.connect(self._check_input)
+        for each_field in self.fields.values():
+            each_field.textChanged.connect(self._check_input)
         self.fields[FIELD_NAMES[0]].setFocus()
+
+    def _form(self, names: Sequence[str]) -> QFormLayout:
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACING)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        for name in names:
+            field = self.fields[name]
+            form.addRow(
+                gettext(FIELD_LABELS[name]),
+                self._row_with_button(field) if name == "dates" else field,
+            )
+        return form
+
+    def _complete_company(self) -> None:
+        """Complete the names of known companies, and propose their details."""
+        company = self.fields["company"]
+        assert isinstance(company, QLineEdit)
+        completer = QCompleter(list(self._companies), self)
+        completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        company.setCompleter(completer)
+        company.textChanged.connect(self._propose_details)
+
+    def _propose_details(self, company: str) -> None:
+        """Fill the details of a known company into empty fields; typed texts are kept."""
+        known = self._companies.get(company.strip(), {})
+        for name in COMPANY_FIELDS:
+            field = self.fields[name]
+            assert isinstance(field, QLineEdit)
+            if field.text() == self._proposed.get(name, ""):
+                self._proposed[name] = known.get(name, "")
+                field.setText(self._proposed[name])
 
     def _row_with_button(self, field: QWidget) -> QHBoxLayout:
         take = widgets.button(

@@ -1,33 +1,34 @@
-"""The report: details for its first page, pictures of the view, preview and export."""
+"""The report: its details, preview and export."""
 
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.appearance import units
 from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.report.report_pictures import Pictures, ReportPictures
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import PriorOrEstimated, Scene
+from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Viewport
+from lispac.identity import COMPANY_FIELDS
 from lispac.installation_paths import home_folder
-from lispac.language import N_, gettext
+from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
+from lispac.workflow.output.output_crs import trajectory_datum_of
 from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey_dates import survey_dates
 
@@ -36,11 +37,6 @@ if TYPE_CHECKING:
 
 PIXELS_PER_INCH = 96.0
 """Resolution of the previewed pages on a screen without scaling."""
-CAPTIONS: dict[PriorOrEstimated, str] = {
-    "prior": N_("Lines georeferenced with the prior boresight"),
-    "estimated": N_("Lines georeferenced with the estimated boresight"),
-}
-"""English captions, which the report translates into its own language."""
 
 
 class ReportExport(QObject):
@@ -70,6 +66,7 @@ class ReportExport(QObject):
         panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
         panel.details_requested.connect(self.ask_details)
+        panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
 
@@ -78,20 +75,26 @@ class ReportExport(QObject):
         self._panel.show_choice(self._settings.report_choice())
 
     def ask_details(self) -> None:
-        """Ask for surveyor, dates and equipment, and store them as one undo step."""
+        """Ask for the details for the report, and store them as one undo step."""
         project, survey = self._document.project, self._survey
         if project is None:
             return
         identity = self._dialogs.identity(
-            project.identity, lambda: "" if survey is None else survey_dates(project, survey)
+            project.identity,
+            lambda: "" if survey is None else survey_dates(project, survey),
+            self._settings.companies(),
+            _reference_frame(project),
         )
+        if identity is not None and identity.company:
+            details = {name: getattr(identity, name) for name in COMPANY_FIELDS}
+            self._settings.save_company(identity.company, details)
         current = self._document.project  # a task may have changed it meanwhile
         if identity is not None and current is not None and identity != current.identity:
             self._document.edit(N_("change of report details"), current.with_identity(identity))
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
-        last = self._settings.report_choice()[0]
+        last = self._settings.report_choice().template
         path = self._dialogs.report_template(Path(last).parent if last else home_folder())
         if path is not None:
             self._panel.show_template(path)
@@ -106,7 +109,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._pictures.capture(project, write)
+                project, survey, lambda: self._pictures.capture(project, options.extent, write)
             )
 
     def _write(
@@ -115,7 +118,7 @@ class ReportExport(QObject):
         survey: Survey,
         options: ReportOptions,
         path: Path,
-        pictures: dict[str, QImage],
+        pictures: Pictures,
     ) -> None:
         refused = self._document.refused_since
 
@@ -130,7 +133,7 @@ class ReportExport(QObject):
             return path
 
         title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._on_written, project), persistent=True)
+        self._runner.run(title, work, partial(self._on_exported, project), persistent=True)
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -139,7 +142,7 @@ class ReportExport(QObject):
             return
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._pictures.capture(project, set_pages)
+            project, survey, lambda: self._pictures.capture(project, options.extent, set_pages)
         )
 
     def _lay_out_pages(
@@ -147,7 +150,7 @@ class ReportExport(QObject):
         project: Project,
         survey: Survey,
         options: ReportOptions,
-        pictures: dict[str, QImage],
+        pictures: Pictures,
     ) -> None:
         refused = self._document.refused_since
         ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
@@ -185,6 +188,11 @@ class ReportExport(QObject):
 
         self._dialogs.preview(preview.pages, save)
 
+    def _on_exported(self, project: Project, path: Path) -> None:
+        self._on_written(project, path)
+        if self._panel.opens.isChecked() and not self._dialogs.open_file(path):
+            self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
+
     def _on_written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
         self._controller.logged.emit(gettext("Wrote {path}", path=path))
@@ -199,89 +207,30 @@ class ReportExport(QObject):
 
     def _store_choice(self) -> None:
         self._settings.save_report_choice(self._panel.choice)
+        self._settings.opens_report = self._panel.opens.isChecked()
 
     @property
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.survey_is_current else None
 
 
+def _reference_frame(project: Project) -> dict[str, str]:
+    """Datum and epoch with which georeferenced lines are read, to be proposed; empty if unknown."""
+    try:
+        datum, epoch = trajectory_datum_of(project.lines)
+    except InputError:
+        return {}
+    return {"datum": datum, "epoch": "" if epoch is None else str(epoch)}
+
+
 @contextmanager
-def _temporary_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+def _temporary_files(pictures: Pictures) -> Iterator[dict[str | LazyText, Path]]:
     """Write pictures to temporary PNG files; slow, so used in the worker."""
     with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
-        files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
-        for caption, file in files.items():
-            if not pictures[caption].save(str(file), "PNG"):
+        files: dict[str | LazyText, Path] = {
+            caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)
+        }
+        for picture, file in zip(pictures.values(), files.values(), strict=True):
+            if not picture.save(str(file), "PNG"):
                 raise InputError(error("window.disk_full", file=str(file)))
         yield files
-
-
-class ReportPictures(QObject):
-    """Takes pictures of the lines before and after with one camera and one colour scale."""
-
-    def __init__(
-        self,
-        document: Document,
-        runner: TaskRunner,
-        controller: Controller,
-        scene: Scene,
-        viewport: Viewport,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._runner, self._controller = document, runner, controller
-        self._scene, self._viewport = scene, viewport
-        self._restoration = ExitStack()
-        for ended in (runner.stopped, runner.idle):
-            ended.connect(self._restore_view)
-
-    def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
-        """Take both pictures and call ``then`` with them, by caption.
-
-        The lines must already be georeferenced with both boresights. Showing the lines, loading the
-        detail and taking the picture are separate steps of the event loop, so that the window stays
-        responsive. An edit of the project or a cancellation ends the process.
-        """
-        pictures: dict[str, QImage] = {}
-
-        def prepare(which: PriorOrEstimated) -> None:
-            self._show_lines(which)  # the user may have switched
-            self._scene.draw_due()
-            self._viewport.prepare()
-
-        def capture(which: PriorOrEstimated) -> None:
-            prepare(which)  # no effect if nothing has changed
-            with units.standard_units():
-                pictures[CAPTIONS[which]] = self._viewport.picture()
-
-        steps: list[tuple[Callable[[PriorOrEstimated], None], PriorOrEstimated]] = [
-            (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
-        ]
-
-        def step(_nothing: None) -> None:
-            act, which = steps.pop(0)
-            act(which)
-            if self._document.project is not project:
-                self._restore_view()
-            elif steps:
-                self._run_step(step)
-            else:
-                self._restore_view()
-                then(pictures)
-
-        self._restoration.enter_context(self._scene.common_residual_scale())
-        self._run_step(step)
-
-    def _run_step(self, step: Callable[[None], None]) -> None:
-        task = self._runner.run(
-            gettext("Taking pictures of the view"), lambda _progress: None, step
-        )
-        self._controller.cancel_on_edit(task)
-
-    def _show_lines(self, which: PriorOrEstimated) -> None:
-        with units.standard_units():
-            self._scene.show(which)
-
-    def _restore_view(self) -> None:
-        """Restore the view as it was before."""
-        self._restoration.close()

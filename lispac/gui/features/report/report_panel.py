@@ -4,13 +4,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
 from lispac.gui import widgets
+from lispac.gui.app.settings import ReportChoice
 from lispac.gui.project.status import REPORT, ProjectState
 from lispac.language import LANGUAGES, N_, current_language, gettext
-from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
 from lispac.workflow.output.report_options import report_options
 
@@ -51,8 +52,8 @@ class ReportPanel(QWidget):
         self.details = widgets.button(
             gettext("Details for the report…"), "report_details",
             icon="card-account-details-outline",
-            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
-                        "the report"),
+            tip=gettext("Enter client, company, persons, vessel, instruments and dates for the "
+                        "report"),
         )  # fmt: skip
         layout.addWidget(self.details)
         layout.addLayout(self._create_choice_form())
@@ -83,15 +84,21 @@ class ReportPanel(QWidget):
         self.lines.clicked.connect(self.lines_requested)
         layout.addWidget(self.preview)
         layout.addWidget(self.report)
+        self.opens = QCheckBox(gettext("Open the report after the export"))
+        self.opens.setObjectName("report_opens")
+        self.opens.toggled.connect(lambda _checked: self.changed.emit())
+        layout.addWidget(self.opens)
         layout.addWidget(self.lines)
         self.show_template(None)
 
     @property
-    def choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language, to be stored in the settings."""
+    def choice(self) -> ReportChoice:
+        """The chosen options, to be stored in the settings."""
         template = "" if self._template is None else str(self._template)
         options = self._with_choices(DEFAULT_OPTIONS)
-        return template, options.page, options.convention, self._language_key
+        return ReportChoice(
+            template, options.page, options.convention, self._language_key, options.extent
+        )
 
     def options(self) -> ReportOptions:
         """Options of the report.
@@ -103,19 +110,21 @@ class ReportPanel(QWidget):
         """
         return self._with_choices(report_options(self._template))
 
-    def show_choice(self, choice: tuple[str, str, str, str]) -> None:
+    def show_choice(self, choice: ReportChoice) -> None:
         """Show the last choice; entries that no longer exist are ignored."""
-        template, page, convention, language_key = choice
-        self.show_template(Path(template) if template else None)
-        if page in PAGE_SIZES:
-            self.page.setCurrentIndex(list(PAGE_SIZES).index(page))
-        if language_key in LANGUAGE_KEYS:
-            self.language.setCurrentIndex(LANGUAGE_KEYS.index(language_key))
+        self.show_template(Path(choice.template) if choice.template else None)
+        if choice.extent in EXTENTS:
+            self.extent.setCurrentIndex(list(EXTENTS).index(choice.extent))
+        if choice.page in PAGE_SIZES:
+            self.page.setCurrentIndex(list(PAGE_SIZES).index(choice.page))
+        if choice.language in LANGUAGE_KEYS:
+            self.language.setCurrentIndex(LANGUAGE_KEYS.index(choice.language))
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
-        self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
+        convention = choice.convention if choice.convention in keys else ""
+        self.convention.setCurrentIndex(keys.index(convention))
 
     def show_template(self, path: Path | None) -> None:
-        """Use page, convention and language of a template, or show the error in it."""
+        """Use the options of a template, or show the error in it."""
         self._template = path
         self.template.setText(gettext(NO_TEMPLATE_TEXT) if path is None else path.name)
         self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
@@ -127,6 +136,7 @@ class ReportPanel(QWidget):
             except InputError as error:
                 self.template_error.setText(str(error))
             else:
+                self.extent.setCurrentIndex(list(EXTENTS).index(options.extent))
                 self.page.setCurrentIndex(list(PAGE_SIZES).index(options.page))
                 self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
                 keys = ["", *(each.key for each in OTHER_SYSTEMS)]
@@ -144,6 +154,10 @@ class ReportPanel(QWidget):
         self.lines.update_enabled(data_ready and not busy)
 
     def _create_choice_form(self) -> QFormLayout:
+        self.extent = widgets.ChoiceBox(
+            "report_extent", list(map(gettext, EXTENTS.values())),
+            gettext("Extent of the report in PDF and HTML. JSON and CSV tables are complete."),
+        )  # fmt: skip
         self.page = widgets.ChoiceBox(
             "report_page", list(map(gettext, PAGE_SIZES.values())), gettext("Paper size")
         )
@@ -166,7 +180,7 @@ class ReportPanel(QWidget):
         choose = widgets.button(
             gettext("Choose…"), "report_template_choose",
             tip=gettext("Template of the report: TOML file with logo, company, texts, page, "
-                        "convention and language"),
+                        "convention, language and extent"),
         )  # fmt: skip
         self.no_template = widgets.button(
             gettext("Clear"), "report_template_none", tip=gettext("Do not use a template")
@@ -179,11 +193,12 @@ class ReportPanel(QWidget):
         row.addWidget(choose)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(gettext("Extent"), self.extent)
         form.addRow(gettext("Language"), self.language)
         form.addRow(gettext("Paper size"), self.page)
         form.addRow(gettext("Also give angles for"), self.convention)
         form.addRow(gettext("Template"), row)
-        for box in (self.language, self.page, self.convention):
+        for box in (self.extent, self.language, self.page, self.convention):
             box.activated.connect(lambda _index: self.changed.emit())
         return form
 
@@ -195,6 +210,7 @@ class ReportPanel(QWidget):
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         return replace(
             options,
+            extent=list(EXTENTS)[self.extent.currentIndex()],
             page=list(PAGE_SIZES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
             language=current_language()

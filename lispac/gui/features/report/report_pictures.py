@@ -1,0 +1,204 @@
+"""Pictures for the report: defined views of the lines before and after the calibration."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QImage
+
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.appearance import theme, units
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import PriorOrEstimated, Scene
+from lispac.gui.viewport.base import Array, Marker, Viewport
+from lispac.gui.viewport.clipping import Box
+from lispac.language import LazyText, gettext, gettext_lazy
+from lispac.project import Project, Target
+from lispac.report.options import Extent
+from lispac.report.short_report import MAX_MAPPED_PLANES
+from lispac.survey.cloud import Cloud
+from lispac.targets.cross_section import common_normal
+
+PICTURE_SIZE_PX = (1000, 700)
+BOX_MARGIN_M = 0.3
+"""Distance of the clip box from the points of a target, metres."""
+STEEP_NORMAL = 0.5
+"""Largest vertical component of the normal of a surface that is seen from above."""
+
+Pictures = dict[LazyText, QImage]
+"""Pictures by their captions; before and after alternate."""
+Step = Callable[[], None]
+
+
+@dataclass(frozen=True, eq=False)
+class _View:
+    """View of which a picture before and one after are taken.
+
+    Attributes
+    ----------
+    captions : captions of the two pictures
+    points : points (n, 3) of a target before and after the calibration; None for all lines
+    normal : normal of the target (3,); None for all lines
+    """
+
+    captions: Mapping[PriorOrEstimated, LazyText]
+    points: Array | None = None
+    normal: Array | None = None
+
+    def show(self, viewport: Viewport) -> None:
+        """Move the camera; a surface is seen edge-on, so that its lines are seen apart."""
+        if self.points is None or self.normal is None:
+            viewport.clip(None)
+            viewport.set_parallel(False)
+            viewport.view("isometric")
+            return
+        viewport.clip(Box.around(self.points, self.normal, BOX_MARGIN_M))
+        viewport.set_parallel(True)
+        if abs(self.normal[2]) <= STEEP_NORMAL:
+            viewport.view("top")
+            viewport.fit(self.points)
+        else:
+            level = np.cross(self.normal, [0.0, 0.0, 1.0])
+            length = np.linalg.norm(level)
+            along = level / length if length > 1e-6 else np.array([1.0, 0.0, 0.0])
+            viewport.view_along(along, self.points)
+
+
+class ReportPictures(QObject):
+    """Takes pictures in a viewport of its own, so that the view of the window is unchanged."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        scene: Scene,
+        viewport: Viewport,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._controller = document, runner, controller
+        self._scene, self._window_viewport = scene, viewport
+        self._viewport: Viewport | None = None
+        for ended in (runner.stopped, runner.idle):
+            ended.connect(self._close_viewport)
+
+    def capture(self, project: Project, extent: Extent, then: Callable[[Pictures], None]) -> None:
+        """Take the pictures and call ``then`` with them.
+
+        The lines must already be georeferenced with both boresights. Each picture is taken in two
+        steps of the event loop, so that the window stays responsive. An edit of the project or a
+        cancellation ends the process.
+        """
+        viewport = self._viewport = self._window_viewport.create_empty_viewport()
+        viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
+        viewport.widget.resize(*PICTURE_SIZE_PX)
+        viewport.widget.show()
+        viewport.show_markers(
+            [Marker(each.name, each.seed, _colour(each)) for each in project.targets]
+        )
+        views = list(_views(project, extent, self._clouds))
+        taken: dict[tuple[PriorOrEstimated, int], QImage] = {}
+        steps = list(self._steps(viewport, views, taken))
+
+        def step(_nothing: None) -> None:
+            steps.pop(0)()
+            if self._document.project is not project:
+                self._close_viewport()
+            elif steps:
+                self._run_step(step)
+            else:
+                self._close_viewport()
+                then({
+                    caption: taken[which, k]
+                    for k, view in enumerate(views) for which, caption in view.captions.items()
+                })  # fmt: skip
+
+        self._run_step(step)
+
+    def _steps(
+        self,
+        viewport: Viewport,
+        views: list[_View],
+        taken: dict[tuple[PriorOrEstimated, int], QImage],
+    ) -> Iterator[Step]:
+        def draw(which: PriorOrEstimated) -> None:
+            clouds = self._clouds(which)
+            samples = {name: cloud.sample for name, cloud in clouds.items()}
+            viewport.show_clouds(samples, theme.line_colours(list(clouds)))
+
+        def prepare(view: _View) -> None:
+            view.show(viewport)
+            viewport.prepare()
+
+        def take(which: PriorOrEstimated, k: int) -> None:
+            with units.standard_units():
+                taken[which, k] = viewport.picture()
+
+        order: tuple[PriorOrEstimated, ...] = ("prior", "estimated")
+        for which in order:
+            yield lambda which=which: draw(which)
+            for k, view in enumerate(views):
+                yield lambda view=view: prepare(view)
+                yield lambda which=which, k=k: take(which, k)
+
+    def _run_step(self, step: Callable[[None], None]) -> None:
+        task = self._runner.run(
+            gettext("Taking pictures of the view"), lambda _progress: None, step
+        )
+        self._controller.cancel_on_edit(task)
+
+    def _clouds(self, which: PriorOrEstimated) -> Mapping[str, Cloud]:
+        return self._scene.clouds_of(which)
+
+    def _close_viewport(self) -> None:
+        if self._viewport is not None:
+            viewport, self._viewport = self._viewport, None
+            viewport.close()
+            viewport.widget.deleteLater()
+
+
+def _views(
+    project: Project,
+    extent: Extent,
+    clouds: Callable[[PriorOrEstimated], Mapping[str, Cloud]],
+) -> Iterator[_View]:
+    """The whole survey, each target (full report), and each validation plane.
+
+    A short report has the validation planes with the largest RMS after the calibration.
+    """
+    yield _View({
+        "prior": gettext_lazy("Overview, prior boresight"),
+        "estimated": gettext_lazy("Overview, estimated boresight"),
+    })  # fmt: skip
+    compared = sorted(project.validation, key=lambda plane: plane.after.rms, reverse=True)
+    kept = {plane.name for plane in compared[: MAX_MAPPED_PLANES if extent == "short" else None]}
+    for target in project.targets:
+        if not (target.name in kept or (extent == "full" and target.role == "target")):
+            continue
+        placed = [_groups(target, clouds("prior")), _groups(target, clouds("estimated"))]
+        if not all(placed):
+            continue
+        yield _View(
+            {
+                "prior": gettext_lazy("{name}, prior boresight", name=target.name),
+                "estimated": gettext_lazy("{name}, estimated boresight", name=target.name),
+            },
+            np.concatenate([points for groups in placed for points in groups]),
+            common_normal(placed[1]),
+        )
+
+
+def _groups(target: Target, clouds: Mapping[str, Cloud]) -> list[Array]:
+    """Points (n, 3) of a target on each line."""
+    return [
+        clouds[each.line][each.indices]
+        for each in target.sightings
+        if each.line in clouds and len(each.indices) >= 3
+    ]
+
+
+def _colour(target: Target):
+    return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR

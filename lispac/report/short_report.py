@@ -1,0 +1,142 @@
+"""The short report: result, validation and pictures on a few pages, to be signed.
+
+All errors and warnings are complete. Of a large survey, the validation planes with the largest RMS
+and the first notes are shown, with a sentence on what is omitted.
+"""
+
+from collections.abc import Sequence
+
+from lispac.language import gettext
+from lispac.present.validation import ValidationPlane
+from lispac.report import sections
+from lispac.report.boresight_section import convention_tables
+from lispac.report.document_blocks import (
+    Block,
+    Paragraph,
+    Picture,
+    PictureRows,
+    Section,
+    UndrawnPictures,
+)
+from lispac.report.report_values import ReportContent
+
+MAX_PLANES = 12
+"""Largest number of validation planes in the table."""
+MAX_MAPPED_PLANES = 6
+"""Largest number of validation planes with maps."""
+MAX_NOTES = 8
+"""Largest number of notes."""
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 62.0, 70.0, 45.0
+"""Largest heights of a map, the site plan and a small picture on the page, millimetres."""
+
+
+def shortened_notes(notes: Sequence[str]) -> tuple[str, ...]:
+    """The first notes, and a sentence with the number of the others."""
+    if len(notes) <= MAX_NOTES:
+        return tuple(notes)
+    kept = notes[: MAX_NOTES - 1]
+    omitted = gettext(
+        "{count:n} more notes are in the full report only.", count=len(notes) - len(kept)
+    )
+    return (*kept, omitted)
+
+
+def summary_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the angles, for the first page."""
+    return [*sections.angle_blocks(content), sections.convention_paragraph(content)]
+
+
+def short_sections(
+    content: ReportContent, pictures: Sequence[Picture], closing: Sequence[Paragraph]
+) -> list[Section]:
+    """The sections after the first page; the last one has the signatures.
+
+    Parameters
+    ----------
+    pictures : views before and after, alternately; those of the whole survey are first
+    closing : text above the signatures
+    """
+    planes = _planes_with_largest_rms(content, MAX_PLANES)
+    figures = _figures(content, pictures)
+    angles = [] if content.in_convention is None else convention_tables(content.in_convention)
+    remainder = gettext(
+        "The full report also contains the residuals, the cross-checks, the settings, the input "
+        "files, and the sections that warnings and notes refer to."
+    )
+    signed: list[Block] = [Paragraph(remainder), *closing, sections.signature_lines(content)]
+    return [
+        Section(gettext("Values for other programs"), tuple(angles)),
+        Section(gettext("Validation"), tuple(_validation(content, planes))),
+        Section(gettext("Pictures"), tuple(figures)),
+        Section(gettext("Signatures"), tuple(signed)),
+    ]
+
+
+def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
+    blocks = sections.validation_summary(content, planes)
+    if len(planes) < len(content.validation):
+        omitted = gettext(
+            "The {shown:n} planes with the largest RMS after the calibration are shown. The full "
+            "report contains all {total:n} planes.",
+            shown=len(planes), total=len(content.validation),
+        )  # fmt: skip
+        blocks.insert(1, Paragraph(omitted))
+    return blocks
+
+
+def _planes_with_largest_rms(content: ReportContent, count: int) -> list[ValidationPlane]:
+    """Up to ``count`` validation planes in their order; planes that failed come before others."""
+    failed = {each.plane for each in content.acceptance.planes if each.verdict == "fail"}
+    worst = sorted(content.validation, key=lambda plane: (plane.name in failed, plane.after.rms_m))[
+        -count:
+    ]
+    return [plane for plane in content.validation if plane in worst]
+
+
+def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
+    """Views of the whole survey or the site plan, then the validation planes before and after."""
+    whole, small = tuple(pictures[:2]), pictures[2:]
+    blocks: list[Block] = [PictureRows((whole,))] if whole else _site_plan(content)
+    blocks += [
+        PictureRows((tuple(small[k : k + 4]),), columns=4, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
+        for k in range(0, len(small), 4)
+    ]
+    mapped = [plane for plane in content.validation if plane.maps]
+    shown = [plane for plane in _planes_with_largest_rms(content, MAX_MAPPED_PLANES) if plane.maps]
+    maps = [_map(plane) for plane in shown]
+    blocks += [
+        PictureRows((tuple(maps[k : k + 2]),), columns=2, tallest=MAX_MAP_HEIGHT_MM)
+        for k in range(0, len(maps), 2)
+    ]
+    if maps:
+        legend = gettext(
+            "Maps: distance of the first line from the second along the normal of the plane, seen "
+            "from the vessel. Red: the first line is nearer to the vessel; blue: farther away."
+        )
+        blocks.append(Paragraph(legend))
+    if len(shown) < len(mapped):
+        omitted = gettext(
+            "Maps of {shown:n} of {total:n} validation planes are shown, those with the largest "
+            "RMS after the calibration. The full report contains all.",
+            shown=len(shown), total=len(mapped),
+        )  # fmt: skip
+        blocks.append(Paragraph(omitted))
+    return blocks
+
+
+def _site_plan(content: ReportContent) -> list[Block]:
+    from lispac.report.figures import site_figure_of
+
+    if not any(line.track_local_m for line in content.lines) and not content.planes:
+        return []
+    plan = UndrawnPictures(
+        gettext("Site plan in the local frame."), site_figure_of, (content.lines, content.planes)
+    )
+    return [PictureRows(((plan,),), tallest=MAX_PLAN_HEIGHT_MM)]
+
+
+def _map(plane: ValidationPlane) -> UndrawnPictures:
+    from lispac.report.distance_maps import small_map_figure_of
+
+    caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
+    return UndrawnPictures(caption, small_map_figure_of, (plane,))
