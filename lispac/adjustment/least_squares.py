@@ -17,6 +17,7 @@ from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solve.noise_estimation import lidar_noise_ratio
 from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
 from lispac.adjustment.solve.solution import Solution
 from lispac.adjustment.solve.solver import SolverSettings, estimate, solve, with_agreeing_targets
@@ -28,6 +29,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
+MAX_NOISE_ROUNDS = 4
+"""Largest number of times that the LiDAR noise is determined from the residuals."""
+NOISE_TOLERANCE = 0.02
+"""Relative change of the LiDAR noise below which it has converged."""
 CORRELATION_TIME_FACTORS = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried if the chi-square test rejects the model."""
 
@@ -96,9 +101,13 @@ def adjust(
         return estimate(observations, mounting, settings, progress)
 
     def adjust_and_diagnose(some: Observations) -> AdjustmentResult:
-        found = _diagnose(solve(some, mounting, settings, progress), raise_sigmas=test_model)
-        radii = find_radius_discrepancies(some, found.mounting)
-        found = replace(found, radius_discrepancies=radii)
+        solution = solve(some, mounting, settings, progress)
+        found = _diagnose(solution, raise_sigmas=test_model)
+        found = replace(
+            found,
+            radius_discrepancies=find_radius_discrepancies(some, found.mounting),
+            lidar_noise_ratio=_measured_noise_ratio(solution, some, mounting, settings, progress),
+        )
         if not (test_model and model.correlated and found.is_model_rejected(REJECTION_LEVEL)):
             return found
         if _passes_without_cause(found, some, mounting, settings, progress):
@@ -127,6 +136,36 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
         causes=find_possible_causes(linearised),
     )
     return result if factors is None else with_raised_sigmas(result, factors)
+
+
+def _measured_noise_ratio(
+    solution: Solution,
+    observations: Observations,
+    mounting: Mounting,
+    settings: SolverSettings,
+    progress: Progress,
+) -> float | None:
+    """Ratio of the LiDAR noise in the residuals to the given one; None without a difference.
+
+    With a wrong noise, the POS errors are not estimated well. The ratio is therefore determined
+    again with the noise found.
+    """
+    result, total = solution.result(), 1.0
+    if result.chi_square.outcome == "passed" or any(c.applied for c in result.components):
+        return None
+    for _ in range(MAX_NOISE_ROUNDS):
+        ratio = lidar_noise_ratio(solution.linearised)
+        if ratio is None:
+            return None
+        total *= ratio
+        if abs(np.log(ratio)) < NOISE_TOLERANCE:
+            break
+        try:
+            scaled = observations.with_scaled_sigmas(total, 1.0, 1.0)
+            solution = solve(scaled, mounting, settings, progress)
+        except (AdjustmentError, np.linalg.LinAlgError):
+            break
+    return total
 
 
 def _with_shorter_correlation_times(

@@ -22,8 +22,6 @@ ANGLES = ("roll", "pitch", "yaw")
 
 FitOutcome = Literal["passed", "conservative", "failed"]
 """Outcome of the chi-square test."""
-MAX_NOISE_SPREAD = 1.5
-"""Largest ratio of the noise of two targets that is attributed to the LiDAR, not to a surface."""
 
 
 @dataclass(frozen=True)
@@ -375,6 +373,9 @@ class AdjustmentResult:
         Targets of which the lines show different parts.
     messages : tuple of Message
         Messages of the method that found the targets, on the data used and on the limitations.
+    lidar_noise_ratio : float or None
+        Ratio of the LiDAR noise in the residuals to the given one, if they differ; from
+        `lidar_noise_ratio`.
     """
 
     mounting: Mounting
@@ -407,6 +408,7 @@ class AdjustmentResult:
     excluded_targets: tuple[str, ...] = ()
     common_parts: tuple[CommonCoverage, ...] = ()
     messages: tuple[Message, ...] = ()
+    lidar_noise_ratio: float | None = None
 
     @property
     def surfaces(self) -> Array:
@@ -419,24 +421,6 @@ class AdjustmentResult:
     def noise_factors(self) -> dict[str, float]:
         """Ratio of the noise of each target to the given one, as in `TargetResidual`."""
         return {target.target: target.noise for target in self.targets}
-
-    @property
-    def lidar_noise_ratio(self) -> float | None:
-        """Ratio of the LiDAR noise in the residuals to the given one; None without a difference.
-
-        It is also None if the residuals contain POS errors (independent), if the LiDAR variance is
-        estimated, or if the residuals are larger than predicted on some of the targets only, so
-        that their surfaces are rough.
-        """
-        outcome = self.chi_square.outcome
-        if outcome == "passed" or not self.model.correlated:
-            return None
-        if any(component.applied for component in self.components):
-            return None
-        noise = [target.noise for target in self.targets]
-        if outcome == "failed" and max(noise) > MAX_NOISE_SPREAD * min(noise):
-            return None
-        return float(np.sqrt(self.variance_factor))
 
     @property
     def boresight(self) -> Array:

@@ -1,10 +1,11 @@
 """Tests of step 3: its settings and refusals, and new estimates after a click in the table."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
@@ -25,6 +26,7 @@ from tests.gui.support import (
     press,
     seed,
     sentence,
+    show_panel,
     type_into,
     wait_until_idle,
 )
@@ -421,3 +423,28 @@ def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(
     for value in mounting.rotation_body_lidar.ravel():
         assert f"{value:+.8f}" in text
     assert "X down" in text
+
+
+def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(picked: Driver):
+    """The noise of the demo is that of range and angles, about 1.7 mm on each axis."""
+    window = picked.window
+    open_step(picked, 0)
+    type_into(picked, window.data.lidar_sigma, "6")
+    press(picked, Key.Key_F9)
+    picked.rest()
+    results = window.results
+    assert picked.project.result is not None
+    assert picked.project.result.chi_square.outcome == "conservative"
+    assert "conservative" in results.findChild(QLabel, "result_chi").text()
+    show_panel(window, "Results")
+    assert re.search(r"1\.[5-9].mm instead of 6\.0.mm", results.use_noise.text())
+    click(picked, results.use_noise)
+    picked.rest()
+    assert picked.project.settings.lidar_sigma == pytest.approx(0.0017, abs=0.0003)
+    assert window.data.lidar_sigma.value() == pytest.approx(1.7, abs=0.3)
+    assert picked.project.result is None
+    press(picked, Key.Key_F9)
+    picked.rest()
+    assert picked.project.result is not None
+    assert picked.project.result.chi_square.outcome == "passed"
+    assert not results.use_noise.isVisible()

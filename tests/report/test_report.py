@@ -209,7 +209,7 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     low = replace(result, chi_square=replace(test, statistic=test.lower * 0.9))
     none = replace(result, degrees_of_freedom=0, variance_factor=float("nan"))
     assert "report.chi_square_high" in _codes(sample_content(replace(project, result=high)))
-    conservative = sample_content(replace(project, result=replace(low, variance_factor=0.25)))
+    conservative = sample_content(replace(project, result=replace(low, lidar_noise_ratio=0.5)))
     assert "report.chi_square_low" in _codes(conservative)
     (noise,) = (each for each in conservative.warnings if each.code == "report.lidar_noise")
     assert not noise.is_serious

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.robust_loss import robust_scale
 from lispac.adjustment.model.target_shapes import points_local
-from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.group_sums import AdjustmentState
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.survey.georeferencing import Mounting
@@ -32,6 +32,11 @@ MAX_SCALED_RESIDUAL = 3.0
 """Largest scaled residual that affects the noise; larger ones are clipped, or their sighting is
 not used."""
 
+NORMAL_MEDIAN = 0.6745
+"""Median absolute value of a standard normal variable."""
+NEAR_SQUARE_SHARE = 0.9733
+"""Variance of a standard normal variable within `MAX_SCALED_RESIDUAL`."""
+
 CRITICAL_COVARIANCE_SIGMAS = 2.0
 """Critical value of the covariance between lines, in standard deviations."""
 
@@ -41,6 +46,9 @@ MIN_DISPLACED_RATIO = 3.0
 Only another surface or a gross error of the position displaces a single sighting by so much. A
 prior boresight that is wrong by degrees displaces all sightings, and increases the scale.
 """
+
+MAX_NOISE_SPREAD = 1.5
+"""Largest ratio of the noise of two targets that is attributed to the LiDAR, not to a surface."""
 
 SIGMA_TOLERANCE = 0.01
 """Relative change of an estimated sigma below which it has converged."""
@@ -74,6 +82,35 @@ def _noise_from_residuals(problem: AdjustmentProblem, state: AdjustmentState) ->
         return problem
     noise = target_noise_factors(observations, residuals, problem.blocks, near)
     return replace(problem, noise=noise)
+
+
+def lidar_noise_ratio(linearised: LinearisedProblem) -> float | None:
+    """Ratio of the LiDAR noise in the residuals to the given one.
+
+    The variance of a point is the sum of the LiDAR variance and the variance of the POS error
+    between two knots. With a LiDAR share ``s`` of the variance on average, a mean square ``f`` of
+    the standardised residuals corresponds to a ratio whose square is ``(f - 1 + s) / s``. The
+    variance factor is not used, because it also contains the POS errors at the knots.
+
+    Returns
+    -------
+    float or None
+        None if POS errors are independent, so that the shares are not separate; or if the residuals
+        are larger than predicted on some of the targets only, whose surfaces are then rough.
+    """
+    problem, state = linearised.problem, linearised.state
+    if not problem.model.correlated:
+        return None
+    if problem.noise.max() > MAX_NOISE_SPREAD * problem.noise.min():
+        return None
+    usual, doubled = (
+        np.abs(each.residuals(state)[1]) for each in (problem, problem.with_scaled_sigmas(2, 1, 1))
+    )
+    scale = np.median(usual) / NORMAL_MEDIAN
+    near = (usual <= MAX_SCALED_RESIDUAL * scale) & (doubled > 0)
+    share = float(np.mean(((usual[near] / doubled[near]) ** 2 - 1) / 3))
+    square = (float(np.mean(usual[near] ** 2)) / NEAR_SQUARE_SHARE - 1 + share) / share
+    return float(np.sqrt(square)) if square > 0 else None
 
 
 def have_sigmas_changed(one: AdjustmentProblem, other: AdjustmentProblem) -> bool:

@@ -220,7 +220,7 @@ def _adjust_status(
     reason = first_reason((not used, Unavailable.NO_TARGET), (survey is None, Unavailable.READING))
     if project.result is not None:
         factor = project.result.variance_factor
-        passed = project.result.chi_square.passed
+        fits = project.result.chi_square.outcome != "failed"
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
@@ -228,13 +228,13 @@ def _adjust_status(
         else:
             sentence = gettext("done: variance factor {factor:x.2}", factor=factor)
             advice = gettext("The result is in the panel Results.")
-        if not serious and not passed:
+        if not serious and not fits:
             advice = gettext(
                 "The residuals do not agree with the given standard deviations. See the test in "
                 "the panel Results."
             )
         return StepStatus(
-            "done" if passed and not serious else "warning",
+            "done" if fits and not serious else "warning",
             sentence,
             advice,
             reason=reason,

@@ -259,6 +259,7 @@ class MainWindow(QMainWindow):
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
+        self.results.settings_edited.connect(control.change_settings)
         self.adjust.estimate_requested.connect(self.actions_["estimate"].trigger)
         self.adjust.cancel_requested.connect(self.runner.cancel)
         self.validate.validate_requested.connect(self.actions_["validate"].trigger)

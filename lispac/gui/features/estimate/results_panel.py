@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from html import escape
 
 import numpy as np
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -36,7 +36,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
 from lispac.present.tables import cell_text
-from lispac.project import Project, Triple
+from lispac.project import Project, Settings, Triple
 
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 EMPTY_TEXT = N_(
@@ -67,8 +67,12 @@ ARRANGEMENTS = (
 class ResultsPanel(QWidget):
     """Result of the adjustment, in the order of page one of the report."""
 
+    settings_edited = Signal(object)
+    """`Settings` with the LiDAR noise found in the residuals."""
+
     def __init__(self) -> None:
         super().__init__()
+        self._settings: Settings | None = None
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.vertical_layout(empty)
@@ -130,6 +134,11 @@ class ResultsPanel(QWidget):
         self.parameters = widgets.label("", wrap=True, name="results_parameters", rich=True)
         self.weakest = widgets.label("", wrap=True, name="results_weakest")
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
+        self.use_noise = widgets.button(
+            "", "use_lidar_noise",
+            tip=gettext("Give the LiDAR the noise found in the residuals; then estimate again"),
+        )  # fmt: skip
+        self.use_noise.clicked.connect(lambda: self.settings_edited.emit(self._settings))
         self.correlation = _create_table(
             "correlation_table", gettext("Correlation of the angles"), 3
         )
@@ -145,7 +154,8 @@ class ResultsPanel(QWidget):
             ),
             "weakest": _block(widgets.label(gettext("Weakest direction"), "heading"), self.weakest),
             "fit": _block(
-                widgets.label(gettext("Fit"), "heading"), self._fit_form(), self._verdict
+                widgets.label(gettext("Fit"), "heading"), self._fit_form(), self._verdict,
+                self.use_noise,
             ),
             "correlation": _block(
                 widgets.label(gettext("Correlation"), "heading"), self.correlation
@@ -233,6 +243,23 @@ class ResultsPanel(QWidget):
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
         self._verdict.setText(verdict)
+        self._offer_noise(project, result.lidar_noise_ratio)
+
+    def _offer_noise(self, project: Project, ratio: float | None) -> None:
+        """Offer the LiDAR noise found in the residuals instead of the given one."""
+        self.use_noise.setVisible(ratio is not None)
+        if ratio is None:
+            return
+        given = project.settings
+        self._settings = found = given.with_lidar_noise_scaled(ratio)
+        if given.lidar_sigma_xyz is None and given.lidar_beam_sigma is None:
+            one, other = (
+                quantities.amount(1000 * each.lidar_sigma, "mm", 1) for each in (found, given)
+            )
+            text = gettext("Use LiDAR noise {found} instead of {given}", found=one, given=other)
+        else:
+            text = gettext("Multiply the LiDAR noise by {ratio:x.2}", ratio=ratio)
+        self.use_noise.setText(text)
 
 
 def _block(*parts: QWidget) -> QWidget:
