@@ -11,7 +11,7 @@ PAGE_SIZES: dict[Page, str] = {"a4": "A4", "letter": N_("Letter")}
 """Sizes of paper with their names."""
 Extent = Literal["short", "full"]
 EXTENTS: dict[Extent, str] = {
-    "short": N_("Short report (signed pages)"), "full": N_("Full report"),
+    "short": N_("Short, for signature"), "full": N_("Full report"),
 }  # fmt: skip
 """Extents of a report with their names. JSON and the CSV tables are always complete."""
 
