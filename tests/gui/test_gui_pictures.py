@@ -91,8 +91,8 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         panel = section(picked)
         first = panel.canvas.figure.axes[0]
         assert (first.get_xlabel(), first.get_ylabel()) == (
-            "Distance from the vessel (ft)",
-            "Height (ft)",
+            "Across the surface, enlarged 2 times (ft)",
+            "Along the surface (ft)",
         )
         assert first.get_title(loc="left").endswith("\N{NO-BREAK SPACE}ft")
         first.set_xlim(-0.25, 0.5)
@@ -100,11 +100,11 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         press(picked, Key.Key_P, Control)
         wait_until_idle(picked)
         saved = picked.dialogs.path.read_text()  # texts are outlines, with the words as comments
-        assert "<!-- Height (m) -->" in saved
+        assert "<!-- Along the surface (m) -->" in saved
         assert "mm -->" in saved
         assert "(ft)" not in saved
         assert first.get_xlim() == (-0.25, 0.5)
-        assert first.get_ylabel() == "Height (ft)"
+        assert first.get_ylabel() == "Along the surface (ft)"
     finally:
         units.set_units("degrees", "metres")
 

@@ -103,6 +103,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window._select("T1", "")
     adjusted.rest()
     assert panel.through.text() == "Across T1"
+    exaggerate(adjusted, "1")
     axes = panel.canvas.figure.axes
     assert [each.get_title(loc="left").split(":")[0] for each in axes] == ["Before", "After"]
     for each in axes:
@@ -134,6 +135,45 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     wait_until_idle(adjusted)
     assert panel.text_label.text() == EMPTY_TEXT
     assert not panel.canvas.isVisible()
+
+
+def exaggerate(driver: Driver, factor: str) -> None:
+    """Choose a factor in the panel of the section with the keys."""
+    choice = driver.window.tools.sections.panel.exaggeration_choice
+    choice.setFocus()
+    driver.bot.keyClick(choice, Key.Key_Home)
+    for _ in range(choice.findText(factor)):
+        driver.bot.keyClick(choice, Key.Key_Down)
+    assert choice.currentText() == factor
+
+
+@pytest.mark.parametrize("name", ["T1", "T2"])
+def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -> None:
+    """T1 is vertical and T2 leans; both are then drawn upright, by their distances."""
+    window, panel = adjusted.window, adjusted.window.tools.sections.panel
+    press(adjusted, Key.Key_S)
+    adjusted.rest()
+    window.resizeDocks([window.docks["Section"]], [420], Qt.Orientation.Vertical)
+    window._select(name, "")
+    adjusted.rest()
+    before, after = panel.canvas.figure.axes
+    cuts = window.tools.sections._cuts
+    for axes, cut in zip((before, after), cuts, strict=True):
+        factor = 1 / axes.get_aspect()
+        width = np.ptp(axes.get_xlim())
+        assert factor * width == pytest.approx(panel.size.value())
+        assert axes.get_xlabel() == f"Across the surface, enlarged {factor:.0f} times (m)"
+        assert cut.separation < width
+        for drawn in axes.lines:
+            if drawn.get_gid() == "bar":
+                continue
+            points = cut.points[drawn.get_gid()] @ cut.normal
+            assert np.abs(drawn.get_xdata()) == pytest.approx(np.abs(points))
+    assert cuts[1].separation * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
+    exaggerate(adjusted, "50")
+    assert all(axes.get_aspect() == 1 / 50 for axes in panel.canvas.figure.axes)
+    exaggerate(adjusted, "1")
+    assert panel.canvas.figure.axes[0].get_xlabel() == "Distance from the vessel (m)"
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:

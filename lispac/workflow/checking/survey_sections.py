@@ -25,6 +25,13 @@ Array = NDArray[np.float64]
 BoresightChoice = Literal["prior", "estimated"]
 
 
+EXAGGERATIONS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+"""Factors by which the direction across a surface may be exaggerated."""
+MIN_HALF_WIDTH_M = 0.02
+"""Smallest half width of a picture of lines that agree, metres: some standard deviations of the
+points."""
+
+
 @dataclass(frozen=True, eq=False)
 class SectionPoints:
     """A section through the lines, placed with the prior or the estimated boresight.
@@ -37,12 +44,28 @@ class SectionPoints:
         Positions to the right of the centre and above it.
     separation : float or None, metres
         Largest distance between two lines along the normal of a plane; None without a plane.
+    normal : ndarray of shape (2,) or None
+        Direction across the surface in the picture, a unit vector; None without a plane.
     """
 
     which: BoresightChoice
     section: Section
     points: Mapping[str, Array]
     separation: float | None = None
+    normal: Array | None = None
+
+    @property
+    def automatic_exaggeration(self) -> float:
+        """Factor across the surface that makes the distances between the lines visible.
+
+        The largest of `EXAGGERATIONS` with which all lines are still in the picture; 1 without a
+        plane.
+        """
+        if self.separation is None or self.normal is None:
+            return 1.0
+        needed = 0.75 * self.separation + MIN_HALF_WIDTH_M
+        half = 0.5 * min(self.section.width, self.section.height)
+        return max((each for each in EXAGGERATIONS if needed * each <= half), default=1.0)
 
 
 def section_at_target(
@@ -89,7 +112,10 @@ def section_at_target(
         cut = _section_points(which, clouds, section, progress)
         if target.shape == "plane":
             offsets = [float((middle - centre) @ normal) for middle in middles.values()]
-            cut = replace(cut, separation=float(np.ptp(offsets)))
+            seen = np.array([normal @ section.right, normal @ section.up])
+            cut = replace(
+                cut, separation=float(np.ptp(offsets)), normal=seen / np.linalg.norm(seen)
+            )
         cuts.append(cut)
     return tuple(cuts)
 

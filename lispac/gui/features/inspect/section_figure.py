@@ -1,6 +1,7 @@
-"""Figure of a section: all lines at true scale, before and after the adjustment."""
+"""Figure of a section: all lines before and after the adjustment, exaggerated if required."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -22,6 +23,10 @@ CUT_TITLES_WITH_DISTANCE = {
     "prior": N_("Before: largest distance between lines {distance}"),
     "estimated": N_("After: largest distance between lines {distance}"),
 }
+ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
+"""Titles of the axes of an exaggerated picture of a plane."""
+ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
+SHORT_EXAGGERATION_TEXT = N_("{title}; {factor:n} ×")
 SHORT_TITLES_WITH_DISTANCE = {
     "prior": N_("Before: up to {distance}"), "estimated": N_("After: up to {distance}"),
 }  # fmt: skip
@@ -34,26 +39,33 @@ def draw_section(
     titles: tuple[str, str],
     figure: Figure,
     *,
+    exaggeration: float | None = None,
     labelled: bool = True,
 ) -> None:
-    """Draw cuts side by side with common limits.
+    """Draw cuts side by side with common limits where their scales are equal.
 
     Parameters
     ----------
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
+    exaggeration : factor across the surface, or of the vertical axis without a plane; None for
+        that of each cut
     labelled : whether there is space for long titles and titles of the horizontal axes
     """
     figure.clear()
+    views = [_CutView.of(cut, exaggeration) for cut in cuts]
+    is_shared = len({view.factor for view in views}) == 1
     first: Axes | None = None
-    for number, cut in enumerate(cuts, start=1):
-        axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
+    for number, view in enumerate(views, start=1):
+        shared = first if is_shared else None
+        axes = figure.add_subplot(1, len(cuts), number, sharex=shared, sharey=shared)
         first = first or axes
-        _draw_cut(axes, cut, colours, cut_title(cut, short=not labelled))
+        _draw_cut(axes, view, colours, view.title(short=not labelled))
+        across, upward = view.axis_titles(titles)
         if labelled:
-            axes.set_xlabel(gettext(titles[0]), fontsize=FONT_SIZE, color=theme.TEXT)
+            axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1:
-            axes.set_ylabel(gettext(titles[1]), fontsize=FONT_SIZE, color=theme.TEXT)
+            axes.set_ylabel(upward, fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
@@ -81,20 +93,82 @@ def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
     return gettext(titles[cut.which], distance=distance)
 
 
-def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour], title: str) -> None:
+@dataclass(frozen=True, eq=False)
+class _CutView:
+    """A cut with its exaggeration; a plane is then drawn by its distances across and along it.
+
+    Attributes
+    ----------
+    rotation : ndarray of shape (2, 2)
+        Axes of the drawn picture in that of the cut, as columns.
+    vertical : whether the vertical axis is exaggerated, instead of the horizontal one
+    """
+
+    cut: SectionPoints
+    factor: float
+    rotation: Array
+    vertical: bool
+
+    @classmethod
+    def of(cls, cut: SectionPoints, exaggeration: float | None) -> "_CutView":
+        factor = cut.automatic_exaggeration if exaggeration is None else exaggeration
+        if cut.normal is None or factor == 1:
+            return cls(cut, factor, np.eye(2), True)
+        vertical = bool(abs(cut.normal[1]) > abs(cut.normal[0]))
+        across = cut.normal * np.sign(cut.normal[int(vertical)])
+        along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
+        axes = (along, across) if vertical else (across, along)
+        return cls(cut, factor, np.column_stack(axes), vertical)
+
+    @property
+    def half_extent(self) -> Array:
+        """Half of the width and height of the picture, shape (2,), metres."""
+        half = 0.5 * np.array([self.cut.section.width, self.cut.section.height])
+        half[int(self.vertical)] /= self.factor
+        return half
+
+    @property
+    def aspect(self) -> float:
+        """Length of a vertical metre in the picture divided by that of a horizontal one."""
+        return self.factor if self.vertical else 1 / self.factor
+
+    def axis_titles(self, titles: tuple[str, str]) -> list[str]:
+        """Titles of the axes, from the English ones of the picture at true scale."""
+        if self.factor != 1 and self.cut.normal is not None:
+            across = (ACROSS_TITLE, ALONG_TITLE)
+            titles = (across[1], across[0]) if self.vertical else across
+        texts = [gettext(title) for title in titles]
+        if self.factor != 1:
+            number = int(self.vertical)
+            texts[number] = gettext(
+                ENLARGED_TITLE,
+                title=texts[number].removesuffix(" (m)"),
+                factor=round(self.factor),
+            )
+        return texts
+
+    def title(self, *, short: bool) -> str:
+        """Title of the cut, with its factor if the axes have no titles."""
+        title = cut_title(self.cut, short=short)
+        if self.factor == 1 or not short:
+            return title
+        return gettext(SHORT_EXAGGERATION_TEXT, title=title, factor=round(self.factor))
+
+
+def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: str) -> None:
     axes.set_facecolor(theme.PAPER)
-    total = sum(len(points) for points in cut.points.values())
+    total = sum(len(points) for points in view.cut.points.values())
     step = -(-total // MAX_POINTS) or 1
-    for line, points in cut.points.items():
-        shown = points[::step]
+    for line, points in view.cut.points.items():
+        shown = points[::step] @ view.rotation
         axes.plot(
             shown[:, 0], shown[:, 1], marker="o", linestyle="none", markersize=1.7,
             markeredgewidth=0, color=_unit_rgb(colours[line]), label=line, gid=line,
         )  # fmt: skip
-    half = 0.5 * np.array([cut.section.width, cut.section.height])
+    half = view.half_extent
     axes.set_xlim(-half[0], half[0])
     axes.set_ylim(-half[1], half[1])
-    axes.set_aspect("equal", adjustable="box")
+    axes.set_aspect(view.aspect, adjustable="box")
     axes.grid(color=theme.GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
@@ -107,8 +181,8 @@ def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour], tit
 
 
 def _draw_scale_bar(axes: Axes, extent: Array) -> None:
-    """Draw a scale bar in the lower left corner."""
-    metres = scale_bar_length(1.0, 0.3 * float(extent.min()))
+    """Draw a scale bar of the horizontal axis in the lower left corner."""
+    metres = scale_bar_length(1.0, 0.3 * float(extent[0]))
     length = length_text(metres)
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.viewport.base import Colour
-from lispac.language import N_, gettext
-from lispac.workflow.checking.survey_sections import SectionPoints
+from lispac.language import N_, gettext, number
+from lispac.workflow.checking.survey_sections import EXAGGERATIONS, SectionPoints
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -56,6 +56,14 @@ class SectionPanel(QWidget):
                 "of yaw."
             ),
         )  # fmt: skip
+        factors = [number(each, 0) for each in EXAGGERATIONS]
+        self.exaggeration_choice = widgets.ChoiceBox(
+            "section_exaggeration", [gettext("Automatic"), *factors],
+            gettext(
+                "Factor by which distances across the surface are drawn larger, so that small "
+                "distances between lines are visible; between two points, that of heights"
+            ),
+        )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
             tip=gettext("Thickness of the section"),
@@ -87,6 +95,7 @@ class SectionPanel(QWidget):
         form = QFormLayout()
         form.addRow(self.through)
         form.addRow(gettext("Orientation"), self.orientation)
+        form.addRow(gettext("Exaggeration"), self.exaggeration_choice)
         sizes = QHBoxLayout()
         size_label = widgets.label(gettext("Size"))
         size_label.setBuddy(self.size)
@@ -112,6 +121,7 @@ class SectionPanel(QWidget):
         self.canvas: QWidget | None = None
         self._is_low = True
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
         self.points.clicked.connect(lambda _on: self.points_requested.emit())
@@ -125,15 +135,18 @@ class SectionPanel(QWidget):
         is_low = self.height() < LOW_PANEL_PX
         if is_low != self._is_low:
             self._is_low = is_low
-            if self.canvas is not None and self.has_section:
-                self._draw(self.canvas.figure, labelled=not is_low)
-                self._zooming.set_home()
-                self.canvas.draw_idle()
+            self._redraw()
 
     @property
     def is_horizontal(self) -> bool:
         """Whether the section is horizontal."""
         return self.orientation.currentIndex() == 1
+
+    @property
+    def exaggeration(self) -> float | None:
+        """Chosen factor across the surface; None for the automatic one."""
+        chosen = self.exaggeration_choice.currentIndex()
+        return EXAGGERATIONS[chosen - 1] if chosen > 0 else None
 
     @property
     def has_section(self) -> bool:
@@ -192,18 +205,22 @@ class SectionPanel(QWidget):
         upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
         axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
-        self._draw(self.canvas.figure, labelled=not self._is_low)
-        self._zooming.set_home()
-        self.canvas.draw_idle()
+        self._redraw()
         self.canvas.show()
         self._allow_pictures(True)
         self.canvas.setAccessibleName(gettext("Section of the lines: {section}", section=title))
+
+    def _redraw(self) -> None:
+        if self.canvas is not None and self.has_section:
+            self._draw(self.canvas.figure, labelled=not self._is_low)
+            self._zooming.set_home()
+            self.canvas.draw_idle()
 
     def _draw(self, figure: "Figure", *, labelled: bool) -> None:
         # Imported here, so that the start of the window does not wait for Matplotlib.
         from lispac.gui.features.inspect.section_figure import draw_section
 
-        draw_section(*self._shown, figure, labelled=labelled)
+        draw_section(*self._shown, figure, exaggeration=self.exaggeration, labelled=labelled)
 
     def _make_canvas(self) -> None:
         if self.canvas is not None:
