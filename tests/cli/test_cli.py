@@ -96,7 +96,9 @@ def test_all_commands_from_raw_files_to_the_report(
         assert error < 3 * numbers["sigma_deg"][angle], (angle, numbers)
     assert len(numbers["sightings"]) == 12
     assert len(numbers["targets"]) == 2
-    assert set(numbers["chi_square"]) == {"statistic", "lower", "upper", "passed", "text"}
+    assert set(numbers["chi_square"]) == {
+        "statistic", "lower", "upper", "passed", "text", "outcome", "lidar_noise_ratio",
+    }  # fmt: skip
     assert len(numbers["cross_checks"]["parts"]) > 2
     thesis = run_json(
         capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks"

@@ -50,11 +50,12 @@ def test_the_dialogue_shows_the_files_of_every_format() -> None:
 WINDOW_SCRIPT = """
 import sys
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QApplication
 from lispac.gui.window import program
+from lispac.gui.window.main_window import MainWindow
 
 def inspect_window():
-    (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
+    (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)]
     print(window.log.toPlainText())
     window.settings.units = ("degrees", "millimetres")
     window.settings.sync()

@@ -169,18 +169,10 @@ def test_a_folder_that_may_not_be_written_is_refused(demo: Demo, tmp_path: Path)
     assert raised.value.code == "project_folder.not_writable"
 
 
-@pytest.mark.parametrize("cached", [False, True])
-def test_no_project_is_proposed_in_the_cache(
-    harbour: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
-) -> None:
-    """The built-in survey is in the cache, but own projects do not belong there."""
+def test_a_free_folder_beside_the_project_is_proposed(harbour: Driver) -> None:
     folder = harbour.project.folder
-    place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
     folders: list[Path] = []
     harbour.dialogs.folder_to_save_in = folders.append
     press(harbour, Key.Key_S, Control | Shift)
-    (proposed,) = folders
-    assert proposed.name == f"{folder.name}-2"
-    assert (proposed.parent == folder.parent) is not cached
+    assert folders == [folder.with_name(f"{folder.name}-2")]
     assert harbour.project.folder == folder
