@@ -204,7 +204,9 @@ def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[
             value, pair = max(known, key=lambda each: each[0])
             lines = pair.line_a, pair.line_b
             checks.append(AcceptanceCheck("offset", criteria.offset, value, plane.name, lines))
-        else:
+        judged = {line for _, pair in known for line in (pair.line_a, pair.line_b)}
+        if not known or any(not {p.line_a, p.line_b} <= judged for p in plane.pairs):
+            # A pair may lack common points if both lines are compared with others
             checks.append(AcceptanceCheck("offset", criteria.offset, None, plane.name))
     return checks
 

@@ -33,6 +33,9 @@ MAX_NOISE_ROUNDS = 4
 """Largest number of times that the LiDAR noise is determined from the residuals."""
 NOISE_TOLERANCE = 0.02
 """Relative change of the LiDAR noise below which it has converged."""
+MIN_NOISE_DIFFERENCE = 0.1
+"""Relative difference of the LiDAR noise from the given one below which other errors cause the
+residuals."""
 CORRELATION_TIME_FACTORS = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried if the chi-square test rejects the model."""
 
@@ -165,7 +168,7 @@ def _measured_noise_ratio(
             solution = solve(scaled, mounting, settings, progress)
         except (AdjustmentError, np.linalg.LinAlgError):
             break
-    return total
+    return total if abs(np.log(total)) > MIN_NOISE_DIFFERENCE else None
 
 
 def _with_shorter_correlation_times(

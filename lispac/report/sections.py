@@ -239,7 +239,7 @@ def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Ta
     """
     known = content.identity
     elsewhere = {*SIGNATURE_FIELDS}
-    if known.company and known.company in letterhead:
+    if known.company and known.company in letterhead.splitlines():
         elsewhere.add("company")
     return _details_form(
         content,

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 
+from lispac.acceptance import NO_CRITERIA
 from lispac.gui.project.status import VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.project import Project
@@ -129,3 +130,13 @@ def test_a_wrong_text_and_an_impossible_limit_change_nothing(judged: Driver) -> 
     assert refusal.code == "settings.length_out_of_range"
     assert judged.project.acceptance.is_empty
     assert field.text() == ""
+
+
+def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
+    document = judged.window.document
+    limits = NO_CRITERIA.changed(roll_sigma_deg=1.0, pitch_sigma_deg=1.0, yaw_sigma_deg=1.0)
+    document.edit("limits", judged.project.with_acceptance(limits))
+    judged.rest()
+    status = step_statuses(document.project, document.survey)[VALIDATE]
+    assert status.state == "done"
+    assert status.sentence == "acceptance criteria met"

@@ -167,7 +167,7 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         for drawn in axes.lines:
             if drawn.get_gid() == "bar":
                 continue
-            points = cut.points[drawn.get_gid()] @ cut.normal
+            points = cut.points[drawn.get_gid()] @ cut.normal / np.linalg.norm(cut.normal)
             assert np.abs(drawn.get_xdata()) == pytest.approx(np.abs(points))
     assert cuts[1].separation * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
     exaggerate(adjusted, "50")

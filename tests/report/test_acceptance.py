@@ -64,10 +64,31 @@ def test_each_plane_is_judged_by_its_rms_and_its_largest_offset(project: Project
             for pair in plane.pairs
             if pair.after.signed
         }
-        if offsets:
+        judged_lines = {line for pair in offsets for line in pair}
+        all_lines = {line for pair in plane.pairs for line in (pair.line_a, pair.line_b)}
+        if check.value is None:
+            assert judged_lines != all_lines or not offsets
+        elif offsets:
             assert check.value == max(offsets.values()) == offsets[check.lines]
         else:
             assert check.verdict == "not judged"
+
+
+def test_a_line_without_a_known_offset_prevents_a_pass(project: Project) -> None:
+    plane = next(p for p in project.validation if all(pair.after.signed for pair in p.pairs))
+    assert len({line for pair in plane.pairs for line in (pair.line_a, pair.line_b)}) > 1
+    line = plane.pairs[0].line_a
+
+    def without(known: bool) -> Project:
+        pairs = tuple(
+            pair if known or line not in (pair.line_a, pair.line_b)
+            else replace(pair, after=replace(pair.after, signed=None))
+            for pair in plane.pairs
+        )  # fmt: skip
+        return project.with_validation((replace(plane, pairs=pairs),), {})
+
+    assert verdict(without(True), offset=1.0) == "pass"
+    assert verdict(without(False), offset=1.0) == "not judged"
 
 
 def test_a_plane_that_was_not_compared_prevents_a_pass_but_not_a_fail(project: Project) -> None:

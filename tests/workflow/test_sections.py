@@ -17,7 +17,11 @@ from lispac.targets.cross_section import (
     section_across_target,
     section_between,
 )
-from lispac.workflow.checking.survey_sections import cut_between_points, section_at_target
+from lispac.workflow.checking.survey_sections import (
+    cut_between_points,
+    normal_in_picture,
+    section_at_target,
+)
 from lispac.workflow.project.survey import Survey
 
 numbers = st.floats(-100, 100)
@@ -100,6 +104,24 @@ def test_misalignment_is_visible_only_before_the_calibration(
             assert np.ptp(strokes) == pytest.approx(cut.separation, abs=0.03)
 
 
+def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """A steep plane is enlarged in both sections."""
+    project, survey = calibrated
+    name = project.targets_of_role("validation")[0].name
+    for cut in section_at_target(project, survey, name, level=True):
+        assert cut.normal is not None
+        assert cut.automatic_exaggeration > 1
+    after = section_at_target(project, survey, name)[-1]
+    assert after.separation is not None
+    flat = replace(after, normal=None)
+    assert flat.automatic_exaggeration == 1
+    assert after.normal is not None
+    oblique = replace(after, normal=0.6 * after.normal)
+    assert oblique.automatic_exaggeration <= after.automatic_exaggeration
+
+
 def test_sections_without_a_result_show_the_prior_only(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     alone = replace(project, result=None)
@@ -159,3 +181,15 @@ def test_angles_do_not_depend_on_orientation(
     assert measure_angle(first, corner, second) == pytest.approx(turned, abs=1e-6)
     with pytest.raises(InputError, match="three"):
         measure_angle(corner, corner, second)
+
+
+def test_a_roof_has_no_direction_across_in_a_horizontal_section() -> None:
+    section = section_across_target(
+        np.zeros(3), np.array([0.0, 0.0, 1.0]), np.array([0.0, -20.0, 5.0]), level=True
+    )
+    assert normal_in_picture(np.array([0.0, 0.0, 1.0]), section) is None
+    upright = section_across_target(
+        np.zeros(3), np.array([0.0, 0.0, 1.0]), np.array([0.0, -20.0, 5.0])
+    )
+    seen = normal_in_picture(np.array([0.0, 0.0, 1.0]), upright)
+    assert seen == pytest.approx([0.0, 1.0])

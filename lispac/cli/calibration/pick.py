@@ -376,7 +376,7 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
 
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
-    """Print a row for each seed, and below the table the reasons of what was not found."""
+    """Print a row for each seed, and the reasons why seeds or lines gave no target."""
     from lispac.present.seeds import SEED_OUTCOMES_TABLE
 
     rows = [outcome.row(lines) for outcome in outcomes]

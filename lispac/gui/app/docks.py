@@ -118,6 +118,7 @@ class DockLayout(QObject):
         self._filled: frozenset[str] = frozenset()
         self._has_strip_height = False
         self._state_before: QByteArray | None = None
+        self._must_close_empty = False
         for title, dock in docks.items():
             dock.setVisible(title == WORKFLOW)
             dock.visibilityChanged.connect(
@@ -139,13 +140,19 @@ class DockLayout(QObject):
         """
         former = frozenset() if is_new_project else self._filled
         self._filled = frozenset(filled)
+        self._must_close_empty |= is_new_project
         if self.is_maximised:
             return
-        if is_new_project:
+        self._close_empty()
+        self._open(self._filled - former)
+
+    def _close_empty(self) -> None:
+        """Close the docks without content once after another project was opened."""
+        if self._must_close_empty:
             for title, dock in self._docks.items():
                 if title not in self._filled:
                     dock.hide()
-        self._open(self._filled - former)
+        self._must_close_empty = False
 
     def present(self, title: str) -> None:
         """Bring a dock to the front, unless the user has closed it."""
@@ -193,6 +200,7 @@ class DockLayout(QObject):
             before, self._state_before = self._state_before, None
             assert before is not None
             self._window.restoreState(before)
+            self._close_empty()
             self._open(self._filled)
         self.maximised_changed.emit(maximised)
 

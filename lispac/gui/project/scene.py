@@ -239,13 +239,6 @@ class Scene(QObject):
         """Whether no drawing is pending."""
         return not (self._lines_due.isActive() or self._targets_due.isActive())
 
-    def draw_due(self) -> None:
-        """Do the pending drawing now."""
-        while self._lines_due.isActive():
-            self._draw_due_lines()
-        if self._targets_due.isActive():
-            self._draw_due_targets()
-
     def _schedule_lines(self) -> None:
         self._shaded = None
         self._lines_due.start()

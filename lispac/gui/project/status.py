@@ -240,8 +240,8 @@ def _adjust_status(
             reason=reason,
         )
     if refusal:
-        reason = message_text(refusal) if isinstance(refusal, Message) else refusal
-        return StepStatus("warning", gettext("not estimated"), reason, reason=reason)
+        text = message_text(refusal) if isinstance(refusal, Message) else refusal
+        return StepStatus("warning", gettext("not estimated"), text, reason=reason)
     if waiting:
         return StepStatus(
             "todo",
@@ -316,11 +316,14 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
         state, sentence = "warning", gettext("acceptance criteria not met")
         advice = [gettext("The calibration is not accepted. The reasons are below the criteria.")]
     elif judgement.verdict == "pass":
-        state = "done"
-        sentence = gettext(
-            Plural("{passed:n} of {count:n} plane passes", "{passed:n} of {count:n} planes pass"),
-            passed=passed, count=total,
-        )  # fmt: skip
+        state, sentence = "done", gettext("acceptance criteria met")
+        if passed:  # else there are only criteria for the angles
+            sentence = gettext(
+                Plural(
+                    "{passed:n} of {count:n} plane passes", "{passed:n} of {count:n} planes pass"
+                ),
+                passed=passed, count=total,
+            )  # fmt: skip
     else:
         state = "todo"
         sentence = gettext(
@@ -333,7 +336,7 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
             advice.append(
                 gettext("Enter acceptance criteria, so that the calibration can be judged.")
             )
-    if better < total or not_compared:
+    if not_compared or (better < total and judgement.verdict != "pass"):
         state = "warning"
     if not_compared:
         sentence = gettext(

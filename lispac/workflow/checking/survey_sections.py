@@ -32,6 +32,10 @@ MIN_HALF_WIDTH_M = 0.02
 points."""
 
 
+MIN_NORMAL_IN_PICTURE = 0.5
+"""Smallest part of a unit normal in the picture with which distances across the plane are shown."""
+
+
 @dataclass(frozen=True, eq=False)
 class SectionPoints:
     """A section through the lines, placed with the prior or the estimated boresight.
@@ -45,7 +49,8 @@ class SectionPoints:
     separation : float or None, metres
         Largest distance between two lines along the normal of a plane; None without a plane.
     normal : ndarray of shape (2,) or None
-        Direction across the surface in the picture, a unit vector; None without a plane.
+        Part of the unit normal of the plane in the picture; None without a plane, and if the plane
+        is nearly parallel to the picture.
     """
 
     which: BoresightChoice
@@ -63,7 +68,8 @@ class SectionPoints:
         """
         if self.separation is None or self.normal is None:
             return 1.0
-        needed = 0.75 * self.separation + MIN_HALF_WIDTH_M
+        seen = self.separation / float(np.linalg.norm(self.normal))
+        needed = 0.75 * seen + MIN_HALF_WIDTH_M
         half = 0.5 * min(self.section.width, self.section.height)
         return max((each for each in EXAGGERATIONS if needed * each <= half), default=1.0)
 
@@ -112,12 +118,17 @@ def section_at_target(
         cut = _section_points(which, clouds, section, progress)
         if target.shape == "plane":
             offsets = [float((middle - centre) @ normal) for middle in middles.values()]
-            seen = np.array([normal @ section.right, normal @ section.up])
             cut = replace(
-                cut, separation=float(np.ptp(offsets)), normal=seen / np.linalg.norm(seen)
+                cut, separation=float(np.ptp(offsets)), normal=normal_in_picture(normal, section)
             )
         cuts.append(cut)
     return tuple(cuts)
+
+
+def normal_in_picture(normal: Array, section: Section) -> Array | None:
+    """Part of a unit normal in a picture, shape (2,); None if the plane is nearly parallel."""
+    seen = np.array([normal @ section.right, normal @ section.up])
+    return seen if np.linalg.norm(seen) > MIN_NORMAL_IN_PICTURE else None
 
 
 def cut_between_points(

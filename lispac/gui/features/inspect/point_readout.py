@@ -56,7 +56,7 @@ class PointReadout(QObject):
         viewport.signals.copy_requested.connect(self.copy)
         viewport.signals.menu_requested.connect(self._show_menu)
         scene.drawn.connect(lambda: self._on_hovered(None))
-        document.about_to_open.connect(self._forget_project)
+        document.about_to_open.connect(self._clear_project)
 
     def copy(self) -> None:
         """Copy the values of the point under the mouse to the clipboard."""
@@ -91,7 +91,7 @@ class PointReadout(QObject):
     def _values_of(self, point: PickedPoint) -> list[tuple[str, str]]:
         from lispac.present.measured_point import point_facts
 
-        project, survey = self._document.project, self._document.survey
+        project, survey = self._document.current_data
         index = self._scene.sample_index(point)
         if project is None or survey is None or index is None:
             return []
@@ -125,7 +125,7 @@ class PointReadout(QObject):
         menu.addAction(self._copy_picture)
         menu.popup(place)
 
-    def _forget_project(self) -> None:
+    def _clear_project(self) -> None:
         self._reader = None
         self._on_hovered(None)
 

@@ -64,7 +64,7 @@ def draw_section(
         across, upward = view.axis_titles(titles)
         if labelled:
             axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
-        if number == 1:
+        if number == 1 or not is_shared:
             axes.set_ylabel(upward, fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
@@ -115,7 +115,7 @@ class _CutView:
         if cut.normal is None or factor == 1:
             return cls(cut, factor, np.eye(2), True)
         vertical = bool(abs(cut.normal[1]) > abs(cut.normal[0]))
-        across = cut.normal * np.sign(cut.normal[int(vertical)])
+        across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
         along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
         axes = (along, across) if vertical else (across, along)
         return cls(cut, factor, np.column_stack(axes), vertical)

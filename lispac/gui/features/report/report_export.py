@@ -86,7 +86,9 @@ class ReportExport(QObject):
             _reference_frame(project),
         )
         if identity is not None and identity.company:
-            details = {name: getattr(identity, name) for name in COMPANY_FIELDS}
+            given = {name: getattr(identity, name) for name in COMPANY_FIELDS}
+            known = self._settings.companies().get(identity.company, {})
+            details = {**known, **{name: text for name, text in given.items() if text}}
             self._settings.save_company(identity.company, details)
         current = self._document.project  # a task may have changed it meanwhile
         if identity is not None and current is not None and identity != current.identity:

@@ -46,7 +46,6 @@ class AcceptanceForm(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._criteria = NO_CRITERIA
         layout = widgets.vertical_layout(self, 0)
         layout.addWidget(widgets.label(gettext("Acceptance criteria"), "heading"))
         self.fields: dict[str, OptionalNumber] = {}
