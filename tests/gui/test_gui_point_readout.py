@@ -18,7 +18,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
-EMPTY = QPoint(3, 3)
+EMPTY, FOOT = QPoint(3, 3), 0.3048
 MAX_MOVES = 10
 """Largest number of times that the mouse is moved to a point."""
 
@@ -128,15 +128,20 @@ def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> No
     assert all(text in QToolTip.text() for text in metres.values())
     leave_points(board)
     board.window._select("T1", "")
+    board.rest()
     units.set_units("degrees", "feet")
     try:
-        feet = hover(board, place)
+        feet = hover(board, board_pixel(board))
     finally:
         units.set_units("degrees", "metres")
     assert feet["Range"].endswith("ft")
-    assert number(feet["Range"]) == pytest.approx(number(metres["Range"]) / 0.3048, abs=3e-3)
-    assert feet["Time"] == metres["Time"]
-    assert number(feet["Incidence"]) == pytest.approx(number(metres["Incidence"]), abs=2.0)
+    place_m = np.array([number(feet[axis]) for axis in ("North", "West", "Up")]) * FOOT
+    cloud = board.window.scene.clouds[feet["Line"]]
+    distances = np.linalg.norm(cloud.sample - place_m, axis=1)
+    index = int(np.argmin(distances))
+    assert distances[index] < 1e-3
+    points_lidar, _ = cloud.sample_lidar(np.array([index]))
+    assert number(feet["Range"]) * FOOT == pytest.approx(np.linalg.norm(points_lidar), abs=6e-4)
 
 
 def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> None:
