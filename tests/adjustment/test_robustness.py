@@ -149,6 +149,16 @@ def test_steps_with_updated_weights_converge_to_the_irls_result(loss) -> None:
     assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9
 
 
+def test_outliers_of_metres_with_a_loss_that_keeps_them_do_not_break_the_adjustment() -> None:
+    """A trial without the cause of the residuals diverges; it is then not considered."""
+    data, chance = survey(5, 0.1), np.random.default_rng(5)
+    along = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
+    off = (chance.random(len(data)) < 0.05) * chance.normal(0, 5, len(data))
+    dirty = replace(data, points_lidar=data.points_lidar + off[:, None] * along)
+    found = adjust(dirty, PRIOR, StochasticModel(loss="huber"))
+    assert (np.abs(found.boresight - TRUTH.boresight) < 4 * found.sigma).all()
+
+
 @pytest.mark.parametrize(("seed", "sighting", "metres"), [(1, 10, 3.5), (2, 4, -5.0), (3, 2, -5.0)])
 def test_a_surface_metres_off_is_rejected_without_effect(seed, sighting, metres) -> None:
     """The board is 1 m wide: a plane through all its points would stand across it."""

@@ -396,9 +396,17 @@ class LinearisedProblem:
         return replace(self, problem=problem)
 
     def next_state(self) -> tuple[AdjustmentState, Array]:
-        """Solve the equations, and return the next state and the corrections, shape (u,)."""
+        """Solve the equations, and return the next state and the corrections, shape (u,).
+
+        Raises
+        ------
+        LinAlgError
+            The corrections are not finite, because the iteration diverges.
+        """
         problem, state, layout = self.problem, self.state, self.normal.layout
         correction, change = self.normal.solve()
+        if not (np.isfinite(correction).all() and np.isfinite(change).all()):
+            raise np.linalg.LinAlgError
         values = state.mounting.values
         values[layout.active] += correction[: len(layout.active)]
         pairs = zip(self.bases.shapes, layout.shapes, strict=True)

@@ -267,7 +267,11 @@ def scaled_inverse(matrix: Array) -> Array:
     if factor is None:
         raise RankDeficient(error("adjustment.singular"))
     solved = scipy.linalg.cho_solve(factor, np.diag(scale))
-    return np.asarray(solved * scale[:, None])
+    with np.errstate(over="ignore"):  # of diverging unknowns, whose elements are nearly zero
+        inverse = np.asarray(solved * scale[:, None])
+    if not np.isfinite(inverse).all():
+        raise RankDeficient(error("adjustment.singular"))
+    return inverse
 
 
 @dataclass(frozen=True, eq=False)
