@@ -1,6 +1,6 @@
 """Acceptance criteria of a calibration, and the judgement of its results by them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Literal
 
@@ -214,3 +214,17 @@ def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[
 def _offset_of(pair: PairComparison) -> float | None:
     signed = pair.after.signed
     return None if signed is None else abs(signed.median)
+
+
+def planes_to_show(rms: Mapping[str, float], failed: Collection[str], count: int) -> frozenset[str]:
+    """Names of up to ``count`` validation planes with which to judge a calibration.
+
+    Planes that failed come before all others, planes with a larger RMS before those with a smaller.
+
+    Parameters
+    ----------
+    rms : mapping from the names of the planes to their RMS after the calibration, metres
+    failed : names of the planes that failed
+    """
+    order = sorted(rms, key=lambda name: (name in failed, rms[name]), reverse=True)
+    return frozenset(order[:count])

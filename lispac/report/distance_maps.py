@@ -55,17 +55,17 @@ class _Size:
     width : width of the figure, inches
     max_panel_height : largest height of a panel, inches
     states : number of panels of a pair, from the start of `PANEL_TITLES`
-    max_pairs : largest number of pairs; None for all
     """
 
     width: float
     max_panel_height: float
     states: int
-    max_pairs: int | None = None
 
 
 FULL_SIZE = _Size(6.3, 3.2, 3)
-SMALL_SIZE = _Size(3.3, 0.75, 2, max_pairs=2)
+SMALL_SIZE = _Size(3.3, 0.75, 2)
+MAX_SMALL_MAPS = 2
+"""Largest number of pairs in a figure that is half as wide as a page."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
@@ -85,8 +85,14 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
 
 
 def small_map_figure_of(plane: ValidationPlane) -> Figure:
-    """Draw the maps before and after of two pairs, half as wide as a page."""
-    return _draw_maps(None, plane.name, plane.maps, SMALL_SIZE)
+    """Maps before and after of the pairs with the largest distances after, half a page wide."""
+    largest = sorted(plane.maps, key=_rms_after, reverse=True)[:MAX_SMALL_MAPS]
+    shown = [each for each in plane.maps if each in largest]
+    return _draw_maps(None, plane.name, shown, SMALL_SIZE)
+
+
+def _rms_after(values: DistanceMapValues) -> float:
+    return float(np.sqrt(np.mean(np.square(values.after_m))))
 
 
 def _draw_maps(
@@ -108,7 +114,6 @@ def _draw_maps(
             transform=axes.transAxes,
         )  # fmt: skip
         return figure
-    maps = maps[: form.max_pairs]
     sides = np.max([_map_size(each) for each in maps], axis=0)
     tall = form is FULL_SIZE and bool(sides[1] > ONE_ROW_RATIO * sides[0])
     figure, places = _map_panels(figure, len(maps), sides, tall, form)

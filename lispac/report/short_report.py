@@ -6,6 +6,7 @@ and the first notes are shown, with a sentence on what is omitted.
 
 from collections.abc import Sequence
 
+from lispac.acceptance import planes_to_show
 from lispac.language import gettext
 from lispac.present.validation import ValidationPlane
 from lispac.report import sections
@@ -56,7 +57,7 @@ def short_sections(
     pictures : views before and after, alternately; those of the whole survey are first
     closing : text above the signatures
     """
-    planes = _planes_with_largest_rms(content, MAX_PLANES)
+    planes = _planes_to_show(content, MAX_PLANES)
     figures = _figures(content, pictures)
     angles = [] if content.in_convention is None else convention_tables(content.in_convention)
     remainder = gettext(
@@ -84,13 +85,11 @@ def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> li
     return blocks
 
 
-def _planes_with_largest_rms(content: ReportContent, count: int) -> list[ValidationPlane]:
-    """Up to ``count`` validation planes in their order; planes that failed come before others."""
+def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]:
+    """Up to ``count`` validation planes in their order; see `planes_to_show`."""
     failed = {each.plane for each in content.acceptance.planes if each.verdict == "fail"}
-    worst = sorted(content.validation, key=lambda plane: (plane.name in failed, plane.after.rms_m))[
-        -count:
-    ]
-    return [plane for plane in content.validation if plane in worst]
+    names = planes_to_show({p.name: p.after.rms_m for p in content.validation}, failed, count)
+    return [plane for plane in content.validation if plane.name in names]
 
 
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
@@ -102,7 +101,7 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         for k in range(0, len(small), 4)
     ]
     mapped = [plane for plane in content.validation if plane.maps]
-    shown = [plane for plane in _planes_with_largest_rms(content, MAX_MAPPED_PLANES) if plane.maps]
+    shown = [plane for plane in _planes_to_show(content, MAX_MAPPED_PLANES) if plane.maps]
     maps = [_map(plane) for plane in shown]
     blocks += [
         PictureRows((tuple(maps[k : k + 2]),), columns=2, tallest=MAX_MAP_HEIGHT_MM)
@@ -136,7 +135,14 @@ def _site_plan(content: ReportContent) -> list[Block]:
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:
-    from lispac.report.distance_maps import small_map_figure_of
+    from lispac.report.distance_maps import MAX_SMALL_MAPS, small_map_figure_of
 
+    shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.maps)
     caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
+    if shown < total:
+        caption = gettext(
+            "{plane}: before and after the calibration; {shown:n} of {total:n} pairs of lines, "
+            "those with the largest distances after it.",
+            plane=plane.name, shown=shown, total=total,
+        )  # fmt: skip
     return UndrawnPictures(caption, small_map_figure_of, (plane,))

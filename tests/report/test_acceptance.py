@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict
+from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_to_show
 from lispac.errors import InputError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
@@ -196,3 +196,10 @@ def test_a_criterion_that_could_not_be_judged_has_a_note(project: Project) -> No
     ]
     assert list(found.params["planes"]) == ["V9"]
     assert not found.is_serious
+
+
+def test_planes_that_failed_are_shown_before_planes_with_a_larger_rms() -> None:
+    rms = {"V1": 0.03, "V2": 0.05, "V3": 0.01, "V4": 0.04}
+    assert planes_to_show(rms, {"V3"}, 2) == {"V3", "V2"}
+    assert planes_to_show(rms, (), 3) == {"V1", "V2", "V4"}
+    assert planes_to_show(rms, (), 9) == set(rms)

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 
 from lispac.acceptance import NO_CRITERIA
@@ -18,6 +19,7 @@ from lispac.messages import note, warning
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.content import ReportContent
+from lispac.report.distance_maps import small_map_figure_of
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Bullets, Document, Paragraph, Section, Table
 from lispac.report.options import PAGE_SIZES, Page, ReportOptions
@@ -176,3 +178,19 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     )
     made = preview_of(content, {}, ReportOptions("letter"), ppi=PPI)
     assert len(made.pages) <= 4
+
+
+def test_the_pairs_with_the_largest_distances_are_mapped_in_a_short_report(
+    project: Project,
+) -> None:
+    content = _survey_content(project)
+    plane = next(plane for plane in content.validation if plane.maps)
+    maps = tuple(
+        replace(plane.maps[0], line_b=f"L{k}", after_m=tuple(k * d for d in plane.maps[0].after_m))
+        for k in (3, 1, 2)
+    )
+    figure = small_map_figure_of(replace(plane, maps=maps))
+    text = " ".join(each.get_text() for each in figure.findobj(Text))
+    assert "L3" in text
+    assert "L2" in text
+    assert "L1" not in text.replace(plane.maps[0].line_a, "")

@@ -7,6 +7,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QImage
 
+from lispac.acceptance import planes_to_show
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance import theme, units
 from lispac.gui.project.controller import Controller
@@ -167,14 +168,15 @@ def _views(
 ) -> Iterator[_View]:
     """The whole survey, each target (full report), and each validation plane.
 
-    A short report has the validation planes with the largest RMS after the calibration.
+    A short report has only some of the validation planes; see `planes_to_show`.
     """
     yield _View({
         "prior": gettext_lazy("Overview, prior boresight"),
         "estimated": gettext_lazy("Overview, estimated boresight"),
     })  # fmt: skip
-    compared = sorted(project.validation, key=lambda plane: plane.after.rms, reverse=True)
-    kept = {plane.name for plane in compared[: MAX_MAPPED_PLANES if extent == "short" else None]}
+    rms = {plane.name: plane.after.rms for plane in project.validation}
+    failed = {name for name in rms if project.judgement.verdict_on(name) == "fail"}
+    kept = planes_to_show(rms, failed, MAX_MAPPED_PLANES if extent == "short" else len(rms))
     for target in project.targets:
         if not (target.name in kept or (extent == "full" and target.role == "target")):
             continue
