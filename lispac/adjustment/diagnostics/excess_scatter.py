@@ -11,7 +11,8 @@ angles (jackknife, Tukey 1958).
 
 - For natural planes, the parts are places of the scene and sections of each line.
 - For picked targets, of which there are few, the parts are whole lines and whole targets. The
-  excess is added only if it is significant.
+  excess is added only if it is significant. A part that determines an angle nearly alone has a
+  difference with a large variance; the differences are then divided by their predicted sigmas.
 
 A part is omitted by subtracting its sums from the normal equations, with one solution per part. The
 equations include the change of the weights with the solution. With fixed weights, the results would
@@ -51,9 +52,11 @@ too small are worse than sigmas that are too large.
 MAX_LEVERAGE = 3.0
 """Largest ratio of the variance of the difference without a part to the variance of the whole.
 
-A part with a larger ratio alone determines the angle, so that the result without it cannot be used
-to check the whole result.
+A part with a larger ratio determines the angle nearly alone. The result without it has a much
+larger sigma, so that its difference, in radians, says little about the whole result.
 """
+MIN_INFORMATION = 1e-3
+"""Smallest ratio, as above, of a part whose difference is divided by its predicted sigma."""
 SIMULATED_SETS = 500
 """Number of simulated sets of differences; the expected excess has an error of a few percent."""
 FREE_SHAPE_SIGMA = 10.0
@@ -134,14 +137,7 @@ def leave_out_sigma_factors(linearised: LinearisedProblem) -> Array:
         added = np.zeros(3)
         for parts in _line_and_target_groups(linearised):
             differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
-            checked = predicted <= MAX_LEVERAGE * whole[1]
-            differences, predicted = differences * checked, predicted * checked
-            enough = checked.sum(axis=0) >= MIN_PARTS
-            added += (
-                enough
-                * _is_scatter_significant(differences, predicted)
-                * _variance_beyond_prediction(differences, predicted)
-            )
+            added += _significant_excess(differences, predicted, whole[1])
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 
@@ -169,16 +165,36 @@ def expected_sigma_factors(linearised: LinearisedProblem, omitted: Flags) -> Arr
         for parts in _line_and_target_groups(linearised):
             left = [part | omitted for part in parts if (part & ~omitted).any()]
             _, predicted = _leave_out_differences(linearised, whole, left, no_progress)
-            checked = predicted <= MAX_LEVERAGE * whole[1]
-            predicted = predicted * checked
             drawn = rng.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
-            excess = [
-                _is_scatter_significant(each, predicted)
-                * _variance_beyond_prediction(each, predicted)
-                for each in drawn
-            ]
-            added += (checked.sum(axis=0) >= MIN_PARTS) * np.mean(excess, axis=0)
+            excess = [_significant_excess(each, predicted, whole[1]) for each in drawn]
+            added += np.mean(excess, axis=0)
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
+
+
+def _significant_excess(differences: Array, predicted: Array, variance: Array) -> Array:
+    """Excess variance of the angles from parts of one kind, shape (3,), square radians.
+
+    Parameters
+    ----------
+    differences, predicted : ndarray of shape (parts, 3)
+        Differences without each part, and their predicted variances.
+    variance : ndarray of shape (3,)
+        Variances of the angles of the whole result.
+    """
+    checked = predicted <= MAX_LEVERAGE * variance
+    own, expected = differences * checked, predicted * checked
+    excess = (
+        (checked.sum(axis=0) >= MIN_PARTS)
+        * _is_scatter_significant(own, expected)
+        * _variance_beyond_prediction(own, expected)
+    )
+    relative = np.zeros(3)
+    for angle in np.flatnonzero(~checked.all(axis=0)):
+        informative = predicted[:, angle] > MIN_INFORMATION * variance[angle]
+        ratios = differences[informative, angle] ** 2 / predicted[informative, angle]
+        if _is_scatter_significant(np.sqrt(ratios)[:, None], np.ones((len(ratios), 1)))[0]:
+            relative[angle] = max(float(ratios.mean()) - 1.0, 0.0)
+    return np.maximum(excess, relative * variance)
 
 
 def _line_and_target_groups(linearised: LinearisedProblem) -> Iterator[list[Flags]]:
@@ -191,7 +207,9 @@ def _line_and_target_groups(linearised: LinearisedProblem) -> Iterator[list[Flag
 
 
 def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
-    """Whether the scatter of each angle is significantly larger than predicted, shape (3,).
+    """Whether the scatter in each column is significantly larger than predicted, shape (columns,).
+
+    Differences and predicted variances have the shape (parts, columns).
 
     The ratio of the sum of squared differences to the sum of predicted variances, multiplied by the
     degrees of freedom, has approximately a chi-square distribution. The degrees of freedom are the
@@ -201,7 +219,7 @@ def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.
     from scipy.special import chdtri
 
     if len(differences) < MIN_PARTS:
-        return np.zeros(3, dtype=bool)
+        return np.zeros(differences.shape[1], dtype=bool)
     total = predicted.sum(axis=0)
     effective = total**2 / np.maximum((predicted**2).sum(axis=0), np.finfo(float).tiny)
     freedom = np.maximum(effective - 1.0, 1.0)
