@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment.diagnostics import excess_scatter
 from lispac.adjustment.diagnostics.excess_scatter import excess_variance, raise_sigmas_by_scatter
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.diagnostics.warnings import result_warnings
@@ -15,11 +16,14 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
+from lispac.simulation.closed_form_survey import Board, add_errors, error_free_survey, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.scan import Scan
 from lispac.workflow.calibration.estimation import observations_of
 from lispac.workflow.calibration.targetless import TargetlessResult, targetless
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.adjustment.test_robustness import PRIOR, TRUTH
 from tests.natural.test_targetless import FEW_SURFACES, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]
@@ -116,3 +120,40 @@ def test_excess_variances_of_few_surfaces_are_finite(
     more = excess_variance(*problem_and_origins(solved_equations(result, observations, prior)))
     assert np.isfinite(more).all()
     assert (more >= 0).all()
+
+
+BOARDS = (
+    Board("A", (0.8, 15.0, 5.0), (0.0, -1.0, 0.0)),
+    Board("B", (-0.8, 15.0, 5.0), (0.0, -1.0, 0.05)),
+    Board("C", (-5.0, 14.0, 7.0), (-1.0, -1.0, 0.9)),
+)
+
+
+def adjusted_boards(seed: int, rotation_deg: float) -> tuple[np.ndarray, AdjustmentResult]:
+    """Error of the angles in formal sigmas, with all points of board C rotated in roll."""
+    generator = np.random.default_rng(seed)
+    exact = error_free_survey(
+        TRUTH, BOARDS, six_courses(), 0.1, generator, pos=HYDROGRAPHIC_INS
+    )  # fmt: skip
+    data = add_errors(exact, HYDROGRAPHIC_INS, generator)
+    own = np.array([each.target == "C" for each in data.sightings])[data.sighting]
+    rotated = data.points_lidar @ rotation_matrix(np.radians(rotation_deg), 0.0, 0.0).T
+    data = replace(data, points_lidar=np.where(own[:, None], rotated, data.points_lidar))
+    result = adjust(data, PRIOR, StochasticModel(loss="tukey"))
+    return (result.boresight - TRUTH.boresight) / result.with_formal_sigmas.sigma, result
+
+
+def test_a_contradicting_target_that_determines_an_angle_nearly_alone_raises_its_sigma(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """No target has a large leverage here, so that the limit is lowered."""
+    monkeypatch.setattr(excess_scatter, "MAX_LEVERAGE", 0.05)
+    errors, factors = [], []
+    for seed in range(4):
+        error_in_sigmas, result = adjusted_boards(seed, 0.3)
+        factors.append(result.angle_sigma_factors)
+        errors.append(np.abs(error_in_sigmas / result.angle_sigma_factors))
+        right = adjusted_boards(seed, 0.0)[1].angle_sigma_factors
+        assert right.max() < 2.0
+    assert np.array(factors)[:, 0].min() > 1.5
+    assert np.array(errors)[:, 0].max() < 3.0  # sigmas
