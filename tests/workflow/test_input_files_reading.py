@@ -167,7 +167,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     assert isinstance(unknown, Message)
     assert unknown.code == "crs.unknown"
     right = import_files(wrong.with_option(bare, "crs", "32618"))
-    assert right.files_problem_text() == ""
+    assert right.files_problem() is None
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
@@ -196,4 +196,4 @@ def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path,
     write_records(tmp_path / "other.out", other)
     input_files = import_files(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(input_files, "other.out")
-    assert replace(input_files, files=whole.files).files_problem_text() == ""
+    assert replace(input_files, files=whole.files).files_problem() is None

@@ -1,5 +1,6 @@
 """Tests of surveys with few lines, in which targets, objects or plans have missing parts."""
 
+import re
 from dataclasses import replace
 from math import radians
 
@@ -180,9 +181,7 @@ def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledP
     assert found.missing_targets == ("T2",)
     assert len(found.missing_lines) == 4
     costs = list(map(str, found.messages))[-5:]
-    assert all(" was not surveyed." in text for text in costs[:4])
-    assert costs[4].startswith("Target T2 was not used.")
-    assert {text.partition(". ")[2] for text in costs} <= {
-        "With it the boresight angles would be determined.", "",
-    }  # fmt: skip
+    assert all(name in text for name, text in zip(found.missing_lines, costs[:4], strict=True))
+    assert "T2" in costs[4]
+    assert not any(re.search(r"\d\.\d{4}", text) for text in costs), "there are no sigmas"
     assert found.rows[1].values is None

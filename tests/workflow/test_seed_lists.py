@@ -21,6 +21,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run
 from tests.support.command_errors import command_error
+from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
 UTM = "EPSG:32618"
@@ -102,7 +103,8 @@ def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     assert "row 1: B0: " in str(refusal)
     code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
     assert code == 0, err
-    assert "The coordinates are in WGS 84 / UTM zone 18N (EPSG:32618)." in err
+    assert is_shown("assumed.list_system", err)
+    assert "(EPSG:32618)" in err
     found: list[dict[str, Any]] = json.loads(out)["seeds"]
     np.testing.assert_allclose([seed["seed_m"] for seed in found], places, atol=2e-4)
     assert all(len(seed["lines"]) == 6 for seed in found)

@@ -48,13 +48,13 @@ TEST_LEVEL = 0.15
 Preliminary tests of this kind have levels of 0.1 to 0.25 (Bancroft 1964), because sigmas that are
 too small are worse than sigmas that are too large.
 """
-MAX_LEVERAGE = 3.0
+MAX_VARIANCE_RATIO = 3.0
 """Largest ratio of the variance of the difference without a part to the variance of the whole.
 
 A part with a larger ratio alone determines the angle, so that the result without it cannot be used
 to check the whole result.
 """
-SIMULATED_SETS = 500
+SIMULATION_COUNT = 500
 """Number of simulated sets of differences; the expected excess has an error of a few percent."""
 FREE_SHAPE_SIGMA = 10.0
 """Prior sigma of the shapes, metres and radians.
@@ -134,7 +134,7 @@ def leave_out_sigma_factors(linearised: LinearisedProblem) -> Array:
         added = np.zeros(3)
         for parts in _line_and_target_groups(linearised):
             differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
-            checked = predicted <= MAX_LEVERAGE * whole[1]
+            checked = predicted <= MAX_VARIANCE_RATIO * whole[1]
             differences, predicted = differences * checked, predicted * checked
             enough = checked.sum(axis=0) >= MIN_PARTS
             added += (
@@ -169,9 +169,9 @@ def expected_sigma_factors(linearised: LinearisedProblem, omitted: Flags) -> Arr
         for parts in _line_and_target_groups(linearised):
             left = [part | omitted for part in parts if (part & ~omitted).any()]
             _, predicted = _leave_out_differences(linearised, whole, left, no_progress)
-            checked = predicted <= MAX_LEVERAGE * whole[1]
+            checked = predicted <= MAX_VARIANCE_RATIO * whole[1]
             predicted = predicted * checked
-            drawn = rng.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
+            drawn = rng.normal(size=(SIMULATION_COUNT, *predicted.shape)) * np.sqrt(predicted)
             excess = [
                 _is_scatter_significant(each, predicted)
                 * _variance_beyond_prediction(each, predicted)
