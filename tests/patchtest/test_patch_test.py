@@ -83,7 +83,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.sigma is not None
     assert np.degrees(clean.sigma).max() < 0.03
     assert clean.converged
-    assert clean.disagreeing == ()
+    assert clean.disagreeing_objects == ()
     assert clean.lines == thinned[1].lines
     assert clean.mismatch < 0.5 * clean.mismatch_before
     # Both methods find the same minimum.
@@ -247,7 +247,7 @@ def test_an_object_shifted_on_one_line_is_named(
     found = find_boresight(
         project, survey, replace(placed_objects, sample=replace(sample, points_lidar=points))
     )
-    assert [each.name for each in found.disagreeing] == [moved.object.name]
+    assert [each.name for each in found.disagreeing_objects] == [moved.object.name]
     (message,) = (each for each in found.messages if each.code == "patch_test.object_disagrees")
     assert message.params["object"] == moved.object.name
     assert (error(found, project) < 3).all()

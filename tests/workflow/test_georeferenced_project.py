@@ -87,7 +87,7 @@ def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
     written = laspy.read(done[0].path)
     np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # times of the file, not shifted
     choice = LAS_FORMAT.preview(done[0].path, {}).choice
-    system = crs_of_options(LAS_FORMAT.resolved(choice))
+    system = crs_of_options(LAS_FORMAT.complete_options(choice))
     assert system is not None
     chunks = (replace(c, time=c.time + 18.0) for c in LAS_FORMAT.read(done[0].path, choice))
     recovery = RecoverySetup(system, trajectory, project.mounting("prior"))

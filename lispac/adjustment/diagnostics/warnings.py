@@ -37,7 +37,7 @@ SCATTER_SIGNIFICANCE_LEVEL = 0.005
 """Probability of a warning about differences between parts of the data if the model is correct."""
 
 MAX_DIFFERENCE_SIGMAS = 3.0
-"""Largest difference between the result without a part and that of all data, in stated sigmas, that
+"""Largest difference between the result without a part and that of all data, in sigmas, that
 needs no serious warning even if it is significant."""
 
 HIGH_CORRELATION = 0.9
@@ -168,10 +168,10 @@ def _cross_check_messages(
 def _is_uncovered(
     result: AdjustmentResult, checks: CrossChecks | None, part: CrossCheck
 ) -> NDArray[np.bool_]:
-    """Whether the stated sigma of each angle does not cover the result without a part, (3,).
+    """Whether the sigma of each angle does not cover the result without a part, (3,).
 
-    The difference is significant, it exceeds `MAX_DIFFERENCE_SIGMAS` stated sigmas, and the sigma
-    was not raised, because too few parts can be omitted. Halves are not considered: each consists
+    The difference is significant, it exceeds `MAX_DIFFERENCE_SIGMAS` sigmas, and the sigma was
+    not raised, because too few parts can be omitted. Halves are not considered: each consists
     of few lines, which hardly determine some angles. The level of each test is that of all tests
     divided by their number (Bonferroni, Dunn 1961).
     """

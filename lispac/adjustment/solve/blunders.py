@@ -87,19 +87,19 @@ def worst_blunder(linearised: LinearisedProblem, untested: Collection[Blunder]) 
     untested : collection of Blunder
         Blunders that have already been restored, and are not tested again.
     """
-    candidates = [
+    tested = [
         blunder for blunder in _candidate_blunders(linearised.problem) if blunder not in untested
     ]
-    first = [(_score_test_p_value(linearised, blunder), blunder) for blunder in candidates]
-    promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
-    promising.sort(key=_weighted_p_value)
+    first = [(_score_test_p_value(linearised, blunder), blunder) for blunder in tested]
+    candidates = [item for item in first if item[0] < CANDIDATE_LEVEL]
+    candidates.sort(key=_weighted_p_value)
     again = [
         (_weighted_p_value((p_value, blunder)), k, blunder)
-        for k, (_, blunder) in enumerate(promising[:MAX_CANDIDATES])
+        for k, (_, blunder) in enumerate(candidates[:MAX_CANDIDATES])
         for p_value in [
             _score_test_p_value(_surfaces_from_other_sightings(linearised, blunder), blunder)
         ]
-        if p_value < FAMILY_WISE_LEVEL / len(candidates)
+        if p_value < FAMILY_WISE_LEVEL / len(tested)
     ]
     return min(again)[-1] if again else None
 
