@@ -18,7 +18,9 @@ from lispac.design.plan_search import DesignResult, InformationGain, ReductionSt
 from lispac.design.prediction import Prediction, predict
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.design.site import Wall
-from lispac.language import N_, LazyText, gettext
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
     AnglesRow,
@@ -374,7 +376,7 @@ class SimulationValues:
     bias_sigma_deg: Angles
     chi_square: float
     chi_square_expected: tuple[float, ...]
-    messages: tuple[LazyText, ...]
+    messages: tuple[Message, ...]
 
     @classmethod
     def of(cls, found: MonteCarloResult) -> "SimulationValues":
@@ -405,7 +407,7 @@ class SimulationValues:
     @property
     def summary_texts(self) -> Sequence[str]:
         """Conclusions as sentences in the language in use."""
-        return tuple(map(str, self.messages))
+        return tuple(map(message_text, self.messages))
 
 
 @dataclass(frozen=True)
@@ -430,7 +432,7 @@ class PlanComparison:
     flatness_m: tuple[float, float]
     missing_targets: tuple[str, ...]
     missing_lines: tuple[str, ...]
-    messages: tuple[LazyText, ...]
+    messages: tuple[Message, ...]
 
     @property
     def rows(self) -> list[FormattedAnglesRow]:
@@ -461,4 +463,4 @@ class PlanComparison:
                 estimated=estimated,
             )
         )
-        return (*found, *map(str, self.messages))
+        return (*found, *map(message_text, self.messages))

@@ -18,8 +18,8 @@ from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import run, run_json, run_refused
-from tests.support.command_errors import command_error
+from tests.cli.test_cli import run, run_json
+from tests.support.command_errors import command_error, refused_with
 from tests.support.narrow_site import narrow_site
 
 PORT = Path(__file__).parents[1] / "data" / "port-plan.toml"
@@ -122,7 +122,7 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
 def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5.0 minutes available" in run_refused(capsys, "design", site)
+    refused_with("design.too_long", "design", site, available=5.0)
 
 
 def test_replay_of_the_built_in_survey(
@@ -147,13 +147,16 @@ def test_replay_of_the_built_in_survey(
     (unsurveyed,) = larger["missing_lines"]
     assert re.findall(r"\d+", unsurveyed) == ["020", "30"]
     assert larger["missing_targets"] == ["T9"]
-    smaller = [re.findall(r"\d\.\d{4}", each) for each in larger["messages"]]
-    assert [float(then) < float(now) for then, now in smaller] == [True, True]
+    assert {each["code"] for each in larger["messages"]} == {"plan_survey.smaller_sigma"}
+    smaller = [each["params"] for each in larger["messages"]]
+    assert [each["sigma"] < each["without"] for each in smaller] == [True, True]
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
     off = run_json(capsys, "compare-plan", folder, "--plan", far)
     (message,) = off["messages"]
-    assert re.findall(r"\d+", message) == ["1", "000", "30", "15"]
+    assert message["code"] == "plan_survey.other_distance"
+    assert message["params"]["line"] == 1
+    assert message["params"]["distance"] == pytest.approx(15, abs=0.5)
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')

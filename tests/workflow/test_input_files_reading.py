@@ -161,7 +161,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     assert (message.level, option_to_choose(message.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.file(bare)) is not None
     wrong = import_files(input_files.with_option(bare, "crs", "EPSG:32617"))
-    assert "km from the trajectory" in message_texts(wrong, "bare.laz")
+    assert "import.far_from_trajectory" in codes_about(wrong, "bare.laz")
     nonsense = import_files(input_files.with_option(bare, "crs", "EPSG:1"))
     unknown = nonsense.messages(nonsense.file(bare))[0].params["reason"]
     assert isinstance(unknown, Message)

@@ -122,17 +122,21 @@ def test_a_list_with_errors_is_refused_as_a_whole(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     good = rows("T1")
-    assert "row 2: the row has 2 columns" in run_refused(capsys, folder, good + "T2;1\n")
+    short = run_refused(capsys, folder, good + "T2;1\n")
+    assert is_shown("seeds.row_too_short", short)
+    assert "row 2: " in short
     assert "row 2: the name T1 is already in row 1" in run_refused(
         capsys, folder, good + "T1;1;2;3\n"
     )
     far = run_refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
-    assert "km from the trajectory" in far
-    assert "columns are missing: z" in run_refused(capsys, folder, good, "--columns", "name,x,y")
+    assert is_shown("coordinates.too_far_local", far)
+    unnamed = run_refused(capsys, folder, good, "--columns", "name,x,y")
+    assert is_shown("seeds.columns_missing", unnamed)
     none = run_refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
-    assert "at any of the 2 seeds. A (row 1): " in none
+    assert is_shown("pick.none_found", none)
+    assert "A (row 1): " in none
 
 
 def test_an_existing_name_is_refused_or_replaced(

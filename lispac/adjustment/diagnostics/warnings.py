@@ -38,7 +38,7 @@ SCATTER_SIGNIFICANCE_LEVEL = 0.005
 
 MAX_DIFFERENCE_SIGMAS = 3.0
 """Largest difference between the result without a part and that of all data, in sigmas, that
-needs no serious warning even if it is significant."""
+leads to a note instead of a warning if it is significant."""
 
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
