@@ -6,6 +6,7 @@ in time, and the motion of the vessel.
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.threads import single_blas_thread
+from lispac.adjustment.result import ANGLES
+from lispac.adjustment.solve.determinability import ANGLE_CODES
 from lispac.design.plan import Plan
 from lispac.design.plan_search import Mapper
 from lispac.design.prediction import (
@@ -24,8 +27,8 @@ from lispac.design.prediction import (
     predict,
 )
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
-from lispac.language import N_, LazyText, Plural, gettext_lazy
-from lispac.messages import error
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form_survey import (
     Ball,
@@ -38,7 +41,6 @@ from lispac.simulation.closed_form_survey import (
 )
 
 Array = NDArray[np.float64]
-ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 CRITICAL_SIGMAS = 3.0
 """Critical value of the tests of coverage and mean error, in standard deviations."""
 MIN_SURVEYS = 20
@@ -117,61 +119,30 @@ class MonteCarloResult:
         return float(chdtri(count, 0.975)), float(chdtri(count, 0.025))
 
     @property
-    def messages(self) -> tuple[LazyText, ...]:
-        """Conclusions on the sigmas, the mean errors and chi-square, as sentences."""
+    def messages(self) -> tuple[Message, ...]:
+        """Conclusions on the sigmas, the mean errors and chi-square."""
         coverage_sigma = np.sqrt(0.95 * 0.05 / len(self.errors))
-        names = tuple(map(gettext_lazy, ANGLE_NAMES))
+        names = [note(ANGLE_CODES[name]) for name in ANGLES]
         found = [
-            gettext_lazy(
-                "The standard deviation of {angle} from the adjustment is too small: its 95 % "
-                "interval contains the truth in {share:percent.0} % of the surveys.",
-                angle=angle, share=share,
-            )
-            for angle, share in zip(names, self.interval_coverage, strict=True)
+            warning("campaign.sigma_too_small", angle=name, share=float(share))
+            for name, share in zip(names, self.interval_coverage, strict=True)
             if share < 0.95 - CRITICAL_SIGMAS * coverage_sigma
-        ]  # fmt: skip
-        if not found:
-            found = [
-                gettext_lazy(
-                    "The coverage of the 95 % intervals agrees with 95 %, within the accuracy "
-                    "that {count:n} surveys allow.",
-                    count=len(self.errors),
-                )
-            ]
+        ] or [note("campaign.coverage_agrees", count=len(self.errors))]
         found += [
-            gettext_lazy(
-                "The mean error of {angle} is significant: {mean:deg.4+} deg.",
-                angle=angle, mean=mean,
-            )
-            for angle, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
+            warning("campaign.mean_error", angle=name, mean=float(mean))
+            for name, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
             if abs(mean) > CRITICAL_SIGMAS * sigma
-        ]  # fmt: skip
+        ]
         low, high = self.chi_square_bounds
-        verdict = N_(
-            "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors agree with the "
-            "prediction."
-        )
+        values: dict[str, Any] = {"value": self.chi_square, "low": low, "high": high}
         if self.chi_square > high:
-            verdict = N_(
-                "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are larger "
-                "than predicted."
-            )
+            found.append(warning("campaign.errors_larger", **values))
         elif self.chi_square < low:
-            verdict = N_(
-                "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are smaller "
-                "than predicted."
-            )
-        found.append(gettext_lazy(verdict, value=self.chi_square, low=low, high=high))
+            found.append(note("campaign.errors_smaller", **values))
+        else:
+            found.append(note("campaign.errors_agree", **values))
         if self.failed:
-            found.append(
-                gettext_lazy(
-                    Plural(
-                        "{count:n} survey could not be adjusted and is excluded.",
-                        "{count:n} surveys could not be adjusted and are excluded.",
-                    ),
-                    count=self.failed,
-                )
-            )
+            found.append(note("campaign.not_adjusted", count=self.failed))
         return tuple(found)
 
 

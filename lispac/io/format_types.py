@@ -154,7 +154,7 @@ class FileFormat:
         """Whether the time base of its trajectories is inferred."""
         return self.kind == "trajectory" and not self.has_time_base
 
-    def resolved(self, choice: Choice) -> dict[str, str]:
+    def complete_options(self, choice: Choice) -> dict[str, str]:
         """Complete options: those of ``choice``, and defaults for the others.
 
         Raises

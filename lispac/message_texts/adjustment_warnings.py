@@ -123,8 +123,8 @@ TEXTS: Mapping[str, Template] = {
         "these angles under Cross-checks."
     ),
     "adjustment.cross_check_uncovered": N_(
-        "Angles computed from subsets of the data differ by more than the stated standard "
-        "deviations explain: {parts:names}. Check these observations under Cross-checks, or add "
+        "Angles computed from subsets of the data differ by more than their standard deviations "
+        "explain: {parts:names}. Check these observations under Cross-checks, or add "
         "lines and targets."
     ),
     "adjustment.refused_since": N_(

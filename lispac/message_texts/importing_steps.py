@@ -2,9 +2,27 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Template
+from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
+    # -- files to be imported --------------------------------------------------------------------
+    "import.no_files": N_("Add the files of the survey: drop them here, or press Add files."),
+    "import.no_lines_added": N_(
+        "No lines have been added yet. Drop the scan files of the lines here, or press Add files."
+    ),
+    "import.being_examined": N_("The files are being examined."),
+    "import.several_errors": Plural(
+        "{first} Another file has errors.", "{first} {count:n} other files have errors."
+    ),
+    "import.no_trajectory": N_("The trajectory is missing. Add the SBET, or a text export of it."),
+    "import.no_line": N_("There is no line. Add the scan file of at least one line."),
+    "import.duplicate_line_name": N_("Two lines are named {line}. Rename a file."),
+    "import.no_folder": N_("Choose a folder for the project."),
+    "import.folder_has_project": N_(
+        "This folder already contains a project. Choose another folder."
+    ),
+    "import.folder_is_file": N_("This is a file. Choose a folder for the project."),
+    "import.folder_not_writable": N_("{folder}: cannot be written. Choose another folder."),
     # -- import --------------------------------------------------------------------------------
     "import.file_missing": N_(
         "{file}: this line file does not exist, but the earlier import of {line} cannot be used: "
@@ -105,7 +123,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.origin_too_far": N_(
         "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "
-        "longitude in degrees, or leave it out."
+        "longitude in degrees, or omit it."
     ),
     "import.no_attribute": N_(
         "{file}: the line cannot be split by {attribute}, because its points have no such "

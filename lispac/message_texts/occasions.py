@@ -22,6 +22,7 @@ OCCASIONS: Mapping[str, str] = {
     "axis": N_("Column of a coordinate list, in another message"),
     "budget": N_("The error budget of a point is shown"),
     "cache": N_("The cache folder is written or cleared"),
+    "campaign": N_("A survey plan is simulated many times"),
     "cause": N_("Possible cause of an error, in another message"),
     "change": N_("Change of a value, in another message"),
     "check": N_("The lines are checked against a reference"),

@@ -21,25 +21,24 @@ TEXTS: Mapping[str, Template] = {
         "The reason for the difference from Shahraji's thesis is not known."
     ),
     "visibility.roll_facing": N_(
-        "Table 3.2 of Shahraji's thesis chooses nearly the board that faces the beams (-20 deg "
-        "here), along which a roll error moves points. Appendix C.2.1 gives -40 and then 30 deg; "
-        "it retains inclinations up to 30 deg, also the best value here."
+        "The board that is best in table 3.2 of Shahraji's thesis nearly faces the beams, so that "
+        "a roll error moves its points along it. Appendix C.2.1 of the thesis also accepts the "
+        "best inclination found here."
     ),
     "visibility.offset_as_roll": N_(
-        "With the scanner along the body axes, a scan-angle offset moves the points exactly as a "
-        "roll angle does, so both have the same best inclination. Table 3.2 of Shahraji's thesis "
-        "gives -40 deg for roll and -50 deg for the offset; appendix C.2.7, for an error of 1 deg "
-        "instead of 2 deg, gives 30 deg."
+        "A scan-angle offset moves the points exactly as a roll error does, so both have the same "
+        "best inclination. Table 3.2 of Shahraji's thesis gives different ones: -50 deg and "
+        "-40 deg."
     ),
     "visibility.offset_not_kept": N_(
-        "Table 3.2 of Shahraji's thesis chooses an inclination that its appendix C.2.6 excludes "
-        "(it retains -40 to 10 deg). At -60 deg, parallel and diagonal lines meet the board at "
-        "nearly equal angles, so the offset shifts the points of both by nearly the same amount."
+        "Table 3.2 of Shahraji's thesis gives -60 deg as the best inclination, but its appendix "
+        "C.2.6 accepts only -40 to 10 deg. At -60 deg a range offset moves the points of all lines "
+        "by nearly the same amount."
     ),
     "visibility.leaning_back": N_(
-        "A board that leans back is more sensitive to roll than a vertical one, because the beams "
-        "rise to it at 18 deg. Shahraji's thesis considers only inclinations from 0 to 90 deg; "
-        "within this range the vertical board is the best here too."
+        "The beams rise to the board at 18 deg, so that a board that leans back is more sensitive "
+        "to roll than a vertical one. Shahraji's thesis considers only inclinations from 0 to 90 "
+        "deg; among these, the vertical board is the best here too."
     ),
     # -- further line ------------------------------------------------------------------------------
     "further_line.port": N_(

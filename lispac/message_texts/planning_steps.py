@@ -90,6 +90,42 @@ TEXTS: Mapping[str, Template] = {
         "{project} contains no line of this survey plan. Targets are matched by name "
         "({targets:names}), lines by heading."
     ),
+    "plan_survey.line_not_surveyed": N_("Line {line:n} ({heading}) was not surveyed."),
+    "plan_survey.target_not_used": N_("Target {target} was not used."),
+    "plan_survey.other_distance": N_("Line {line:n} ({heading}) was surveyed at {distance:m.0} m."),
+    "plan_survey.would_be_determined": N_(
+        "{missing} With it the boresight angles would be determined."
+    ),
+    "plan_survey.smaller_sigma": N_(
+        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4} deg instead of "
+        "{without:deg.4} deg."
+    ),
+    # -- campaign ------------------------------------------------------------------------------
+    "campaign.sigma_too_small": N_(
+        "The standard deviation of {angle} from the adjustment is too small: its 95 % interval "
+        "contains the truth in {share:percent.0} % of the surveys."
+    ),
+    "campaign.coverage_agrees": N_(
+        "The coverage of the 95 % intervals agrees with 95 %, within the accuracy that {count:n} "
+        "surveys allow."
+    ),
+    "campaign.mean_error": N_("The mean error of {angle} is significant: {mean:deg.4+} deg."),
+    "campaign.errors_agree": N_(
+        "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors agree with the "
+        "prediction."
+    ),
+    "campaign.errors_larger": N_(
+        "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are larger than "
+        "predicted."
+    ),
+    "campaign.errors_smaller": N_(
+        "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are smaller than "
+        "predicted."
+    ),
+    "campaign.not_adjusted": Plural(
+        "{count:n} survey could not be adjusted and is excluded.",
+        "{count:n} surveys could not be adjusted and are excluded.",
+    ),
     # -- simulate ------------------------------------------------------------------------------
     "simulate.line_without_points": N_(
         "No surface of the scene is visible from line {line}. Move its course closer, or widen the "

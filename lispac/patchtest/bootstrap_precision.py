@@ -22,7 +22,7 @@ from lispac.patchtest.block_equations import BlockEquations, linearise_blocks
 from lispac.patchtest.line_mismatch import Mismatch
 from lispac.patchtest.mismatch_minimisation import (
     ANGLE_NAMES,
-    MIN_LEVERAGE,
+    MIN_ANGLE_SENSITIVITY,
     require_determined_angles,
 )
 from lispac.patchtest.object_sample import ObjectPoints
@@ -219,7 +219,7 @@ def _object_agreement(
     normal_diagonal = np.diag(part.normal)
     by_pos = _pos_error_gradients(part, row_of, roots)
     spread = np.sqrt((by_pos**2).sum(axis=1) + part.other_errors)
-    determined = normal_diagonal >= MIN_LEVERAGE**2 * own.sum()
+    determined = normal_diagonal >= MIN_ANGLE_SENSITIVITY**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
     rms = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
     if not determined.any():

@@ -46,7 +46,7 @@ STEP_TOLERANCE = np.radians(2e-4)
 """Largest change of an angle in the last step or iteration for convergence, radians."""
 MAX_STEP = np.radians(1.0)
 """Largest change of an angle in one step, radians."""
-MIN_LEVERAGE = 2.0
+MIN_ANGLE_SENSITIVITY = 2.0
 """Smallest RMS displacement of surfaces along their normals for a determined angle.
 
 In metres per radian, the same value as in `lispac.targets.rough_alignment`.
@@ -177,6 +177,6 @@ def require_determined_angles(
     if weight <= 0:
         raise AdjustmentError(error("patch_test.no_pairs"))
     values, axes = np.linalg.eigh(normal_equations / weight)
-    if values[0] < MIN_LEVERAGE**2:
+    if values[0] < MIN_ANGLE_SENSITIVITY**2:
         angle = turned[int(np.abs(axes[:, 0]).argmax())]
         raise AdjustmentError(error(UNDETERMINED_CODES[angle]))

@@ -62,7 +62,7 @@ class PatchTestResult:
         return None if self.covariance is None else np.sqrt(np.diag(self.covariance))
 
     @property
-    def disagreeing(self) -> tuple[ObjectAgreement, ...]:
+    def disagreeing_objects(self) -> tuple[ObjectAgreement, ...]:
         """Objects whose minimum deviates from that of all objects by more than allowed."""
         return tuple(each for each in self.objects if each.disagrees)
 
@@ -83,7 +83,7 @@ class PatchTestResult:
             k = int(differences.argmax())
             angle = mounting_value_name(ANGLE_NAMES[k])
             found.append(note("patch_test.order_matters", angle=angle, difference=differences[k]))
-        found.extend(each.disagreement for each in self.disagreeing)
+        found.extend(each.disagreement for each in self.disagreeing_objects)
         if self.objects_without_pairs:
             found.append(note("patch_test.not_met", objects=self.objects_without_pairs))
         return tuple(found)

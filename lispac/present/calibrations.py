@@ -24,7 +24,7 @@ from lispac.validation.repeatability import (
     RepeatedCalibrations,
 )
 
-HISTORY_DISTANCE = 1
+HISTORY_DISTANCE_INDEX = 1
 """Index in `EFFECT_DISTANCES_M` of the distance for which the history gives displacements."""
 
 
@@ -257,8 +257,10 @@ _CHANGE_COLUMNS = (
         ),
     ),
     _displacement_column(
-        lambda row: None if row.change is None else row.change.displacement_m[HISTORY_DISTANCE],
-        EFFECT_DISTANCES_M[HISTORY_DISTANCE],
+        lambda row: (
+            None if row.change is None else row.change.displacement_m[HISTORY_DISTANCE_INDEX]
+        ),
+        EFFECT_DISTANCES_M[HISTORY_DISTANCE_INDEX],
         N_(
             "Largest displacement of a point at this distance from the scanner, caused by the "
             "change of the boresight since the earlier calibrations"

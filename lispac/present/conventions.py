@@ -20,7 +20,11 @@ from lispac.survey.conventions.conversion import (
 )
 from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD
 from lispac.survey.conventions.mounting_replacement import LeverArm, MountingReplacement
-from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING, offsets_note
+from lispac.survey.conventions.mounting_texts import (
+    CHECK_FIRST_NOTE,
+    UNCORRELATED_WARNING,
+    offsets_note,
+)
 from lispac.survey.conventions.systems import (
     DIRECTION_WORDS,
     SCANNER_WORDS,
@@ -88,7 +92,7 @@ class ConventionRules:
             status_text=gettext_lazy(STATUS_WORDS[setup.status]),
             source=gettext_lazy(convention.source),
             assumption=setup.assumption,
-            check_first=None if setup.status == "verified" else CHECK_FIRST,
+            check_first=None if setup.status == "verified" else CHECK_FIRST_NOTE,
             angles=tuple(map(AngleRule, map(gettext_lazy, convention.names), setup.meanings)),
             formula=convention.formula,
             direction_text=DIRECTION_WORDS[convention.direction],
@@ -197,7 +201,7 @@ class CorrectionValues:
         )
 
     @property
-    def sum_matters(self) -> bool:
+    def is_sum_inaccurate(self) -> bool:
         """Whether a sum of the angles differs from the new angles by 1 mm at 100 m or more."""
         return self.sum_error_deg > np.degrees(SUM_TOLERANCE_RAD)
 

@@ -98,14 +98,14 @@ LINE_DIFFERENCES_TABLE = Table[LineDifferenceValues](
 
 PlaceRow = tuple[str, str, float, float, float, float, float, float]
 """Lines, place (north, west, up), difference, half its 95 % interval, upward part of the normal."""
-_KEYED_NUMBER = Format("", 4, is_grouped=False)
+_CSV_NUMBER = Format("", 4, is_grouped=False)
 PLACES_CSV = Table[PlaceRow](
     "places",
     (
         Column(itemgetter(0), "first"),
         Column(itemgetter(1), "second"),
         *(
-            Column[PlaceRow](itemgetter(k), key, _KEYED_NUMBER)
+            Column[PlaceRow](itemgetter(k), key, _CSV_NUMBER)
             for k, key in enumerate(
                 ("north_m", "west_m", "up_m", "difference_m", "interval_95_m", "upward"), start=2
             )

@@ -69,7 +69,7 @@ class MeasuredPoint:
 
 
 def point_facts(point: MeasuredPoint) -> list[Fact]:
-    """Names and values, the most important ones first; unknown values are left out."""
+    """Names and values, the most important ones first; unknown values are omitted."""
     facts = [
         Fact(gettext("Line"), point.line),
         *map(_coordinate_fact, point.coordinates),

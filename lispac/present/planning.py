@@ -18,7 +18,9 @@ from lispac.design.plan_search import DesignResult, InformationGain, ReductionSt
 from lispac.design.prediction import Prediction, predict
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.design.site import Wall
-from lispac.language import N_, LazyText, gettext
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
     AnglesRow,
@@ -33,7 +35,7 @@ from lispac.present.survey_plan import PlannedLine, PlannedTarget, planned_lines
 from lispac.present.tables import COUNT, DEGREES, Column, Format, Row, Table, ratio
 
 NOT_DETERMINED_TEXT = N_("not determined")
-KEYED_DEGREES = Format("", 6)
+CSV_DEGREES = Format("", 6)
 """Format of degrees in CSV."""
 
 
@@ -255,12 +257,12 @@ class ShorterPlanPrecision:
         return cls(ShorterPlan.of(step), known_degrees(predict(step.plan).sigma))
 
 
-FRONT_CSV = Table[ShorterPlanPrecision](
+SHORTER_PLANS_CSV = Table[ShorterPlanPrecision](
     "front.csv",
     (
         Column("plan.minutes", "minutes", Format("", 1)),
-        Column("plan.value_deg", "value_deg", KEYED_DEGREES),
-        *(Column(f"sigma_deg.{name}", f"{name}_deg", KEYED_DEGREES) for name in ANGLES),
+        Column("plan.value_deg", "value_deg", CSV_DEGREES),
+        *(Column(f"sigma_deg.{name}", f"{name}_deg", CSV_DEGREES) for name in ANGLES),
         Column(lambda row: " ".join(row.plan.targets), "targets"),
         Column("plan.lines", "lines", COUNT),
     ),
@@ -320,7 +322,7 @@ SCENARIOS_CSV = Table[ScenarioValues](
         Column("scenario", "scenario"),
         Column("case", "case"),
         Column("pos_errors", "pos_errors"),
-        *(Column(f"sigma_deg.{name}", f"{name}_deg", KEYED_DEGREES) for name in ANGLES),
+        *(Column(f"sigma_deg.{name}", f"{name}_deg", CSV_DEGREES) for name in ANGLES),
         Column("points", "points", COUNT),
     ),
 )
@@ -343,7 +345,7 @@ ANGLES_BY_ROW_TABLE = Table[FormattedAnglesRow](
 """Table whose title contains the survey plan."""
 
 
-SIGMA = replace(DEGREES, unit="")
+DEGREES_WITHOUT_UNIT = replace(DEGREES, unit="")
 """Format of degrees without the unit, which the names of the rows contain."""
 
 
@@ -374,7 +376,7 @@ class SimulationValues:
     bias_sigma_deg: Angles
     chi_square: float
     chi_square_expected: tuple[float, ...]
-    messages: tuple[LazyText, ...]
+    messages: tuple[Message, ...]
 
     @classmethod
     def of(cls, found: MonteCarloResult) -> "SimulationValues":
@@ -392,20 +394,20 @@ class SimulationValues:
         quotient = _quotient(self.scatter_deg, self.predicted_sigma_deg)
         sigma = angles(np.divide([*quotient], np.sqrt(2 * self.adjusted)))
         return _formatted_rows(
-            (N_("RMS error (deg)"), self.scatter_deg, SIGMA),
-            (N_("σ from the adjustment (deg)"), self.formal_sigma_deg, SIGMA),
-            (N_("predicted σ (deg)"), self.predicted_sigma_deg, SIGMA),
+            (N_("RMS error (deg)"), self.scatter_deg, DEGREES_WITHOUT_UNIT),
+            (N_("σ from the adjustment (deg)"), self.formal_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("predicted σ (deg)"), self.predicted_sigma_deg, DEGREES_WITHOUT_UNIT),
             (N_("RMS error / predicted σ"), quotient, ratio(2)),
             (N_("σ of this ratio"), sigma, ratio(2)),
             (N_("coverage of the 95 % intervals (%)"), self.coverage_95, Format("", 1, 100.0)),
-            (N_("mean error (deg)"), self.bias_deg, SIGMA.signed),
-            (N_("σ of mean error (deg)"), self.bias_sigma_deg, SIGMA),
+            (N_("mean error (deg)"), self.bias_deg, DEGREES_WITHOUT_UNIT.signed),
+            (N_("σ of mean error (deg)"), self.bias_sigma_deg, DEGREES_WITHOUT_UNIT),
         )
 
     @property
     def summary_texts(self) -> Sequence[str]:
         """Conclusions as sentences in the language in use."""
-        return tuple(map(str, self.messages))
+        return tuple(map(message_text, self.messages))
 
 
 @dataclass(frozen=True)
@@ -430,7 +432,7 @@ class PlanComparison:
     flatness_m: tuple[float, float]
     missing_targets: tuple[str, ...]
     missing_lines: tuple[str, ...]
-    messages: tuple[LazyText, ...]
+    messages: tuple[Message, ...]
 
     @property
     def rows(self) -> list[FormattedAnglesRow]:
@@ -438,10 +440,10 @@ class PlanComparison:
         predicted, obtained = self.surveyed_with_form_error_sigma_deg, self.obtained_sigma_deg
         quotient = None if predicted is None else _quotient(obtained, predicted)
         return _formatted_rows(
-            (N_("predicted for the survey plan"), self.planned_sigma_deg, SIGMA),
-            (N_("predicted for the actual survey"), self.surveyed_sigma_deg, SIGMA),
-            (N_("predicted with estimated form error"), predicted, SIGMA),
-            (N_("from the adjustment"), obtained, SIGMA),
+            (N_("predicted for the survey plan"), self.planned_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("predicted for the actual survey"), self.surveyed_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("predicted with estimated form error"), predicted, DEGREES_WITHOUT_UNIT),
+            (N_("from the adjustment"), obtained, DEGREES_WITHOUT_UNIT),
             (N_("adjustment / predicted"), quotient, ratio(2)),
         )
 
@@ -461,4 +463,4 @@ class PlanComparison:
                 estimated=estimated,
             )
         )
-        return (*found, *map(str, self.messages))
+        return (*found, *map(message_text, self.messages))

@@ -58,7 +58,7 @@ def seed_outcome_row(
     )
     found = target.sightings
     return SeedOutcomeRow(
-        row, name, role, gettext("{seen:n} of {total:n}", seen=len(found), total=lines),
+        row, name, role, gettext("{count:n} of {total:n}", count=len(found), total=lines),
         sum(len(sighting.indices) for sighting in found),
         max(sighting.rms for sighting in found),
         (*notes, *missing),

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import (
-    UNCHECKED_SHIFT,
+    MAX_DETECTABLE_BIAS,
     critical_test_value,
     sighting_status,
 )
@@ -146,7 +146,7 @@ def _sighting_values(
     status: SightingStatus = sighting_status(test, critical)
     if status == "agrees" and test.outliers > MANY_OUTLIERS_SHARE * fit.points:
         status = "many outliers"
-    is_checked = bool(test.detectable < UNCHECKED_SHIFT)
+    is_checked = bool(test.detectable < MAX_DETECTABLE_BIAS)
     return replace(
         values,
         status=status,

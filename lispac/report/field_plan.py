@@ -46,7 +46,7 @@ EXPLANATION_TEXT = N_(
     "abeam. Run the lines in the given order. Headings and azimuths are from true north. Fix the "
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
-ROW_PITCH, MIN_ROW_PITCH, ROWS_SPACE, MAX_LIFT = 0.019, 0.0115, 0.24, 0.26
+ROW_HEIGHT, MIN_ROW_HEIGHT, TABLES_HEIGHT, MAX_REDUCTION = 0.019, 0.0115, 0.24, 0.26
 """Shares of the page height: usual and smallest height of a row, space for the rows below drawings
 of the usual height, and largest reduction of the drawings if there are many rows."""
 MAX_PRINTED_WARNINGS, MAX_LINE_LENGTH = 3, 140
@@ -76,29 +76,29 @@ def field_plan_figure(
         rest = gettext(OMITTED_WARNINGS_TEXT, count=len(warnings) - MAX_PRINTED_WARNINGS)
         warnings = (*warnings[:MAX_PRINTED_WARNINGS], rest)
     rows = len(plan.targets) + len(plan.lines) + 4.6 + len(warnings)
-    lift = (
-        float(np.clip(rows * MIN_ROW_PITCH - ROWS_SPACE, 0.0, MAX_LIFT))
-        if rows * ROW_PITCH > ROWS_SPACE
+    reduction = (
+        float(np.clip(rows * MIN_ROW_HEIGHT - TABLES_HEIGHT, 0.0, MAX_REDUCTION))
+        if rows * ROW_HEIGHT > TABLES_HEIGHT
         else 0.0
     )
-    pitch = min(ROW_PITCH, (ROWS_SPACE + lift) / rows)
+    row_height = min(ROW_HEIGHT, (TABLES_HEIGHT + reduction) / rows)
     figure = Figure(figsize=PAGE_SIZE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK_COLOUR)
     figure.text(0.07, 0.933, _predicted_sigma_text(plan), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
-    _draw_plan_view(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
-    _draw_front_view(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
-    low = 0.325 + lift
+    _draw_plan_view(figure.add_axes((0.09, 0.52 + reduction, 0.85, 0.39 - reduction)), plan, wall)
+    _draw_front_view(figure.add_axes((0.09, 0.365 + reduction, 0.85, 0.105)), plan, wall)
+    low = 0.325 + reduction
     targets = report_table(PLANNED_TARGETS_TABLE, planned_targets(plan, wall))
-    _draw_table(figure, low, pitch, targets)
-    low -= pitch * (len(plan.targets) + 2.3)
+    _draw_table(figure, low, row_height, targets)
+    low -= row_height * (len(plan.targets) + 2.3)
     lines = report_table(PLANNED_LINES_TABLE, planned_lines(plan, wall))
-    _draw_table(figure, low, pitch, lines)
-    low -= pitch * (len(plan.lines) + 2.3)
+    _draw_table(figure, low, row_height, lines)
+    low -= row_height * (len(plan.lines) + 2.3)
     for warning in warnings:
         figure.text(
             0.07, low, warning, fontsize=TEXT_SIZE, color=WARNING_COLOUR, va="top", weight="bold"
         )
-        low -= pitch
+        low -= row_height
     text = "\n".join(
         fill(note, MAX_LINE_LENGTH)
         for note in (gettext(EXPLANATION_TEXT), _assumptions_text(plan), *notes)
@@ -263,14 +263,14 @@ COLUMN_LEFT_EDGES = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left edges of the columns, as shares of the page width."""
 
 
-def _draw_table(figure: Figure, top: float, pitch: float, table: Table) -> None:
+def _draw_table(figure: Figure, top: float, row_height: float, table: Table) -> None:
     figure.text(
         0.07, top, table.title, fontsize=TEXT_SIZE + 1, weight="bold", color=INK_COLOUR, va="top"
     )
     heads = [column.title for column in table.columns]
     for k, row in enumerate([heads, *table.rows]):
         for x, value in zip(COLUMN_LEFT_EDGES, row, strict=True):
-            figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT_SIZE, color=INK_COLOUR,
+            figure.text(x, top - row_height * (k + 1), value, fontsize=TEXT_SIZE, color=INK_COLOUR,
                         va="top", weight="bold" if k == 0 else "normal")  # fmt: skip
 
 

@@ -163,16 +163,16 @@ def _target_warnings(content: ReportContent) -> Iterator[Message]:
 
 
 def _single_target_warnings(target: PickedPlane, total: int) -> Iterator[Message]:
-    where, seen = Cause.of_target(target.name), len(target.lines)
+    where, line_count = Cause.of_target(target.name), len(target.lines)
     if not target.used:
         yield note("report.left_out_target", target=target.name, subject=where)
         return
-    if seen == 0:
+    if line_count == 0:
         yield warning("report.target_on_no_line", target=target.name, total=total, subject=where)
-    elif 1 < seen < total / 2:  # planes on a single line have a warning of the project
+    elif 1 < line_count < total / 2:  # planes on a single line have a warning of the project
         yield note(
             "report.target_on_few_lines",
-            target=target.name, count=seen, total=total, lines=target.lines, subject=where,
+            target=target.name, count=line_count, total=total, lines=target.lines, subject=where,
         )  # fmt: skip
     if target.excluded_lines:
         yield note(
@@ -182,21 +182,21 @@ def _single_target_warnings(target: PickedPlane, total: int) -> Iterator[Message
 
 
 def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Message]:
-    where, seen = Cause.of_target(plane.name), len(plane.lines)
+    where, line_count = Cause.of_target(plane.name), len(plane.lines)
     if not plane.used:
         yield note("report.left_out_plane", target=plane.name, subject=where)
         return
-    if seen == 0:
+    if line_count == 0:
         yield warning("report.plane_on_no_line", target=plane.name, total=total, subject=where)
-    elif seen == 1:
+    elif line_count == 1:
         yield warning(
             "report.plane_on_one_line",
             target=plane.name, total=total, line=plane.lines[0], subject=where,
         )  # fmt: skip
-    elif seen < total / 2:
+    elif line_count < total / 2:
         yield note(
             "report.plane_on_few_lines",
-            target=plane.name, count=seen, total=total, lines=plane.lines, subject=where,
+            target=plane.name, count=line_count, total=total, lines=plane.lines, subject=where,
         )  # fmt: skip
     if plane.excluded_lines:
         yield note(

@@ -251,7 +251,7 @@ class TimeMatch:
         """Most likely time base of the trajectory."""
         return self.pairs[0][1]
 
-    def applied(self, times: Array) -> Array:
+    def shifted_times(self, times: Array) -> Array:
         """Point times (n,), seconds, in the trajectory's base."""
         return np.asarray(times, dtype=np.float64) + self.shift
 

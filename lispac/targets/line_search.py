@@ -261,12 +261,12 @@ def best_match(
         matches += _match_shifts(more_shifts(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
-    matches = _rivals_of_best(matches)
+    matches = _matches_close_to_best(matches)
     if finer_scores is not None and not all(
         is_same(matches[0][0], other) for other, _, _ in matches[1:]
     ):
         scores = finer_scores([shift for _, _, shift in matches])
-        matches = _rivals_of_best([
+        matches = _matches_close_to_best([
             (patch, score * fine_score / shift.score, shift)
             for (patch, score, shift), fine_score in zip(matches, scores, strict=True)
         ])  # fmt: skip
@@ -278,7 +278,7 @@ def best_match(
     return best
 
 
-def _rivals_of_best(
+def _matches_close_to_best(
     matches: list[tuple[Patch, float, CloudShift]],
 ) -> list[tuple[Patch, float, CloudShift]]:
     """Matches that are about as good as the best one, which comes first."""

@@ -29,7 +29,7 @@ __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 # Distance from the seed within which points have full weight in the choice of the plane, metres.
 FULL_VOTE_DISTANCE = 0.25
 # Number of points near the seed whose median is the clicked position.
-CLICKED_POINTS = 15
+POINTS_PER_CLICK = 15
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,9 +122,9 @@ def _surface_point_at_seed(points: Array) -> Array:
     With a board three sigma in front of a wall, a single point of the board could also belong to
     the wall.
     """
-    nearest = points[:CLICKED_POINTS]
+    nearest = points[:POINTS_PER_CLICK]
     nearest = nearest[np.linalg.norm(nearest - points[0], axis=1) <= FULL_VOTE_DISTANCE]
-    return points[0] if len(nearest) < CLICKED_POINTS // 2 else np.median(nearest, axis=0)
+    return points[0] if len(nearest) < POINTS_PER_CLICK // 2 else np.median(nearest, axis=0)
 
 
 def require_seed(seed: Array) -> Array:

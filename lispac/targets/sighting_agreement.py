@@ -106,7 +106,7 @@ def split_by_agreement(
 
     def reject(disagreement: "Disagreement") -> None:
         left = {name: samples[name] for name in samples if name not in rejected}
-        rejected.update(_reject_outvoted(left, disagreement, first_line))
+        rejected.update(_reject_minority(left, disagreement, first_line))
 
     reject(lambda first, second: _surface_disagreement(first, second, accuracy))
     planes = {
@@ -122,7 +122,7 @@ def split_by_agreement(
     return {name: patch for name, patch in found.items() if name not in rejected}, rejected
 
 
-def _reject_outvoted(
+def _reject_minority(
     samples: Mapping[str, "_SightingSample"], disagreement: "Disagreement", first_line: str | None
 ) -> dict[str, Message]:
     """Reject sightings until all others agree; return the reasons for the rejected ones."""

@@ -20,7 +20,7 @@ from lispac.validation.normal_distance import NormalDistances, distances_along_n
 
 Array = NDArray[np.float64]
 
-CELL_SPACINGS = 4.0
+CELL_SIDE_PER_SPACING = 4.0
 """Side of a cell as a multiple of the point spacing of the sparser line."""
 NORMAL_SPHERE_FACTOR = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the side of a cell."""
@@ -88,7 +88,9 @@ def distance_map(
     flat = after @ axes.T
     corner = flat.min(axis=0)
     flat = flat - corner
-    cell = max(CELL_SPACINGS * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MAX_CELLS)))
+    cell = max(
+        CELL_SIDE_PER_SPACING * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MAX_CELLS))
+    )
     chosen = thin_points(np.column_stack([flat, np.zeros(len(flat))]), cell)
     found: list[NormalDistances] = []
     try:

@@ -61,10 +61,10 @@ MIN_OVERLAP_POINTS = 30
 surface, and their percentiles have no meaning."""
 MAX_CORES_PER_LINE = 200
 """Largest number of places of each line at which distances along the normal are measured."""
-CYLINDER_SPACINGS = 4.0
+CYLINDER_DIAMETER_PER_SPACING = 4.0
 """Diameter of a cylinder as a multiple of the point spacing of the sparser line, so that it
 contains about twelve points of this line."""
-NORMAL_DIAMETERS = 2.0
+NORMAL_SPHERE_FACTOR = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
 
 
@@ -380,14 +380,15 @@ def signed_distances(
     list of NormalDistances
         At the places of each line; empty if no place has enough points of both lines.
     """
-    diameter = CYLINDER_SPACINGS * spacing
+    diameter = CYLINDER_DIAMETER_PER_SPACING * spacing
     parts = []
     for compared, reference, sign in ((a, b, 1.0), (b, a, -1.0)):
         step = -(-len(reference) // MAX_CORES_PER_LINE)
         try:
             found = distances_along_normal(
                 compared, reference, reference[::step], facing=facing,
-                normal_scale=NORMAL_DIAMETERS * diameter, diameter=diameter, depth=reach + diameter,
+                normal_scale=NORMAL_SPHERE_FACTOR * diameter, diameter=diameter,
+                depth=reach + diameter,
             )  # fmt: skip
         except NotComparable:
             continue

@@ -16,7 +16,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-UNKNOWNS, MAX_FIT_ITERATIONS = 3, 4
+UNKNOWN_COUNT, MAX_FIT_ITERATIONS = 3, 4
 """Number of parameters of a plane, and largest number of fits without outliers."""
 SIGMA_PER_MAD = 1.4826
 """Ratio of the standard deviation of normal noise to its median absolute deviation."""
@@ -76,7 +76,7 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     from scipy.special import stdtrit
 
     both = (compared, reference)
-    if min(map(len, both)) <= UNKNOWNS:
+    if min(map(len, both)) <= UNKNOWN_COUNT:
         raise NotComparable(error("validation.plane_few_points"))
     # Each cloud is centred, because their offset before the calibration would tilt a common plane.
     middles = [np.median(points, axis=0) for points in both]
@@ -131,14 +131,14 @@ def _fit_plane_robustly(placed: Array) -> _PlaneFit:
         sigma = SIGMA_PER_MAD * float(np.median(np.abs(residuals[kept])))
         # Residuals of points exactly on a plane are rounding errors; all points are kept.
         is_inlier = np.abs(residuals) <= OUTLIER_LIMIT_SIGMAS * max(sigma, MIN_NOISE_M)
-        if np.array_equal(is_inlier, kept) or np.count_nonzero(is_inlier) <= UNKNOWNS:
+        if np.array_equal(is_inlier, kept) or np.count_nonzero(is_inlier) <= UNKNOWN_COUNT:
             break
         kept = is_inlier
     used = terms[kept]
     values, _, rank, _ = np.linalg.lstsq(used, z[kept], rcond=None)
-    if rank < UNKNOWNS:
+    if rank < UNKNOWN_COUNT:
         raise NotComparable(error("validation.points_in_row"))
-    freedom = len(used) - UNKNOWNS
+    freedom = len(used) - UNKNOWN_COUNT
     variance = float(((z[kept] - used @ values) ** 2).sum()) / freedom
     variances = variance * np.diag(np.linalg.inv(used.T @ used))
     return _PlaneFit(np.asarray(values, dtype=np.float64), variances, freedom, len(z) - len(used))

@@ -14,7 +14,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from tests.adjustment.test_robustness import PRIOR, shifted, survey, with_outliers
 
 MODEL = StochasticModel(loss="tukey")
-MAX_DIFFERENCE = np.radians(1e-9)
+MAX_DIFFERENCE_SIGMAS = np.radians(1e-9)
 
 
 def mixed(observations: Observations, seed: int) -> Observations:
@@ -41,8 +41,8 @@ def test_order_does_not_change_the_result(spacing) -> None:
         results.append(adjust(points, PRIOR, MODEL, diagnostics=True))
     for other in results[1:]:
         assert set(other.rejected_sightings) == set(results[0].rejected_sightings) != set()
-        assert np.abs(other.boresight - results[0].boresight).max() < MAX_DIFFERENCE
-        assert np.abs(other.sigma - results[0].sigma).max() < MAX_DIFFERENCE
+        assert np.abs(other.boresight - results[0].boresight).max() < MAX_DIFFERENCE_SIGMAS
+        assert np.abs(other.sigma - results[0].sigma).max() < MAX_DIFFERENCE_SIGMAS
 
 
 def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
@@ -55,7 +55,7 @@ def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
     monkeypatch.setattr(kernel_threads, "MIN_PARALLEL_POINTS", 10**9)  # no parallel computation
     results.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     for other in results[1:]:
-        assert np.abs(other - results[0]).max() < MAX_DIFFERENCE
+        assert np.abs(other - results[0]).max() < MAX_DIFFERENCE_SIGMAS
 
 
 @pytest.mark.parametrize("sighting", [1, 5, 9])

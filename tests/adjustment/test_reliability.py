@@ -52,7 +52,7 @@ def dense(linearised):
     """Return the covariance of all unknowns, including the POS errors, from dense matrices."""
     normal, problem = linearised.normal, linearised.problem
     layout, knots = normal.layout, problem.groups.knots
-    u, e = layout.size, len(normal.pull)
+    u, e = layout.size, len(normal.pos_right)
     full = np.zeros((u + e, u + e))
     full[:u, :u] = normal.matrix
     full[:u, u:] = normal.mixed
@@ -85,7 +85,7 @@ def test_redundancy_numbers_sum_to_the_degrees_of_freedom(linearised) -> None:
     first = normal.layout.surfaces[0].start
     prior[range(first, size), range(first, size)] = 0.002**-2
     knots = problem.groups.knots
-    flat = np.eye(len(normal.pull)).reshape(len(normal.pull), -1, 6)
+    flat = np.eye(len(normal.pos_right)).reshape(len(normal.pos_right), -1, 6)
     prior[size:, size:] = np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in flat])
     explained_by_data = np.trace(inverse @ (np.linalg.inv(inverse) - prior))
     assert redundancy.sum() == pytest.approx(len(redundancy) - explained_by_data, rel=1e-3)
@@ -112,11 +112,11 @@ def test_shift_and_sigma_match_dense_matrices_without_the_prior(linearised) -> N
     for s, place in enumerate(linearised.normal.layout.surfaces):
         offset = place.stop - 1
         weight = problem.surface_sigma[s, 2] ** -2
-        without, pull = full.copy(), np.zeros(len(full))
+        without, pos_right = full.copy(), np.zeros(len(full))
         without[offset, offset] -= weight
-        pull[offset] = weight * linearised.departures[s, 2]
+        pos_right[offset] = weight * linearised.departures[s, 2]
         free = np.linalg.inv(without)
-        found = linearised.departures[s, 2] + (free @ pull)[offset]
+        found = linearised.departures[s, 2] + (free @ pos_right)[offset]
         assert tests.shift[s] == pytest.approx(found, rel=1e-4)
         assert tests.sigma[s] == pytest.approx(
             np.hypot(usual, free[offset, offset] ** 0.5), rel=1e-4
@@ -277,7 +277,7 @@ def test_likelihood_matches_dense_matrices(linearised) -> None:
     factors = [np.log(step) for step in steps]
     found = np.array([likelihood(f) for f in factors])
     normal, problem = linearised.normal, linearised.problem
-    size, e = normal.layout.size, len(normal.pull)
+    size, e = normal.layout.size, len(normal.pos_right)
     fixed = normal.layout.surfaces[0].start
     inverse = dense(linearised)
     full = np.linalg.inv(inverse)
@@ -286,7 +286,7 @@ def test_likelihood_matches_dense_matrices(linearised) -> None:
     knots = problem.groups.knots
     flat = np.eye(e).reshape(e, -1, 6)
     pos = np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in flat])
-    right = np.concatenate([normal.right, normal.pull])
+    right = np.concatenate([normal.right, normal.pos_right])
     state = np.concatenate(
         [
             np.zeros(fixed),
@@ -309,9 +309,9 @@ def test_likelihood_matches_dense_matrices(linearised) -> None:
         root[fixed:size] = np.exp(-log[3])
         scaled = prior * np.outer(root, root)
         matrix = data_matrix * scale[0] + scaled
-        pull = data_right * scale[0] - scaled @ state
+        pos_right = data_right * scale[0] - scaled @ state
         square = data_square * scale[0] + state @ scaled @ state
-        least = square - pull @ np.linalg.solve(matrix, pull)
+        least = square - pos_right @ np.linalg.solve(matrix, pos_right)
         determinant = np.linalg.slogdet(matrix)[1]
         counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time), size - fixed])
         expected.append(2 * counts @ log + determinant + least)

@@ -147,7 +147,7 @@ def test_a_contradicting_target_that_determines_an_angle_nearly_alone_raises_its
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """No target has a large leverage here, so that the limit is lowered."""
-    monkeypatch.setattr(excess_scatter, "MAX_LEVERAGE", 0.05)
+    monkeypatch.setattr(excess_scatter, "MAX_VARIANCE_RATIO", 0.05)
     errors, factors = [], []
     for seed in range(4):
         error_in_sigmas, result = adjusted_boards(seed, 0.3)

@@ -27,6 +27,7 @@ from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration import picking
 from lispac.workflow.project.projects import open_project, save_project
 from tests.support.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball_survey
+from tests.support.message_codes import is_shown
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
 TRUTH = Mounting(LEVER_ARM, np.radians([2.0, 2.0, 2.0]))
@@ -229,4 +230,4 @@ def test_the_command_line_picks_balls(balls, capsys):
     assert main([*words, "--sphere-radius", "0.1"]) == 2
     assert "--shape sphere" in capsys.readouterr().err
     assert main([*words, "--shape", "sphere", "--role", "validation"]) == 1
-    assert "only planes are compared" in capsys.readouterr().err
+    assert is_shown("target.validation_sphere", capsys.readouterr().err)

@@ -225,7 +225,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
     for _ in range(3):
         copied.append(timed(through))
         made.append(timed(lambda: write_cloud(
-            LAS_FORMAT.read(source, LAS_FORMAT.resolved({})), ours, ours, mapper,
+            LAS_FORMAT.read(source, LAS_FORMAT.complete_options({})), ours, ours, mapper,
             lambda _: layout_of_las(source))))  # fmt: skip
     print(
         f"\n{count:,} points from {ending} to UTM LAZ: {rate(count, made)}, laspy reading and "

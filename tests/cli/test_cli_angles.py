@@ -225,8 +225,8 @@ def test_refusals(capsys, tmp_path: Path) -> None:
         assert words in run_refused(capsys, "--from-matrix", file)
     assert "No such file" in run_refused(capsys, "--from-matrix", tmp_path / "none.txt")
     refused_with("survey.unknown_program", "angles", 1, 2, 3, "--to", "posmv", name="posmv")
-    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
-    assert "only as a matrix" in run_refused(capsys, 1, 2, 3, "--from", "riprocess")
+    refused_with("survey.matrix_only", "angles", 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
+    refused_with("survey.matrix_only", "angles", 1, 2, 3, "--from", "riprocess")
     assert "left-handed" in run_refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
     assert "not a direction" in run_refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
                                             "ahead", "port", "up")  # fmt: skip
@@ -243,7 +243,7 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
-    assert "have not been estimated" in run_refused(capsys, demo_project.folder, "--to", "applanix")
+    refused_with("project.not_estimated", "angles", demo_project.folder, "--to", "applanix")
 
 
 def printed_matrix(capsys, angles, *words) -> list[float]:

@@ -16,6 +16,7 @@ from lispac.workflow.checking.repeated_surveys import comparability_notes
 from lispac.workflow.project.shared_lines import shared_lines
 from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
+from tests.support.message_codes import is_shown
 from tests.support.report_sample import sample_project, with_lines_of_its_own
 
 
@@ -101,7 +102,7 @@ def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     assert by_angle(three["sigma_deg"]) == pytest.approx((sigma / np.sqrt(2)).tolist())
     _, out, err = run(capsys, "compare", tmp_path / "a", tmp_path / "b")
     assert "spread" not in out
-    assert "count them once" in err
+    assert is_shown("repeat.same_lines", err)
 
 
 def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 """Tests of the commands for the design of a site: predict, scenarios, design, compare-plan."""
 
 import csv
+import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -17,8 +18,8 @@ from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import run, run_json, run_refused
-from tests.support.command_errors import command_error
+from tests.cli.test_cli import run, run_json
+from tests.support.command_errors import command_error, refused_with
 from tests.support.narrow_site import narrow_site
 
 PORT = Path(__file__).parents[1] / "data" / "port-plan.toml"
@@ -121,7 +122,7 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
 def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5.0 minutes available" in run_refused(capsys, "design", site)
+    refused_with("design.too_long", "design", site, available=5.0)
 
 
 def test_replay_of_the_built_in_survey(
@@ -142,14 +143,20 @@ def test_replay_of_the_built_in_survey(
     further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
-    printed = printed_by(capsys, "compare-plan", folder, "--plan", more)
-    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in printed
-    assert "Target T9 was not used." in printed
-    assert printed.count("With it the standard deviation of") == 2
+    larger = run_json(capsys, "compare-plan", folder, "--plan", more)
+    (unsurveyed,) = larger["missing_lines"]
+    assert re.findall(r"\d+", unsurveyed) == ["020", "30"]
+    assert larger["missing_targets"] == ["T9"]
+    assert {each["code"] for each in larger["messages"]} == {"plan_survey.smaller_sigma"}
+    smaller = [each["params"] for each in larger["messages"]]
+    assert [each["sigma"] < each["without"] for each in smaller] == [True, True]
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
     off = run_json(capsys, "compare-plan", folder, "--plan", far)
-    assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
+    (message,) = off["messages"]
+    assert message["code"] == "plan_survey.other_distance"
+    assert message["params"]["line"] == 1
+    assert message["params"]["distance"] == pytest.approx(15, abs=0.5)
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')

@@ -25,6 +25,7 @@ from lispac.design.plan import System
 from lispac.design.plan_search import search
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.config.plan_file import read_site
+from lispac.messages import Level, note
 from lispac.progress import Step
 from lispac.simulation.closed_form_survey import Ball
 from lispac.simulation.scanner import Scanner
@@ -38,6 +39,7 @@ from tests.studies.prediction_study import PLAN
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
+from tests.support.message_codes import codes
 
 PORT = Path(__file__).parents[1] / "data" / "port-plan.toml"
 QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
@@ -378,19 +380,19 @@ def test_the_summary_names_the_sigma_that_is_too_small() -> None:
     found = MonteCarloResult(
         generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], alone, 2
     )
-    yaw, chi, failed = map(str, found.messages)
-    assert yaw.startswith("The standard deviation of yaw from the adjustment is too small")
-    assert "the errors are larger than predicted" in chi
-    assert failed.startswith("2 surveys could not be adjusted")
+    yaw, chi, failed = found.messages
+    assert (yaw.code, yaw.level) == ("campaign.sigma_too_small", Level.WARNING)
+    assert yaw.params["angle"] == note("adjustment.angle_yaw")
+    assert chi.code == "campaign.errors_larger"
+    assert failed == note("campaign.not_adjusted", count=2)
     others = MonteCarloResult(found.errors * [1, 1, 0.2], sigmas, sigmas[0], alone, 0)
-    assert "agrees with 95 %" in str(others.messages[0])
-    assert "the errors agree with the prediction" in str(others.messages[1])
+    assert codes(others.messages) == ["campaign.coverage_agrees", "campaign.errors_agree"]
     off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
-    assert any(
-        "mean error of pitch is significant: +0.00" in text for text in map(str, off.messages)
-    )
+    (mean_error,) = (each for each in off.messages if each.code == "campaign.mean_error")
+    assert mean_error.params["angle"] == note("adjustment.angle_pitch")
+    assert mean_error.params["mean"] == pytest.approx(5e-5, rel=0.3)
     small = replace(others, errors=0.8 * others.errors)
-    assert any("are smaller than predicted" in text for text in map(str, small.messages))
+    assert "campaign.errors_smaller" in codes(small.messages)
 
 
 def test_chi_square_uses_the_correlation_of_the_angles() -> None:

@@ -119,7 +119,7 @@ def test_elimination_agrees_with_a_dense_matrix(lines: int) -> None:
     ball = Ball("S1", (0.0, -13.0, 6.0), 0.2, radius_known=False)
     plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
     normal = predicted_equations(plan).normal
-    surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
+    surfaces, knots = len(normal.layout.surfaces), len(normal.pos_right)
     assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (
         surfaces > MAX_UNELIMINATED_SURFACES
     )
@@ -138,7 +138,7 @@ def test_elimination_agrees_with_a_dense_matrix(lines: int) -> None:
     solution = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
         np.ones(len(normal.matrix)), np.arange(knots)
     ))[:kept] * scale[:kept]  # fmt: skip
-    pushed = replace(normal, right=np.ones(len(normal.matrix)), pull=np.arange(knots) * 1.0)
+    pushed = replace(normal, right=np.ones(len(normal.matrix)), pos_right=np.arange(knots) * 1.0)
     correction, _ = pushed.eliminate_surfaces.solve()
     assert correction == pytest.approx(solution, rel=1e-6)
 

@@ -93,7 +93,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
             dialog.windowTitle(), dialog.ok.text(), dialog.place.isVisible(),
             [table.item(row, 0).text() for row in range(table.rowCount())],
             [table.cellWidget(0, column) for column in (ROLE, FORMAT)],
-            dialog.input_files.files_problem_text(), dialog.remove.isEnabled(),
+            dialog.input_files.files_problem(), dialog.remove.isEnabled(),
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 
@@ -101,11 +101,12 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     drop(short.window, new)
     short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
     short.rest()
-    assert dialogs.questions == ["Add the files to harbour?"]
+    (question,) = dialogs.questions
+    assert "harbour" in question
     names = [shorter.trajectory.name, shorter.accuracy.name]
     assert shown_values == [
         "Add lines to harbour", "Add to project", False, names + [p.name for p in new],
-        [None, None], "", False,
+        [None, None], None, False,
     ]  # fmt: skip
     assert short.dialogs.errors == []
     assert [line.path for line in short.project.lines[4:]] == new
@@ -149,7 +150,7 @@ def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
     assert name in reasons[0]
     assert "late.laz" in reasons[1]
     assert "trajectory" in reasons[1]
-    assert reasons[2].startswith("No lines have been added yet.")
+    assert is_shown("import.no_lines_added", reasons[2])
     assert short.project.lines == shorter.lines
     assert not short.window.isWindowModified()
 

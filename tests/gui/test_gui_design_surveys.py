@@ -14,6 +14,8 @@ from lispac.gui.features.design import edits
 from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.present.angles import Angles
 from lispac.present.planning import ANGLES_BY_ROW_TABLE, FormattedAnglesRow, SimulationValues
 from lispac.present.tables import cell_text, ratio
@@ -82,7 +84,7 @@ def test_simulated_surveys_agree_with_the_command_line(
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
     values = SimulationValues.of(found)
     assert shown.cells[1:] == table_cells(values.rows)
-    assert shown.messages.text().split("\n") == list(map(str, found.messages))
+    assert shown.messages.text().split("\n") == list(map(message_text, found.messages))
     assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
     assert shown.outdated.isVisible(), "it is no answer about another plan"
@@ -118,7 +120,8 @@ def test_a_cancelled_campaign_shows_its_finished_surveys_if_they_suffice(
     assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
-    assert f"{finished} surveys allow" in surveys.result_table.messages.text()
+    agrees = note("campaign.coverage_agrees", count=finished)
+    assert message_text(agrees) in surveys.result_table.messages.text()
 
 
 def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
@@ -203,7 +206,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     shown = design.compared
     assert shown.cells[1:] == table_cells(found.rows)
     assert shown.messages.text().split("\n") == list(found.summary_texts)
-    assert str(found.messages[-1]) in shown.messages.text()
+    assert message_text(found.messages[-1]) in shown.messages.text()
     assert document.project.name in shown.head.text()
     assert read_plan(PORT).title in shown.head.text()
     assert shown.isVisible()

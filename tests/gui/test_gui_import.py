@@ -205,7 +205,7 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
     second = ImportDialog(AppSettings(tmp_path / "settings.ini"))
     second.add([demo.project.trajectory, tmp_path / "next.txt"])
     rest(qtbot, second)
-    assert second.input_files.files_problem_text() == ""
+    assert second.input_files.files_problem() is None
     second.done(0)
     second.deleteLater()
 
@@ -239,5 +239,5 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClicks(field, "32618")
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
-    assert system.text() == "Coordinate system: WGS 84 / UTM zone 18N (EPSG:32618)."
+    assert "WGS 84 / UTM zone 18N (EPSG:32618)" in system.text()
     assert dict(dialog.input_files.lines[0].reading.options)["crs"] == "32618"

@@ -60,7 +60,7 @@ def test_the_folders_of_moved_files_are_asked_for(driver: Driver, demo_copy: Pat
     (error,) = driver.dialogs.errors
     assert error.code == "project_files.none_of_many_found"
     assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
-    assert driver.window.document.survey_is_current
+    assert driver.window.document.is_survey_current
     assert driver.window.isWindowModified()  # the new paths belong to the project
     driver.dialogs.errors.clear()
     press(driver, Key.Key_S, Control)

@@ -96,7 +96,7 @@ def test_the_project_continues_in_its_new_folder(
     assert open_project(new).targets == ()
     press(harbour, Key.Key_Y, Control)
     assert harbour.project.folder == new
-    assert harbour.window.document.survey_is_current
+    assert harbour.window.document.is_survey_current
 
 
 def test_an_unwritable_project_is_saved_in_another_folder(

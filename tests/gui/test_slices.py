@@ -21,7 +21,7 @@ def _no_thread_remains() -> Iterator[None]:
 
 
 def test_a_calculation_pauses_and_resumes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.CALCULATION_SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
     def work() -> None:
@@ -48,7 +48,7 @@ def test_a_short_calculation_does_not_pause() -> None:
 
 
 def test_an_abandoned_calculation_ends_at_its_pause(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.CALCULATION_SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
     def work() -> None:
@@ -81,7 +81,7 @@ def test_errors_are_raised_in_the_caller() -> None:
 
 @pytest.fixture
 def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
-    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.CALCULATION_SLICE_S", 0.0)
     made = chart_with_plots(3)
     yield made
     if isValid(made):

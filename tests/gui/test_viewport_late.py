@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.base import Viewport, ViewportSignals
-from lispac.gui.viewport.lazy_viewport import CALLS_BY_NAME, CALLS_WITH_VALUE, LazyViewport
+from lispac.gui.viewport.lazy_viewport import METHODS_BY_OBJECT, METHODS_WITH_RESULT, LazyViewport
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.gui.support import WAIT_MS, in_front
 
@@ -140,5 +140,5 @@ def test_every_query_returns_a_value() -> None:
         if inspect.isfunction(each) and inspect.signature(each).return_annotation is not None
     }
     theirs = queries - set(vars(LazyViewport))
-    assert {name for name in theirs if not name.startswith("_")} <= CALLS_WITH_VALUE
-    assert set(vars(Viewport)) > CALLS_BY_NAME
+    assert {name for name in theirs if not name.startswith("_")} <= METHODS_WITH_RESULT
+    assert set(vars(Viewport)) > METHODS_BY_OBJECT

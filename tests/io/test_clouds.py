@@ -39,7 +39,7 @@ def to_las(
 ) -> laspy.LasData:
     """Georeference a LAS file along the test track."""
     mapper = ScannerPointConverter(system, track(), MOUNTING)
-    chunks = LAS_FORMAT.read(source, LAS_FORMAT.resolved({})) if chunk is None else [chunk]
+    chunks = LAS_FORMAT.read(source, LAS_FORMAT.complete_options({})) if chunk is None else [chunk]
     write_cloud(
         chunks, path, path, mapper, lambda _: layout_of_las(source),
         compressed=path.suffix == ".laz",
@@ -171,7 +171,7 @@ def test_written_clouds_can_be_read_back(
     choice = {**LAS_FORMAT.preview(path, {}).choice, "height": grid}
     if number < 6 and code == "EPSG:4326":
         choice["frame"] = "georeferenced"
-    found = crs_of_options(LAS_FORMAT.resolved(choice))
+    found = crs_of_options(LAS_FORMAT.complete_options(choice))
     assert found is not None
     trajectory = track()
     recovery = RecoverySetup(found, trajectory, MOUNTING)

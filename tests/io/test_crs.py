@@ -28,7 +28,7 @@ def test_utm_points_and_the_same_points_in_ecef_agree(
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
         choice = LAS_FORMAT.preview(path, {}).choice
-        system = crs_of_options(LAS_FORMAT.resolved(choice))
+        system = crs_of_options(LAS_FORMAT.complete_options(choice))
         assert system is not None
         cloud = laspy.read(path).xyz
         clouds.append(cloud)

@@ -92,7 +92,7 @@ def test_an_examination_reports_frame_unit_time_base_and_assumptions(
     assert found.assumptions
     assert len(found.rows) == 11
     assert len({len(row) for row in found.rows}) == 1
-    format_.resolved(found.choice)
+    format_.complete_options(found.choice)
     assert all(fact_text(fact) for fact in found.facts.values())
 
 
@@ -207,8 +207,8 @@ def test_time_base_and_system_of_a_las_header(tmp_path: Path) -> None:
     assert "times.base_contradicted" in codes(found.file_warnings)  # seconds of the week
     assert "points.small_coordinates" in codes(found.file_warnings)
     with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # of CGVD2013
-        crs_of_options(FORMATS["las"].resolved(found.choice))
-    resolved = FORMATS["las"].resolved({**found.choice, "height": "ellipsoid"})
+        crs_of_options(FORMATS["las"].complete_options(found.choice))
+    resolved = FORMATS["las"].complete_options({**found.choice, "height": "ellipsoid"})
     system = crs_of_options(resolved)
     assert system is not None
     assert "MTM" in system.name

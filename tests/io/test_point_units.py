@@ -31,7 +31,7 @@ def test_column_names_specify_units(
     rows = [f"{300 + k / 10},{6e5 + k},{6.4e5},{10 + k}" for k in range(20)]
     path.write_text("\n".join([f"time,Easting{across},Northing{across},Height{up}", *rows]))
     finding = TEXT.preview(path, {"crs": crs, "frame": "georeferenced"})
-    resolved = TEXT.resolved({**finding.choice, "crs": crs, "frame": "georeferenced"})
+    resolved = TEXT.complete_options({**finding.choice, "crs": crs, "frame": "georeferenced"})
     system = crs_of_options(resolved)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)

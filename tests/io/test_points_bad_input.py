@@ -213,7 +213,7 @@ def test_unknown_coordinate_systems_are_reported(tmp_path: Path) -> None:
     found = las.preview(tmp_path / "a.las", {})
     assert found.choice["frame"] == "georeferenced"
     with pytest.raises(InputError, check=has_code("crs.none_given")):
-        crs_of_options(las.resolved(found.choice))
+        crs_of_options(las.complete_options(found.choice))
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr("PROJCS[damaged"))
     data = laspy.LasData(header)

@@ -87,7 +87,7 @@ def test_a_compressed_file_with_a_wrong_checksum_is_refused(tmp_path: Path) -> N
 
 
 def test_an_invalid_epoch_is_refused() -> None:
-    choice = TEXT.resolved({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
+    choice = TEXT.complete_options({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
     with pytest.raises(InputError) as caught:
         crs_of_options(choice)
     assert caught.value.message == error("file.epoch", epoch="May")

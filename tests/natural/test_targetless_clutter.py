@@ -40,11 +40,11 @@ def test_clutter_has_little_effect_and_the_displaced_line_is_named(tmp_path: Pat
             found = targetless(*each, count=FEW_SURFACES)
             errors[name].append(found.result.boresight - truth.boresight)
             if name == "clean":
-                clean.append(bool(found.disagreeing))
-        named.append(wrong in found.disagreeing)
-        others_named.append(bool({*found.disagreeing} - {wrong}))
+                clean.append(bool(found.disagreeing_lines))
+        named.append(wrong in found.disagreeing_lines)
+        others_named.append(bool({*found.disagreeing_lines} - {wrong}))
         rounded_errors = *(np.degrees(errors[name][-1]).round(4) for name in errors), clean[-1]
-        print(seed, *rounded_errors, wrong, found.disagreeing, flush=True)
+        print(seed, *rounded_errors, wrong, found.disagreeing_lines, flush=True)
     rms = {name: np.sqrt(np.mean(np.square(off), axis=0)) for name, off in errors.items()}
     cost = {name: np.sqrt(np.mean((own / rms["clean"]) ** 2)) for name, own in rms.items()}
     print(f"{SCENES} surveys, rms in deg:")

@@ -322,7 +322,8 @@ def test_a_good_result_has_no_warning(
     result, checks = project.result, project.cross_checks
     assert result is not None
     assert result_warnings(result, checks) == ()
-    assert result_texts.fit_verdict(result, checks).endswith("The uncertainties are realistic.")
+    sure, _ = result_texts.GOOD_FIT_TEXTS
+    assert result_texts.fit_verdict(result, checks) == sure
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 

@@ -238,8 +238,9 @@ def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     (few,) = [each for each in content.warnings if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     html = html_text(content, {}, FULL_REPORT)
-    reason = message_text(note("finder.not_alike"))
-    assert f"T1 was not found on L2. {reason}" in html
+    reason = note("finder.not_alike")
+    missing = note("project.not_found_on_line", target="T1", line="L2", reason=reason)
+    assert message_text(missing) in html
 
 
 def test_truth_of_a_simulated_survey_is_reported(project: Project) -> None:

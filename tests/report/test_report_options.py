@@ -29,7 +29,7 @@ from lispac.survey.conventions.conversion import (
     convert_from_system,
     mounting_of_angles,
 )
-from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING
+from lispac.survey.conventions.mounting_texts import CHECK_FIRST_NOTE, UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.output.report_options import TEMPLATE_KEYS, report_options
@@ -300,7 +300,7 @@ def test_report_has_values_and_their_uncertainty(
             assert f"{angle.value_deg:+.4f}" in text
             assert f"{angle.sigma_deg:.4f}" in text
         assert str(found.status_text) in text
-        assert (message_text(CHECK_FIRST) in text) == (found.status != "verified")
+        assert (message_text(CHECK_FIRST_NOTE) in text) == (found.status != "verified")
         assert found.assumption is None or str(found.assumption)[:40] in text
     assert bool(found.angles) == convention_of_key(key).has_angles
 

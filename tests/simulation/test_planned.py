@@ -9,6 +9,7 @@ from lispac.simulation.scene import Sphere
 from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
 from lispac.workflow.project.projects import open_project
 from tests.cli.test_cli import run, run_json, run_refused
+from tests.support.message_codes import is_shown
 
 PORT_PLAN = Path(__file__).parents[1] / "data" / "port-plan.toml"
 
@@ -60,9 +61,10 @@ def test_files_that_are_not_plans_and_wrong_options_are_reported(
     outcome = run(capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--scanner", "zf-9012")
     assert outcome[0] == 2
     assert "a survey plan contains its scanner and lines" in outcome[2]
-    assert "no vessel named" in run_refused(
+    refused = run_refused(
         capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--vessel", "raft"
     )
+    assert is_shown("simulate.no_vessel", refused)
 
 
 def test_a_planned_ball_is_simulated_as_a_sphere(tmp_path: Path) -> None:

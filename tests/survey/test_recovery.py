@@ -73,7 +73,7 @@ def written(
 
 def system_in(path: Path) -> CoordinateSystem:
     """Return the coordinate system that the file header alone specifies."""
-    system = crs_of_options(LAS_FORMAT.resolved(LAS_FORMAT.preview(path, {}).choice))
+    system = crs_of_options(LAS_FORMAT.complete_options(LAS_FORMAT.preview(path, {}).choice))
     assert system is not None
     return system
 

@@ -117,7 +117,7 @@ def test_points_of_any_time_base_match_the_trajectory(survey, other, where) -> N
     right = from_gps(track, other) - track
     known = base.period is None or other.period is None or base.utc == other.utc
     if known or leap_seconds_at_gps(start) == 18:
-        shifts = [match.applied(from_gps(line, base)) - line for match in found]
+        shifts = [match.shifted_times(from_gps(line, base)) - line for match in found]
         assert any(np.allclose(shift, right[0], atol=1e-5, rtol=0) for shift in shifts)
         assert found[0].share == 1
 
@@ -173,15 +173,15 @@ def test_use_of_the_current_leap_seconds_is_reported() -> None:
         times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
     )
     assert found[0].leap_assumed
-    np.testing.assert_allclose(found[0].applied(np.array([50_400.0])), 2 * DAY + 50_418)
+    np.testing.assert_allclose(found[0].shifted_times(np.array([50_400.0])), 2 * DAY + 50_418)
 
 
 def test_a_line_after_midnight_matches_the_trajectory() -> None:
     track = times(2 * DAY - 600, 1200)  # seconds of the week, over the midnight of Monday
     after = find_time_matches(times(60, 30), track)
-    np.testing.assert_allclose(after[0].applied(np.array([60.0])), 2 * DAY + 60)
+    np.testing.assert_allclose(after[0].shifted_times(np.array([60.0])), 2 * DAY + 60)
     before = find_time_matches(times(DAY - 60, 30), track)
-    np.testing.assert_allclose(before[0].applied(np.array([DAY - 60])), 2 * DAY - 60)
+    np.testing.assert_allclose(before[0].shifted_times(np.array([DAY - 60])), 2 * DAY - 60)
 
 
 def test_a_line_after_the_end_of_the_week_matches_the_trajectory() -> None:
@@ -344,4 +344,4 @@ def test_seconds_of_the_hour_match_the_trajectory(hour: int, begin: float, span:
     )  # fmt: skip
     assert found[0].share == 1
     right = from_gps(track, base_of_key("gps-week"))[0] - track[0]
-    assert any(np.allclose(m.applied(counted) - line, right, atol=1e-5) for m in found)
+    assert any(np.allclose(m.shifted_times(counted) - line, right, atol=1e-5) for m in found)

@@ -17,6 +17,7 @@ from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
+from tests.support.message_codes import is_shown
 
 VESSEL = np.array([0.0, 0.0, 3.0])
 
@@ -120,8 +121,9 @@ def test_the_quality_command_writes_map_and_table(
     assert code == 0
     assert "prior boresight" in out
     assert "RMSD" in out
-    assert "have not been estimated" in run_refused(
-        capsys, "quality", project.folder, "--boresight", "estimated"
+    assert is_shown(
+        "project.not_estimated",
+        run_refused(capsys, "quality", project.folder, "--boresight", "estimated"),
     )
     refusal = command_error("quality", project.folder, "--search-distance", "11")
     assert refusal.code == "check.search_distance"

@@ -8,7 +8,7 @@ import pytest
 from lispac.errors import RankDeficient
 from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.checking.warnings import warnings_of
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import picked
@@ -27,7 +27,7 @@ def test_the_warning_agrees_with_the_refusal_of_the_estimate(
     faces_one_way = {}
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
         few = with_targets_only(project, *names)
-        faces_one_way[names] = do_targets_face_one_way(few, survey)
+        faces_one_way[names] = have_targets_single_orientation(few, survey)
         assert faces_one_way[names] == (
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
         )
@@ -44,13 +44,13 @@ def test_one_target_or_an_accepted_orientation_gives_no_warning(
 ) -> None:
     project, survey = calibrated
     one_orientation = with_targets_only(project, "T1", "V1")
-    assert do_targets_face_one_way(one_orientation, survey) != do_targets_face_one_way(
-        with_targets_only(project, "T1"), survey
-    )
+    assert have_targets_single_orientation(
+        one_orientation, survey
+    ) != have_targets_single_orientation(with_targets_only(project, "T1"), survey)
     accepted = one_orientation.with_settings(
         replace(one_orientation.settings, accept_single_orientation=True)
     )
-    assert not do_targets_face_one_way(accepted, survey)
+    assert not have_targets_single_orientation(accepted, survey)
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
 
@@ -59,13 +59,15 @@ def test_balls_and_missing_lines_give_no_warning() -> None:
     project, survey = picked()
     upright = project.target("T1")
     one_orientation = replace(project, targets=(upright, replace(upright, name="parallel")))
-    assert do_targets_face_one_way(one_orientation, survey)
+    assert have_targets_single_orientation(one_orientation, survey)
     ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
-    assert not do_targets_face_one_way(one_orientation.with_target(ball), survey)
-    assert not do_targets_face_one_way(one_orientation.with_target(project.target("T2")), survey)
+    assert not have_targets_single_orientation(one_orientation.with_target(ball), survey)
+    assert not have_targets_single_orientation(
+        one_orientation.with_target(project.target("T2")), survey
+    )
     fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
     remaining = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
-    assert not do_targets_face_one_way(one_orientation, replace(survey, clouds=remaining))
+    assert not have_targets_single_orientation(one_orientation, replace(survey, clouds=remaining))
 
 
 def test_points_on_one_straight_line_have_no_orientation() -> None:
@@ -73,4 +75,4 @@ def test_points_on_one_straight_line_have_no_orientation() -> None:
     upright = project.target("T1")
     row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)
     thin = replace(upright, name="thin", sightings=(row,))
-    assert not do_targets_face_one_way(replace(project, targets=(upright, thin)), survey)
+    assert not have_targets_single_orientation(replace(project, targets=(upright, thin)), survey)

@@ -11,7 +11,6 @@ from lispac.io.formats import format_of
 from lispac.io.points import line_times as times_module
 from lispac.io.points.line_times import read_line_times
 from lispac.io.project.project_file import read_project
-from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, error, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
@@ -54,7 +53,7 @@ def test_kinds_of_the_files_of_a_folder_are_detected(whole: InputFiles) -> None:
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
         "L2.las": "points", "letter.md": None,
     }  # fmt: skip
-    assert whole.import_problem("") == "Choose a folder for the project."
+    assert whole.import_problem("") == note("import.no_folder")
     assert whole.time_base is not None
     assert whole.time_base.key == "gps-week"
     assert {whole.state_of_file(line) for line in whole.lines} == {"fine"}
@@ -77,18 +76,18 @@ def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None
 
 
 def test_missing_files_are_reported_in_order(files: Path, tmp_path: Path) -> None:
-    assert InputFiles().import_problem("x").startswith("Add the files of the survey")
+    assert InputFiles().import_problem("x") == note("import.no_files")
     waiting = InputFiles().with_files([files / "L1.laz"])
-    assert waiting.import_problem("x") == "The files are being examined."
+    assert waiting.import_problem("x") == note("import.being_examined")
     line = import_files(InputFiles(), files / "L1.laz")
-    assert "The trajectory is missing" in line.import_problem("x")
+    assert line.import_problem("x") == error("import.no_trajectory")
     track = import_files(InputFiles(), files / "pos.sbet")
-    assert "There is no line" in track.import_problem("x")
+    assert track.import_problem("x") == error("import.no_line")
     (tmp_path / "project.json").write_text("{}")
     both = import_files(line, files / "pos.sbet")
-    assert "already contains a project" in both.import_problem(str(tmp_path))
-    assert "This is a file" in both.import_problem(str(files / "L1.laz"))
-    assert both.import_problem(str(tmp_path / "new")) == ""
+    assert both.import_problem(str(tmp_path)) == error("import.folder_has_project")
+    assert both.import_problem(str(files / "L1.laz")) == error("import.folder_is_file")
+    assert both.import_problem(str(tmp_path / "new")) is None
     assert proposed_folder(both) == files.parent / f"{files.name}-boresight"
 
 
@@ -97,14 +96,18 @@ def test_a_second_trajectory_is_an_error_until_it_is_skipped(
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     input_files = import_files(whole, second)
-    several = error("import.several_trajectories", file="pos.sbet")
-    assert message_text(several) in input_files.import_problem("x")
+    problem = input_files.import_problem("x")
+    assert problem is not None
+    assert problem.code == "import.several_errors"
+    first = problem.params["first"]
+    assert isinstance(first, Message)
+    assert (first.code, first.params["file"]) == ("import.several_trajectories", "pos.sbet")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
     resolved = input_files.with_action(second, leave_out)
     assert resolved.state_of_file(resolved.file(second)) == "out"
     assert resolved.trajectory is not None
     assert resolved.trajectory.path == files / "pos.sbet"
-    assert resolved.files_problem_text() == ""
+    assert resolved.files_problem() is None
 
 
 def test_ambiguous_text_is_a_line_if_a_trajectory_exists(files: Path, tmp_path: Path) -> None:
@@ -124,7 +127,7 @@ def test_lines_with_the_same_name_are_named_by_their_folders(files: Path, tmp_pa
         paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
     input_files = import_files(InputFiles(), files / "pos.sbet", *paths)
     assert list(input_files.names.values()) == ["a_scan", "b_scan"]
-    assert input_files.files_problem_text() == ""
+    assert input_files.files_problem() is None
 
 
 def test_a_damaged_line_is_an_error_until_it_is_skipped(
@@ -136,8 +139,8 @@ def test_a_damaged_line_is_an_error_until_it_is_skipped(
     input_files = import_files(whole, damaged)
     assert input_files.state_of_file(input_files.file(damaged)) == "error"
     assert str(damaged) not in message_texts(input_files, "damaged.laz")
-    assert input_files.import_problem("x").startswith("damaged.laz: ")
-    assert input_files.with_role(damaged, None).files_problem_text() == ""
+    assert input_files.import_problem("x") == input_files.messages(input_files.file(damaged))[0]
+    assert input_files.with_role(damaged, None).files_problem() is None
 
 
 # -- times ---------------------------------------------------------------------------------------
@@ -157,7 +160,7 @@ def test_the_shift_that_fits_seconds_of_the_day_is_proposed(
         input_files.with_action(late, message.actions[0]),
         input_files.with_shift_for_all(),
     ):
-        assert shifted.files_problem_text() == ""
+        assert shifted.files_problem() is None
         assert shifted.proposed_shifts == ()
         covered = shifted.coverage(shifted.file(late))
         assert covered is not None

@@ -20,8 +20,8 @@ from lispac.io.trajectory.ascii_trajectory import degrees_action
 from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES_ACTION, time_warnings
 from lispac.io.trajectory.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
-from lispac.message_texts import action_text, action_tip, message_text
-from lispac.messages import Action, Level, Message, note, warning
+from lispac.message_texts import action_text, action_tip
+from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.time_base import base_of_key
@@ -84,21 +84,16 @@ def test_the_files_of_a_project_cannot_be_removed(project: Project, files: Path)
     assert [input_file.role for input_file in input_files.files] == ["trajectory", "accuracy"]
     assert input_files.trajectory_content is not None
     assert input_files.accuracy_content is not None
-    assert (
-        input_files.files_problem_text()
-        == "There is no line. Add the scan file of at least one line."
-    )
+    assert input_files.files_problem() == error("import.no_line")
     for input_file in input_files.files:
         assert input_files.without_file(input_file.path).files == input_files.files
         assert input_files.with_role(input_file.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
     assert [input_file.role for input_file in without.files] == ["trajectory"]
     more = import_files(input_files, files / "L2.las")
-    assert more.files_problem_text() == ""
+    assert more.files_problem() is None
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
-    assert (
-        more.without_file(files / "L2.las").files_problem_text() == input_files.files_problem_text()
-    )
+    assert more.without_file(files / "L2.las").files_problem() == input_files.files_problem()
 
 
 def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path) -> None:
@@ -106,7 +101,7 @@ def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path
     (message,) = input_files.messages(named(input_files, "L1.laz"))
     assert (message.level, message.code) == (Level.ERROR, "import.already_in_project")
     assert message.params == {"file": "L1.laz", "line": "L1"}
-    assert message_text(message) in input_files.files_problem_text()
+    assert input_files.files_problem() == message
     skipped = input_files.with_action(files / "L1.laz", message.actions[0])
     assert skipped.state_of_file(skipped.file(files / "L1.laz")) == "out"
 
@@ -178,7 +173,9 @@ def test_a_second_accuracy_file_is_an_error(files: Path, tmp_path: Path) -> None
     second.write_bytes((files / "smrmsg.out").read_bytes())
     input_files = import_files(InputFiles(), files, second)
     assert "import.several_accuracies" in codes_about(input_files, "second.out")
-    assert input_files.files_problem_text().endswith("Another file has errors.")
+    problem = input_files.files_problem()
+    assert problem is not None
+    assert (problem.code, problem.params["count"]) == ("import.several_errors", 1)
 
 
 def test_a_free_folder_is_proposed_for_the_project(
@@ -206,8 +203,8 @@ def test_a_free_folder_is_proposed_for_the_project(
     )  # fmt: skip
     assert proposed_folder(input_files) == home / "raw-boresight"
     monkeypatch.setattr(input_files_module.os, "access", lambda *_: False)
-    assert folder_problem(str(tmp_path / "x")) == (
-        f"{tmp_path}: cannot be written. Choose another folder."
+    assert folder_problem(str(tmp_path / "x")) == error(
+        "import.folder_not_writable", folder=str(tmp_path)
     )
     assert proposed_folder(input_files) is None
 

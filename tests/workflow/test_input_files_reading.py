@@ -161,13 +161,13 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     assert (message.level, option_to_choose(message.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.file(bare)) is not None
     wrong = import_files(input_files.with_option(bare, "crs", "EPSG:32617"))
-    assert "km from the trajectory" in message_texts(wrong, "bare.laz")
+    assert "import.far_from_trajectory" in codes_about(wrong, "bare.laz")
     nonsense = import_files(input_files.with_option(bare, "crs", "EPSG:1"))
     unknown = nonsense.messages(nonsense.file(bare))[0].params["reason"]
     assert isinstance(unknown, Message)
     assert unknown.code == "crs.unknown"
     right = import_files(wrong.with_option(bare, "crs", "32618"))
-    assert right.files_problem_text() == ""
+    assert right.files_problem() is None
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
@@ -196,4 +196,4 @@ def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path,
     write_records(tmp_path / "other.out", other)
     input_files = import_files(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(input_files, "other.out")
-    assert replace(input_files, files=whole.files).files_problem_text() == ""
+    assert replace(input_files, files=whole.files).files_problem() is None

@@ -151,7 +151,7 @@ def test_a_plane_of_poor_quality_on_most_lines_is_not_proposed(
      (3, 1, "poor"), (4, 0, "poor")],
 )  # fmt: skip
 def test_use_of_a_plane_by_its_quality(poor: int, rough: int, use: str) -> None:
-    usual = replace(undetermined_quality(500, 0.002, "The beams meet it aslant."), flatness="good")
+    usual = replace(undetermined_quality(500, 0.002, "oblique"), flatness="good")
     lines = {
         f"L{k + 1}": replace(
             usual,
@@ -163,7 +163,7 @@ def test_use_of_a_plane_by_its_quality(poor: int, rough: int, use: str) -> None:
     plane_use = proposals._assess_plane(lines)
     assert plane_use.use == use
     assert plane_use.poor == tuple(lines)[:poor]
-    assert plane_use.reason == ("The beams meet it aslant." if poor else "")
+    assert plane_use.reason == ("oblique" if poor else "")
 
 
 def test_a_site_with_a_rippled_sheet_only_is_refused_with_its_reason() -> None:

@@ -23,6 +23,7 @@ from lispac.workflow.checking.survey_sections import (
     section_at_target,
 )
 from lispac.workflow.project.survey import Survey
+from tests.support.error_codes import has_code
 
 numbers = st.floats(-100, 100)
 places = st.tuples(numbers, numbers, numbers).map(np.array)
@@ -135,7 +136,7 @@ def test_sections_without_a_result_show_the_prior_only(calibrated: tuple[Project
 
 def test_impossible_sections_are_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    with pytest.raises(InputError, match="above each other"):
+    with pytest.raises(InputError, check=has_code("target.section_vertical")):
         section_between(np.zeros(3), np.array([0.0, 0.0, 4.0]))
     with pytest.raises(ProjectError, match="no target"):
         section_at_target(project, survey, "T9")

@@ -21,6 +21,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run
 from tests.support.command_errors import command_error
+from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
 UTM = "EPSG:32618"
@@ -102,7 +103,8 @@ def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     assert "row 1: B0: " in str(refusal)
     code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
     assert code == 0, err
-    assert "The coordinates are in WGS 84 / UTM zone 18N (EPSG:32618)." in err
+    assert is_shown("assumed.list_system", err)
+    assert "(EPSG:32618)" in err
     found: list[dict[str, Any]] = json.loads(out)["seeds"]
     np.testing.assert_allclose([seed["seed_m"] for seed in found], places, atol=2e-4)
     assert all(len(seed["lines"]) == 6 for seed in found)
@@ -120,17 +122,21 @@ def test_a_list_with_errors_is_refused_as_a_whole(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     good = rows("T1")
-    assert "row 2: the row has 2 columns" in run_refused(capsys, folder, good + "T2;1\n")
+    short = run_refused(capsys, folder, good + "T2;1\n")
+    assert is_shown("seeds.row_too_short", short)
+    assert "row 2: " in short
     assert "row 2: the name T1 is already in row 1" in run_refused(
         capsys, folder, good + "T1;1;2;3\n"
     )
     far = run_refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
-    assert "km from the trajectory" in far
-    assert "columns are missing: z" in run_refused(capsys, folder, good, "--columns", "name,x,y")
+    assert is_shown("coordinates.too_far_local", far)
+    unnamed = run_refused(capsys, folder, good, "--columns", "name,x,y")
+    assert is_shown("seeds.columns_missing", unnamed)
     none = run_refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
-    assert "at any of the 2 seeds. A (row 1): " in none
+    assert is_shown("pick.none_found", none)
+    assert "A (row 1): " in none
 
 
 def test_an_existing_name_is_refused_or_replaced(

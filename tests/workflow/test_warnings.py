@@ -77,12 +77,12 @@ def test_every_warning_about_a_result_has_its_cause(tmp_path: Path) -> None:
 def test_warnings_come_before_notes(tmp_path: Path) -> None:
     project = with_all_warnings(tmp_path)
     order = list(Level)
-    found = warnings_of(project, None, refusal="No target is left.")
+    found = warnings_of(project, None, refusal="none left")
     ranks = [order.index(each.level) for each in found]
     assert ranks == sorted(ranks)
     assert len(set(ranks)) > 1
     assert found[0] == warning(
-        "project.refused", reason="No target is left.", subject=Cause.of_step("Adjust")
+        "project.refused", reason="none left", subject=Cause.of_step("Adjust")
     )
 
 

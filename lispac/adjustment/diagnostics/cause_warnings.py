@@ -10,7 +10,7 @@ from lispac.adjustment.diagnostics.findings import critical_test_value, sighting
 from lispac.adjustment.diagnostics.sighting_warnings import MAX_WRONG_LINE_SHARE
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, amount_with_unit, mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
-from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE
+from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE_SIGMAS
 from lispac.messages import Message, note, warning
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
@@ -197,7 +197,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Mess
             ratio=float(abs(moved) / its_sigma),
         )
         for angle, moved, its_sigma in zip(ANGLES, cause.angle_change, result.sigma, strict=True)
-        if abs(moved) > MIN_ANGLE_CHANGE * its_sigma
+        if abs(moved) > MIN_ANGLE_CHANGE_SIGMAS * its_sigma
     ]
     code = f"adjustment.contradicted_{cause.kind}"
     return warning(

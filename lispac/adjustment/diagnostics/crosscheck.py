@@ -17,7 +17,7 @@ from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
-MIN_SIGMA_SHARE = 1 / 6
+MIN_DIFFERENCE_SIGMA_RATIO = 1 / 6
 """Smallest sigma of a difference that is used, as a fraction of the sigma of the whole result.
 
 With it, a difference below half a sigma of the whole result is never significant.
@@ -148,7 +148,7 @@ def _cross_check_part(
     difference = part.boresight - result.boresight
     # The variance of the difference is the difference of the variances (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
-    floor = MIN_SIGMA_SHARE * result.sigma
+    floor = MIN_DIFFERENCE_SIGMA_RATIO * result.sigma
     return CrossCheck(
         kind, name, part.boresight, part.sigma, difference, difference / np.maximum(spread, floor)
     )

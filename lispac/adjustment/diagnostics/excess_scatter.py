@@ -49,15 +49,15 @@ TEST_LEVEL = 0.15
 Preliminary tests of this kind have levels of 0.1 to 0.25 (Bancroft 1964), because sigmas that are
 too small are worse than sigmas that are too large.
 """
-MAX_LEVERAGE = 3.0
+MAX_VARIANCE_RATIO = 3.0
 """Largest ratio of the variance of the difference without a part to the variance of the whole.
 
 A part with a larger ratio determines the angle nearly alone. The result without it has a much
 larger sigma, so that its difference, in radians, says little about the whole result.
 """
-MIN_INFORMATION = 1e-3
+MIN_VARIANCE_RATIO = 1e-3
 """Smallest ratio, as above, of a part whose difference is divided by its predicted sigma."""
-SIMULATED_SETS = 500
+SIMULATION_COUNT = 500
 """Number of simulated sets of differences; the expected excess has an error of a few percent."""
 FREE_SHAPE_SIGMA = 10.0
 """Prior sigma of the shapes, metres and radians.
@@ -165,7 +165,7 @@ def expected_sigma_factors(linearised: LinearisedProblem, omitted: Flags) -> Arr
         for parts in _line_and_target_groups(linearised):
             left = [part | omitted for part in parts if (part & ~omitted).any()]
             _, predicted = _leave_out_differences(linearised, whole, left, no_progress)
-            drawn = rng.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
+            drawn = rng.normal(size=(SIMULATION_COUNT, *predicted.shape)) * np.sqrt(predicted)
             excess = [_significant_excess(each, predicted, whole[1]) for each in drawn]
             added += np.mean(excess, axis=0)
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
@@ -181,7 +181,7 @@ def _significant_excess(differences: Array, predicted: Array, variance: Array) -
     variance : ndarray of shape (3,)
         Variances of the angles of the whole result.
     """
-    checked = predicted <= MAX_LEVERAGE * variance
+    checked = predicted <= MAX_VARIANCE_RATIO * variance
     own, expected = differences * checked, predicted * checked
     excess = (
         (checked.sum(axis=0) >= MIN_PARTS)
@@ -190,7 +190,7 @@ def _significant_excess(differences: Array, predicted: Array, variance: Array) -
     )
     relative = np.zeros(3)
     for angle in np.flatnonzero(~checked.all(axis=0)):
-        informative = predicted[:, angle] > MIN_INFORMATION * variance[angle]
+        informative = predicted[:, angle] > MIN_VARIANCE_RATIO * variance[angle]
         ratios = differences[informative, angle] ** 2 / predicted[informative, angle]
         if _is_scatter_significant(np.sqrt(ratios)[:, None], np.ones((len(ratios), 1)))[0]:
             relative[angle] = max(float(ratios.mean()) - 1.0, 0.0)

@@ -12,8 +12,8 @@ from lispac.adjustment.result import AdjustmentResult, SightingReliability, Vari
 from lispac.adjustment.solve.blunders import FAMILY_WISE_LEVEL
 from lispac.messages import Message, note
 
-UNCHECKED_SHIFT = 1.0
-"""Minimal detectable bias from which on a sighting counts as not checked, metres."""
+MAX_DETECTABLE_BIAS = 1.0
+"""Minimal detectable bias at and above which a sighting counts as not checked, metres."""
 
 MAX_INTERVAL_RATIO = 10.0
 """Largest ratio of the bounds of the confidence interval of a determined variance component."""
@@ -50,7 +50,7 @@ def sighting_status(item: SightingReliability, critical: float) -> SightingStatu
     """Status of a sighting; ``critical`` is the critical test value."""
     if item.rejected:
         return "rejected"
-    if not item.detectable < UNCHECKED_SHIFT:
+    if not item.detectable < MAX_DETECTABLE_BIAS:
         return "not checked"
     return "disagrees" if abs(item.w) > critical else "agrees"
 

@@ -219,7 +219,7 @@ class _CandidateEquations:
         effect = matrix[np.ix_(errors, errors)] / weight
         half = forward_substitution(every.normal.factor, mixed.T)
         matrix -= half.T @ half
-        right -= half.T @ every.normal.whitened_pull
+        right -= half.T @ every.normal.whitened_pos_right
         candidates = tuple(_build_candidates(every.problem, [each.name for each in omitted]))
         return cls(
             (matrix + matrix.T) / 2, right, base, errors, departures, effect, weight, candidates

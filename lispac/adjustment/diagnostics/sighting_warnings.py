@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 
 from lispac.adjustment.diagnostics.findings import (
-    UNCHECKED_SHIFT,
+    MAX_DETECTABLE_BIAS,
     critical_test_value,
     exceedance_limit,
     sighting_status,
@@ -82,7 +82,7 @@ def _sighting_subject(sighting: Sighting) -> Cause:
 
 
 def _tested_sighting_item(item: SightingReliability) -> Message:
-    if not item.detectable < UNCHECKED_SHIFT or abs(item.w) < MIN_SHIFT_TEST_VALUE:
+    if not item.detectable < MAX_DETECTABLE_BIAS or abs(item.w) < MIN_SHIFT_TEST_VALUE:
         return _sighting_item(item.sighting)  # not checked, or tilted rather than shifted
     return note(
         "item.sighting_shifted",

@@ -30,15 +30,15 @@ Array = NDArray[np.float64]
 MAX_ANGLE_SIGMA_DEG = 0.1
 """Largest sigma of an angle without a warning, degrees; at 100 m, 0.1 deg correspond to 17 cm."""
 
-MIN_REPORTED_INCREASE = 1.05
+MIN_REPORTED_SIGMA_FACTOR = 1.05
 """Factor on a sigma above which a note reports that it was raised."""
 
-UNCOVERED_LEVEL = 0.005
+SCATTER_SIGNIFICANCE_LEVEL = 0.005
 """Probability of a warning about differences between parts of the data if the model is correct."""
 
-MAX_DIFFERENCE = 3.0
-"""Largest difference between the result without a part and that of all data, in stated sigmas, that
-needs no serious warning even if it is significant."""
+MAX_DIFFERENCE_SIGMAS = 3.0
+"""Largest difference between the result without a part and that of all data, in sigmas, that
+leads to a note instead of a warning if it is significant."""
 
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
@@ -168,12 +168,12 @@ def _cross_check_messages(
 def _is_uncovered(
     result: AdjustmentResult, checks: CrossChecks | None, part: CrossCheck
 ) -> NDArray[np.bool_]:
-    """Whether the stated sigma of each angle does not cover the result without a part, (3,).
+    """Whether the sigma of each angle does not cover the result without a part, (3,).
 
-    The difference is significant, it exceeds `MAX_DIFFERENCE` stated sigmas, and the sigma was not
-    raised, because too few parts can be omitted. Halves are not considered: each consists of few
-    lines, which hardly determine some angles. The level of each test is that of all tests divided
-    by their number (Bonferroni, Dunn 1961).
+    The difference is significant, it exceeds `MAX_DIFFERENCE_SIGMAS` sigmas, and the sigma was
+    not raised, because too few parts can be omitted. Halves are not considered: each consists
+    of few lines, which hardly determine some angles. The level of each test is that of all tests
+    divided by their number (Bonferroni, Dunn 1961).
     """
     from scipy.special import ndtri
 
@@ -185,9 +185,9 @@ def _is_uncovered(
     tests = len(ANGLES) * sum(each.significance is not None for each in checks.parts)
     factors = np.ones(3) if result.angle_sigma_factors is None else result.angle_sigma_factors
     return np.asarray(
-        (np.abs(part.significance) > -ndtri(UNCOVERED_LEVEL / (2 * tests)))
-        & (np.abs(part.difference) > MAX_DIFFERENCE * result.sigma)
-        & (factors <= MIN_REPORTED_INCREASE)
+        (np.abs(part.significance) > -ndtri(SCATTER_SIGNIFICANCE_LEVEL / (2 * tests)))
+        & (np.abs(part.difference) > MAX_DIFFERENCE_SIGMAS * result.sigma)
+        & (factors <= MIN_REPORTED_SIGMA_FACTOR)
     )
 
 
@@ -338,7 +338,7 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
             result.angle_sigma_factors,
             strict=True,
         )
-        if factor > MIN_REPORTED_INCREASE
+        if factor > MIN_REPORTED_SIGMA_FACTOR
     ]
     if raised:
         page = Cause.of_page("Cross-checks")

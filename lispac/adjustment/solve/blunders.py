@@ -46,7 +46,7 @@ CONFIRMATION_LEVEL = 1e-6
 MIN_OTHER_SIGHTINGS = 2
 """Smallest number of other sightings of the target of a rejected sighting."""
 
-SHIFT_PREFERENCE = 100.0
+OTHER_SURFACE_P_VALUE_RATIO = 100.0
 """Ratio of p-values above which another surface is preferred to a shift."""
 
 
@@ -87,26 +87,26 @@ def worst_blunder(linearised: LinearisedProblem, untested: Collection[Blunder]) 
     untested : collection of Blunder
         Blunders that have already been restored, and are not tested again.
     """
-    candidates = [
+    tested = [
         blunder for blunder in _candidate_blunders(linearised.problem) if blunder not in untested
     ]
-    first = [(_score_test_p_value(linearised, blunder), blunder) for blunder in candidates]
-    promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
-    promising.sort(key=_weighted_p_value)
+    first = [(_score_test_p_value(linearised, blunder), blunder) for blunder in tested]
+    candidates = [item for item in first if item[0] < CANDIDATE_LEVEL]
+    candidates.sort(key=_weighted_p_value)
     again = [
         (_weighted_p_value((p_value, blunder)), k, blunder)
-        for k, (_, blunder) in enumerate(promising[:MAX_CANDIDATES])
+        for k, (_, blunder) in enumerate(candidates[:MAX_CANDIDATES])
         for p_value in [
             _score_test_p_value(_surfaces_from_other_sightings(linearised, blunder), blunder)
         ]
-        if p_value < FAMILY_WISE_LEVEL / len(candidates)
+        if p_value < FAMILY_WISE_LEVEL / len(tested)
     ]
     return min(again)[-1] if again else None
 
 
 def _weighted_p_value(item: tuple[float, Blunder]) -> float:
     p_value, blunder = item
-    return p_value * (SHIFT_PREFERENCE if blunder.kind == "surface" else 1.0)
+    return p_value * (OTHER_SURFACE_P_VALUE_RATIO if blunder.kind == "surface" else 1.0)
 
 
 def find_restorable_blunder(
@@ -185,13 +185,15 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
     mixed = by_unknowns - half.T @ normal.whitened_mixed
     information = own - half.T @ half - mixed @ normal.covariance @ mixed.T
     correction, change = normal.solve()
-    pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
+    right_side = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
     # Directions without information, such as a shift along the boards, cannot be tested.
     values, directions = np.linalg.eigh(information)
     is_determined = values > MIN_INFORMATION_SHARE * np.diag(own).max()
     if not is_determined.any():
         return 1.0
-    statistic = float((((directions.T @ pull) ** 2)[is_determined] / values[is_determined]).sum())
+    statistic = float(
+        (((directions.T @ right_side) ** 2)[is_determined] / values[is_determined]).sum()
+    )
     return float(chdtrc(int(is_determined.sum()), statistic))
 
 

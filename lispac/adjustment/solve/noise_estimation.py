@@ -34,13 +34,13 @@ not used."""
 
 NORMAL_MEDIAN = 0.6745
 """Median absolute value of a standard normal variable."""
-NEAR_SQUARE_SHARE = 0.9733
+TRUNCATED_NORMAL_VARIANCE = 0.9733
 """Variance of a standard normal variable within `MAX_SCALED_RESIDUAL`."""
 
 CRITICAL_COVARIANCE_SIGMAS = 2.0
 """Critical value of the covariance between lines, in standard deviations."""
 
-MIN_DISPLACED_RATIO = 3.0
+MIN_DISPLACEMENT_RATIO = 3.0
 """Smallest offset of a displaced sighting, in units of the robust scale of the target's residuals.
 
 Only another surface or a gross error of the position displaces a single sighting by so much. A
@@ -109,7 +109,7 @@ def lidar_noise_ratio(linearised: LinearisedProblem) -> float | None:
     scale = np.median(usual) / NORMAL_MEDIAN
     near = (usual <= MAX_SCALED_RESIDUAL * scale) & (doubled > 0)
     share = float(np.mean(((usual[near] / doubled[near]) ** 2 - 1) / 3))
-    square = (float(np.mean(usual[near] ** 2)) / NEAR_SQUARE_SHARE - 1 + share) / share
+    square = (float(np.mean(usual[near] ** 2)) / TRUNCATED_NORMAL_VARIANCE - 1 + share) / share
     return float(np.sqrt(square)) if square > 0 else None
 
 
@@ -297,7 +297,7 @@ def find_displaced_sightings(observations: Observations, residuals: Array) -> ND
     found = []
     for k in range(len(observations.targets)):
         off = _relative_sighting_offsets(observations, residuals, k)
-        found += [s for s, size in off.items() if size > MIN_DISPLACED_RATIO]
+        found += [s for s, size in off.items() if size > MIN_DISPLACEMENT_RATIO]
     return np.array(found, dtype=np.int64)
 
 

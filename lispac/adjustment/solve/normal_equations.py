@@ -109,7 +109,7 @@ class NormalEquations:
         Lower diagonals of the normal matrix of the POS error, in the format of LAPACK.
     mixed : ndarray of shape (u, 6 knots)
         Block of the normal matrix between these unknowns and the POS error.
-    pull : ndarray of shape (6 knots,)
+    pos_right : ndarray of shape (6 knots,)
         Right-hand side of the POS error.
     """
 
@@ -119,7 +119,7 @@ class NormalEquations:
     quadratic: float
     band: Array
     mixed: Array
-    pull: Array
+    pos_right: Array
 
     @cached_property
     def factor(self) -> Array:
@@ -132,9 +132,9 @@ class NormalEquations:
         return forward_substitution(self.factor, self.mixed.T)
 
     @cached_property
-    def whitened_pull(self) -> Array:
-        """``L^-1`` times ``pull``, shape (6 knots,)."""
-        return forward_substitution(self.factor, self.pull)
+    def whitened_pos_right(self) -> Array:
+        """``L^-1`` times ``pos_right``, shape (6 knots,)."""
+        return forward_substitution(self.factor, self.pos_right)
 
     @cached_property
     def pos_error_by_unknowns(self) -> Array:
@@ -144,7 +144,7 @@ class NormalEquations:
     @cached_property
     def reduced_matrix(self) -> Array:
         """Normal matrix with the POS error eliminated, shape (u, u)."""
-        if not len(self.pull):
+        if not len(self.pos_right):
             return self.matrix
         reduced = self.matrix - self.whitened_mixed.T @ self.whitened_mixed
         return np.asarray((reduced + reduced.T) / 2)
@@ -153,8 +153,8 @@ class NormalEquations:
     def reduced_right_side(self) -> Array:
         """Right-hand side with the POS error eliminated, shape (u,)."""
         return (
-            self.right - self.whitened_mixed.T @ self.whitened_pull
-            if len(self.pull)
+            self.right - self.whitened_mixed.T @ self.whitened_pos_right
+            if len(self.pos_right)
             else self.right
         )
 
@@ -185,7 +185,11 @@ class NormalEquations:
             return self
         first = layout.surfaces[0].start
         matrix, right = self.matrix[:first, :first].copy(), self.right[:first].copy()
-        mixed, pull, quadratic = self.mixed[:first].copy(), self.pull.copy(), self.quadratic
+        mixed, pos_right, quadratic = (
+            self.mixed[:first].copy(),
+            self.pos_right.copy(),
+            self.quadratic,
+        )
         band = np.zeros((wide, self.band.shape[1]))
         band[: len(self.band)] = self.band
         for place, own in zip(layout.surfaces, knots, strict=True):
@@ -196,13 +200,13 @@ class NormalEquations:
             matrix -= rest @ by_rest
             mixed[:, own] -= rest @ by_knots
             right -= rest @ alone
-            pull[own] -= crossed.T @ alone
+            pos_right[own] -= crossed.T @ alone
             quadratic -= float(self.right[place] @ alone)
             square = crossed.T @ by_knots
             lower, upper = np.tril_indices(len(square))
             band[lower - upper, own.start + upper] -= square[lower, upper]
         layout = replace(layout, surfaces=(), size=first, index=np.minimum(layout.index, first))
-        return NormalEquations(layout, matrix, right, quadratic, band, mixed, pull)
+        return NormalEquations(layout, matrix, right, quadratic, band, mixed, pos_right)
 
     def information(self, count: int) -> Array:
         """Normal matrix of the first unknowns, (count, count), with all others eliminated.
@@ -239,9 +243,9 @@ class NormalEquations:
     def _solved_corrections(self) -> tuple[Array, Array]:
         # Cached, because every blunder test uses it.
         correction = self.covariance @ self.reduced_right_side
-        if not len(self.pull):
+        if not len(self.pos_right):
             return correction, np.zeros((0, 6))
-        half = self.whitened_pull - self.whitened_mixed @ correction
+        half = self.whitened_pos_right - self.whitened_mixed @ correction
         return correction, back_substitution(self.factor, half).reshape(-1, 6)
 
 
@@ -362,7 +366,7 @@ def assemble_normal_equations(
     ).reshape(wide, wide)
     right = _sum_by_place(index, -(transposed_basis @ summed[:, :own, own, None])[..., 0], wide)
     quadratic = float(summed[:, own, own].sum())
-    band, pull = np.zeros((12, unknowns)), np.zeros(unknowns)
+    band, pos_right = np.zeros((12, unknowns)), np.zeros(unknowns)
     mixed = np.zeros((wide, unknowns))
     if groups.knots is not None:
         prior = groups.knots.apply_prior_precision(pos_errors)
@@ -374,9 +378,11 @@ def assemble_normal_equations(
         band = _sum_by_place(places, products, 12 * unknowns).reshape(12, unknowns)
         band[0] += groups.knots.precision_diagonal.reshape(-1)
         band[6, : unknowns - 6] += groups.knots.precision_beside.reshape(-1)
-        pull = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
+        pos_right = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
         quadratic += float((prior * pos_errors).sum())
         shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
         crossed = transposed_basis[groups.sighting] @ sums[:, :own, pose]
         mixed = _sum_by_place(shared, crossed, wide * unknowns).reshape(wide, unknowns)
-    return NormalEquations(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)
+    return NormalEquations(
+        layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pos_right
+    )

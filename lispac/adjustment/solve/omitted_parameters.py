@@ -26,10 +26,10 @@ FAMILY_WISE_LEVEL = 0.01
 CRITICAL_VALUE = -NormalDist().inv_cdf(FAMILY_WISE_LEVEL / 2 / len(OPTIONAL_NAMES))
 """Test value beyond which a parameter is contradicted (Bonferroni)."""
 
-MIN_ANGLE_CHANGE = 0.5
+MIN_ANGLE_CHANGE_SIGMAS = 0.5
 """Smallest change of an angle, in sigmas, for which a contradicted value is reported."""
 
-ALWAYS_REPORTED_VALUE = 6.0
+ALWAYS_REPORTED_TEST_VALUE = 6.0
 """Test value above which a contradicted value is always reported.
 
 Such an error has also increased the sigmas with which the change of the angles is compared.
@@ -37,7 +37,7 @@ Such an error has also increased the sigmas with which the change of the angles 
 
 
 def find_contradicted_parameters(
-    linearised: LinearisedProblem, *, min_angle_change: float = MIN_ANGLE_CHANGE
+    linearised: LinearisedProblem, *, min_angle_change: float = MIN_ANGLE_CHANGE_SIGMAS
 ) -> tuple[ContradictedParameter, ...]:
     """Find values that the data contradict, the most significant first (correlated model).
 
@@ -70,7 +70,7 @@ def find_contradicted_parameters(
         if worst is None or abs(worst.w) <= CRITICAL_VALUE:
             break
         if (
-            abs(worst.w) > ALWAYS_REPORTED_VALUE
+            abs(worst.w) > ALWAYS_REPORTED_TEST_VALUE
             or (np.abs(worst.angle_change) >= min_angle_change * sigma_now).any()
         ):
             found.append(worst)

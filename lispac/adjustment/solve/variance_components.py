@@ -115,11 +115,11 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
     def deviance(sigmas: Array) -> float:
         sigma = sigmas.reshape(-1)
         precision = sigma**-2.0
-        matrix, pull = reduced.copy(), right.copy()
+        matrix, right_side = reduced.copy(), right.copy()
         matrix[places, places] += precision
-        pull[places] -= departures * precision
+        right_side[places] -= departures * precision
         factor = np.linalg.cholesky(matrix)
-        explained = scipy.linalg.solve_triangular(factor, pull, lower=True)
+        explained = scipy.linalg.solve_triangular(factor, right_side, lower=True)
         return float(
             2 * np.log(np.diag(factor)).sum()
             + 2 * np.log(sigma).sum()
@@ -272,14 +272,14 @@ class _RestrictedLikelihood:
         self.own = knots.precision_diagonal.reshape(-1)
         self.beside = knots.precision_beside.reshape(-1)
         weighted = knots.apply_prior_precision(pos_errors)
-        self.prior_pull = weighted.reshape(-1)
+        self.prior_pos_right = weighted.reshape(-1)
         self.prior_quadratic = [0.0] + [
             float((weighted * pos_errors)[:, part].sum()) for part in (slice(3), slice(3, 6))
         ]
         self.band = self.normal.band.copy()
         self.band[0] -= self.own
         self.band[6, : len(self.beside)] -= self.beside
-        self.pull = self.normal.pull + self.prior_pull
+        self.pos_right = self.normal.pos_right + self.prior_pos_right
         # Priors of parameters and of rejected surfaces are not scaled.
         self.diagonal = np.zeros(len(self.normal.matrix))
         self.prior_right = np.zeros(len(self.normal.matrix))
@@ -320,7 +320,10 @@ class _RestrictedLikelihood:
         band[6, : len(self.beside)] += (
             self.beside * precision_factors[self.kind[: len(self.beside)]]
         )
-        pull = self.pull * precision_factors[0] - self.prior_pull * precision_factors[self.kind]
+        pos_right = (
+            self.pos_right * precision_factors[0]
+            - self.prior_pos_right * precision_factors[self.kind]
+        )
         mixed = normal.mixed * precision_factors[0]
         prior = np.where(self.surfaces > 0, form_precision_factor, 1.0)
         matrix = normal.matrix * precision_factors[0]
@@ -330,7 +333,7 @@ class _RestrictedLikelihood:
         factor = cholesky_factor(band)
         halved, halved_pull = (
             forward_substitution(factor, mixed.T),
-            forward_substitution(factor, pull),
+            forward_substitution(factor, pos_right),
         )
         reduced = matrix - halved.T @ halved
         scale = 1 / np.sqrt(np.diag(reduced))

@@ -162,10 +162,10 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
     found = assess_target(project, survey, target)
-    double = overlap_warning(target, project.targets)
+    overlap = overlap_warning(target, project.targets)
     notes = (
         *(() if system is None else system.assumptions), *search_notes(target, how["radius"]),
-        *(() if double is None else (double,)),
+        *(() if overlap is None else (overlap,)),
     )  # fmt: skip
     print_messages(notes)
     if arguments.json:

@@ -72,7 +72,7 @@ def run(arguments: Namespace) -> None:
                 "converged": found.converged,
                 "candidates": found.candidates,
                 "given_targets": found.targets,
-                "disagreeing_lines": list(found.disagreeing),
+                "disagreeing_lines": list(found.disagreeing_lines),
                 "messages": json_values(found.messages),
             }
         )

@@ -135,7 +135,7 @@ def _correction_texts(values: ConventionValues, correction: CorrectionValues) ->
             "new = correction · current.",
             f"Do not add the angles: the sum would be wrong by {error:.4f} deg, "
             f"{1e5 * np.radians(error):.0f} mm at 100 m."
-            if correction.sum_matters
+            if correction.is_sum_inaccurate
             else "Adding the angles instead would cause an error of less than 1 mm at 100 m here.",
         ]
     if correction.current_lever_arm_m is not None:

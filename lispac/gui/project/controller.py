@@ -267,7 +267,7 @@ class Controller(QObject):
         if self._task_of_project is not None and self._task_of_project[1] is not project:
             self._task_of_project[0].cancel.set()
             self._task_of_project = None
-        if project is None or self._document.survey_is_current:
+        if project is None or self._document.is_survey_current:
             return
         self._discard_candidate()
 
@@ -366,7 +366,7 @@ class Controller(QObject):
     def _can_seed(self) -> bool:
         if self._document.project is None:
             return False
-        if self._runner.busy or not self._document.survey_is_current:
+        if self._runner.busy or not self._document.is_survey_current:
             self.logged.emit(
                 gettext("A task is running. Wait until it has ended, then pick the target again.")
             )

@@ -130,14 +130,14 @@ class Document(QObject):
         return self.project is not None and not self.undo_stack.isClean()
 
     @property
-    def survey_is_current(self) -> bool:
+    def is_survey_current(self) -> bool:
         """Whether the loaded data belong to the current project."""
         return self.project is not None and self._key == data_key(self.project)
 
     @property
     def current_data(self) -> tuple[Project | None, Survey | None]:
         """The project, and the survey if its data belong to the project."""
-        return self.project, self.survey if self.survey_is_current else None
+        return self.project, self.survey if self.is_survey_current else None
 
     def open(self, project: Project | None, survey: Survey | None) -> None:
         """Set a project that is not modified, and clear the undo history."""

@@ -9,7 +9,7 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.project.survey import Survey
 
 StepState = Literal["empty", "todo", "done", "warning"]
@@ -199,8 +199,8 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
             gettext("{targets}: second target required", targets=sentence),
             _single_target_text(),
         )
-    if project.result is None and do_targets_face_one_way(project, survey):
-        return StepStatus("warning", sentence, _one_facing_text())
+    if project.result is None and have_targets_single_orientation(project, survey):
+        return StepStatus("warning", sentence, _single_orientation_text())
     if planes:
         advice = gettext(
             "There are enough targets and planes for the adjustment and the validation."
@@ -259,9 +259,9 @@ def _adjust_status(
     if len(used) < 2:
         sentence = gettext("second target required")
         return StepStatus("warning", sentence, _single_target_text())
-    if survey is not None and do_targets_face_one_way(project, survey):
+    if survey is not None and have_targets_single_orientation(project, survey):
         sentence = gettext("target with another orientation required")
-        return StepStatus("warning", sentence, _one_facing_text())
+        return StepStatus("warning", sentence, _single_orientation_text())
     return StepStatus("todo", gettext("ready to estimate"), gettext("Press Estimate."))
 
 
@@ -390,5 +390,5 @@ def _single_target_text() -> str:
     return message_text(note("project.single_target"))
 
 
-def _one_facing_text() -> str:
+def _single_orientation_text() -> str:
     return message_text(note("project.one_facing"))

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
-CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
+METHODS_BY_OBJECT = {"set_line_visible", "show_sketch"}
 """Methods whose last call is stored for each line or sketch; of others, only one call is stored."""
-CALLS_WITH_VALUE = {"is_line_hidden", "drawn_near", "to_pixels", "picture"}
+METHODS_WITH_RESULT = {"is_line_hidden", "drawn_near", "to_pixels", "picture"}
 """Methods that return a value and therefore need the real viewport."""
 
 
@@ -64,14 +64,14 @@ class LazyViewport:
             self._view.close()
 
     def __getattr__(self, name: str) -> Callable[..., object]:
-        if self._view is not None or name in CALLS_WITH_VALUE:
+        if self._view is not None or name in METHODS_WITH_RESULT:
             return getattr(self._real_viewport(), name)
         if name.startswith("_") or not hasattr(Viewport, name):
             raise AttributeError(name)
         return partial(self._store_call, name)
 
     def _store_call(self, name: str, *arguments: object, **named: object) -> None:
-        key = (name, str(arguments[0])) if name in CALLS_BY_NAME else (name,)
+        key = (name, str(arguments[0])) if name in METHODS_BY_OBJECT else (name,)
         self._stored_calls.pop(key, None)  # keeps the order of the last calls
         self._stored_calls[key] = lambda view: getattr(view, name)(*arguments, **named)
 

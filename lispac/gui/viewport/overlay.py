@@ -35,7 +35,7 @@ MOUSE_HELP = N_(
 AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Letters of the axes, with the names of their colours in the scheme."""
 
-HELP_FADES_MS = 2500
+HELP_FADE_MS = 2500
 """Time in which the help on the mouse fades after its first use."""
 MARGIN_PX = 14.0
 """Distance of axes, scale bar, legend and help from the edges."""
@@ -96,7 +96,7 @@ class Overlay(QWidget):
         self.hint = ""
         """Text on the action of the mouse, shown instead of the usual help."""
         self.help_opacity = 1.0
-        self._fading = QTimeLine(HELP_FADES_MS, self)
+        self._fading = QTimeLine(HELP_FADE_MS, self)
         self._fading.setUpdateInterval(80)
         self._fading.valueChanged.connect(lambda share: self._set_help_opacity(1.0 - share))
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []

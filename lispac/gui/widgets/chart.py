@@ -17,7 +17,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.ticks import localise_ticks
 
-SLICE_S = 0.03
+CALCULATION_SLICE_S = 0.03
 """Seconds after which a calculation pauses at the next possible point."""
 
 
@@ -48,7 +48,7 @@ class SlicedCalculation:
 
         def run() -> None:
             self._may_continue.acquire()
-            self._until = time.perf_counter() + SLICE_S
+            self._until = time.perf_counter() + CALCULATION_SLICE_S
             try:
                 if not self._abandoned:
                     work()
@@ -83,7 +83,7 @@ class SlicedCalculation:
         self._may_continue.acquire()
         if self._abandoned:
             raise _CalculationAbandoned
-        self._until = time.perf_counter() + SLICE_S
+        self._until = time.perf_counter() + CALCULATION_SLICE_S
 
     def abandon(self) -> None:
         """Abandon the calculation."""

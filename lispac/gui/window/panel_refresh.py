@@ -90,7 +90,7 @@ class PanelRefresh(QObject):
     def _project_state(self) -> ProjectState:
         document = self._document
         project, waiting = document.project, document.awaits_result
-        survey = document.survey if document.survey_is_current else None
+        survey = document.survey if document.is_survey_current else None
         steps = step_statuses(
             project, survey, waiting=waiting, refusal=document.refusal, reported=document.reported
         )

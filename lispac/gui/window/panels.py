@@ -28,7 +28,7 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
 
-BELOW = Area.BottomDockWidgetArea
+BOTTOM_AREA = Area.BottomDockWidgetArea
 MAX_LOG_LINES = 2000
 """Largest number of lines of the log; older ones are removed."""
 EMPTY_LOG_TEXT = N_(
@@ -120,19 +120,20 @@ class Panels:
         init=False, metadata=_dock(WORKFLOW, Area.LeftDockWidgetArea, _always, opens=True)
     )
     results: ResultsPanel = field(
-        default_factory=ResultsPanel, metadata=_dock(RESULTS, BELOW, _has_result, opens=True)
+        default_factory=ResultsPanel, metadata=_dock(RESULTS, BOTTOM_AREA, _has_result, opens=True)
     )
     table: SightingsTable = field(
-        default_factory=SightingsTable, metadata=_dock(SIGHTINGS, BELOW, _has_targets, opens=True)
+        default_factory=SightingsTable,
+        metadata=_dock(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True),
     )
     histograms: HistogramsPanel = field(
         default_factory=HistogramsPanel,
-        metadata=_dock(HISTOGRAMS, BELOW, _has_validation, opens=True),
+        metadata=_dock(HISTOGRAMS, BOTTOM_AREA, _has_validation, opens=True),
     )
     warnings: WarningsPanel = field(
-        default_factory=WarningsPanel, metadata=_dock(WARNINGS, BELOW, _has_project)
+        default_factory=WarningsPanel, metadata=_dock(WARNINGS, BOTTOM_AREA, _has_project)
     )
-    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, BELOW, _always))
+    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, BOTTOM_AREA, _always))
     diagnostics: DiagnosticsPanel = field(
         default_factory=DiagnosticsPanel, metadata=_window(DIAGNOSTICS, 1000, 620)
     )
@@ -158,7 +159,7 @@ class Panels:
             for each in _dock_fields()
         }
         last = {title: docks.pop(title) for title in (WARNINGS, LOG)}
-        return {**docks, **{title: (panel, BELOW) for title, panel in tools.items()}, **last}
+        return {**docks, **{title: (panel, BOTTOM_AREA) for title, panel in tools.items()}, **last}
 
     def windows(self) -> dict[str, tuple[QWidget, QSize]]:
         """Panels with a window of their own by title, with the first size of the window."""

@@ -143,7 +143,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "height_unit": header_crs.height_unit,
         "time_base": base,
     }
-    resolved = LAS_FORMAT.resolved({**found, **choice})
+    resolved = LAS_FORMAT.complete_options({**found, **choice})
     compressed = "LAZ" if header.are_points_compressed else "LAS"
     facts: dict[str, Fact] = {
         "format": note(
@@ -200,7 +200,7 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
     InputError
         If the file is damaged or ends too early.
     """
-    scale = coordinate_scale(LAS_FORMAT.resolved(choice))
+    scale = coordinate_scale(LAS_FORMAT.complete_options(choice))
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header

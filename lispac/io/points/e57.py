@@ -101,7 +101,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     )
     points_check = check_first_points(posed.xyz, posed.time, file=file, crs=system)
     found["frame"] = points_check.frame
-    resolved = E57_FORMAT.resolved({**found, **choice})
+    resolved = E57_FORMAT.complete_options({**found, **choice})
     time = posed.time
     facts: dict[str, Fact] = {
         "format": "E57",
@@ -141,7 +141,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file is missing, damaged, empty, or without time stamps.
     """
     path = require_not_empty(path, "E57")
-    resolved = E57_FORMAT.resolved(choice)
+    resolved = E57_FORMAT.complete_options(choice)
     done = 0
     with report_damage(path, "E57"), opened_e57(path) as image:
         scans = find_scans(image, path)

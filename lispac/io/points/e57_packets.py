@@ -1,6 +1,6 @@
 """Number of records in the data packets of an E57 file (ASTM E2807, 9.3), without its XML.
 
-libE57 reads the number of records stated in the XML. The packets contain the number of bytes of
+libE57 reads the number of records specified in the XML. The packets contain the number of bytes of
 each field, which shows whether there are more records.
 """
 
@@ -19,7 +19,7 @@ MAX_PADDING_BITS = 64
 
 
 def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
-    """Stated and actual number of records of each vector that contains more than it states.
+    """Specified and actual number of records of each vector that contains more than specified.
 
     Parameters
     ----------

@@ -136,11 +136,11 @@ def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, 
     """Warnings about ``time`` (n,), seconds as stored."""
     file_warnings = []
     step = time_resolution(time)
-    hidden = assess_times(time).resolution if time.dtype == np.float64 and count > 100 else None
+    resolution = assess_times(time).resolution if time.dtype == np.float64 and count > 100 else None
     if step > COARSEST_TIME_RESOLUTION_S / 10:
         file_warnings.append(warning("times.coarse", file=file, step=step))
-    elif hidden is not None and hidden > COARSEST_TIME_RESOLUTION_S:
-        file_warnings.append(warning("times.coarse", file=file, step=hidden))
+    elif resolution is not None and resolution > COARSEST_TIME_RESOLUTION_S:
+        file_warnings.append(warning("times.coarse", file=file, step=resolution))
     if np.issubdtype(time.dtype, np.integer):
         file_warnings.append(warning("times.whole_numbers", file=file))
     elif count > 1 and (time == time[0]).all():

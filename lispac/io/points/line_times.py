@@ -85,7 +85,7 @@ def read_line_times(
         points are not in that frame.
     """
     given = str(choice.get(TIME_ROLLOVER_OPTION, ""))
-    resolved = format.resolved(choice)
+    resolved = format.complete_options(choice)
     scanner = resolved[FRAME_OPTION.name] == SCANNER_FRAME
     if format.key == "las" and (count := point_count(path)) > MAX_POINTS_READ_WHOLE:
         found, places = _sample_times(path, count, progress)

@@ -91,7 +91,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         If the file is missing, damaged, cut short, empty, or without time.
     """
-    resolved = PCD_FORMAT.resolved(choice)
+    resolved = PCD_FORMAT.complete_options(choice)
     records, kind = _read_header(path)
     done = 0
     with report_damage(records.path, "PCD"):
@@ -152,7 +152,9 @@ def _read_header(path: Path) -> tuple[PointRecords, str]:
     if view and view != ["0", "0", "0", "1", "0", "0", "0"]:
         facts["viewpoint"] = note("fact.viewpoint", values=" ".join(view)[:100])
     records = PointRecords(path, dtype, count, start, kind == "ascii", facts)
-    return _with_unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
+    return _with_unpacked_count(
+        records
+    ) if kind == "binary_compressed" else records.with_counted_points(), kind
 
 
 def _record_dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:

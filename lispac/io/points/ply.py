@@ -80,7 +80,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         If the file is missing, damaged, cut short, empty, or without time.
     """
-    resolved = PLY_FORMAT.resolved(choice)
+    resolved = PLY_FORMAT.complete_options(choice)
     records = _read_header(path)
     done = 0
     with report_damage(records.path, "PLY"):
@@ -122,7 +122,7 @@ def _read_header(path: Path) -> PointRecords:
                 facts["comments"] = "; ".join(comments)[:500]
             records = PointRecords(path, dtype, count, start, order == "ascii", facts)
             after = _elements_size(elements[k + 1 :], order)
-            return records if after is None else records.counted(after)
+            return records if after is None else records.with_counted_points(after)
         if order == "ascii":
             start = _position_after_lines(path, start, count)
         else:

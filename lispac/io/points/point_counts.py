@@ -1,4 +1,4 @@
-"""Number of points in a file, compared with the number stated in its header.
+"""Number of points in a file, compared with the number specified in its header.
 
 Wrong counts in headers come from recorders that were stopped before they wrote the count, and from
 programs that append points without updating it.

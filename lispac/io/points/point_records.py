@@ -70,8 +70,8 @@ class PointRecords:
     facts: Mapping[str, Fact]
     messages: tuple[Message, ...] = ()
 
-    def counted(self, after: int = 0) -> "PointRecords":
-        """Records with all points in the file, if its header states fewer.
+    def with_counted_points(self, after: int = 0) -> "PointRecords":
+        """Records with all points in the file, if its header specifies fewer.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class PointRecords:
         Raises
         ------
         InputError
-            If the header states no points, or more than the file has room for.
+            If the header specifies no points, or more than fit into the file.
         """
         if not self.count:
             raise InputError(error("file.no_points", file=str(self.path)))
@@ -228,7 +228,7 @@ def preview_records(
 ) -> FilePreview:
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
-    given_choice, choice = choice, format_.resolved(choice)
+    given_choice, choice = choice, format_.complete_options(choice)
     first = {name: values[:PREVIEW_POINTS] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
@@ -249,7 +249,7 @@ def preview_records(
             warning("points.coordinates_32_bits", file=file, step=coordinate_step, largest=farthest)
         )
     found = {"frame": points_check.frame, "time_field": field}
-    resolved = format_.resolved({**found, **given_choice})
+    resolved = format_.complete_options({**found, **given_choice})
     return FilePreview(
         {
             **records.facts,

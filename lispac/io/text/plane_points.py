@@ -53,7 +53,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
-    resolved = PLANE_FORMAT.resolved(choice)
+    resolved = PLANE_FORMAT.complete_options(choice)
     points_check = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": note("fact.planes"),
@@ -81,7 +81,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file cannot be read or is not a plane file.
     """
     path = require_not_empty(path, "plane")
-    scale = coordinate_scale(PLANE_FORMAT.resolved(choice))
+    scale = coordinate_scale(PLANE_FORMAT.complete_options(choice))
     rows = read_plane_table(path)
     require_usable_points(rows[:, 5:8], rows[:, 4], path)
     extra = {name: rows[:, columns].copy() for name, columns in EXTRA_COLUMNS.items()}

@@ -54,7 +54,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
-    resolved = TARGET_FORMAT.resolved(choice)
+    resolved = TARGET_FORMAT.complete_options(choice)
     points_check = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": note("fact.target"),
@@ -79,7 +79,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file cannot be read or is damaged.
     """
     path = require_not_empty(path, "target")
-    scale = coordinate_scale(TARGET_FORMAT.resolved(choice))
+    scale = coordinate_scale(TARGET_FORMAT.complete_options(choice))
     chunk = _read_points(path)
     require_usable_points(chunk.xyz, chunk.time, path)
     yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)

@@ -228,7 +228,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
 
 def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
     """Given options, completed by the detected ones."""
-    return TEXT_FORMAT.resolved(
+    return TEXT_FORMAT.complete_options(
         {**detected, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
 

@@ -77,7 +77,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         If the file cannot be read or does not contain such records.
     """
     path = require_not_empty(path, "CIDCO")
-    resolved = CIDCO_FORMAT.resolved(choice)
+    resolved = CIDCO_FORMAT.complete_options(choice)
     records = next(record_chunks(path, PREVIEW_POINTS))
     points_check = check_first_points(
         records[:, 4:7], records[:, 3], file=printable(path.name), crs=""
@@ -109,7 +109,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """
     path = require_not_empty(path, "CIDCO")
     scale, total = (
-        coordinate_scale(CIDCO_FORMAT.resolved(choice)),
+        coordinate_scale(CIDCO_FORMAT.complete_options(choice)),
         path.stat().st_size // RECORD_BYTES,
     )
     for records in record_chunks(path, POINTS_PER_CHUNK):

@@ -147,7 +147,7 @@ def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:
-    return read_sbet(path, SbetOptions(**SBET_FORMAT.resolved(choice)))
+    return read_sbet(path, SbetOptions(**SBET_FORMAT.complete_options(choice)))
 
 
 def _first_smrmsg_records(path: Path) -> NDArray[np.float64]:
@@ -214,11 +214,11 @@ def _make_format(
 
     def preview_checked(path: Path, choice: Choice) -> FilePreview:
         """Make the preview of a file after a check of the options."""
-        made.resolved(choice)
+        made.complete_options(choice)
         return preview(Path(path), choice)
 
     def read_checked(path: Path, choice: Choice) -> Trajectory | TrajectoryAccuracy:
-        made.resolved(choice)
+        made.complete_options(choice)
         return read(Path(path), choice)
 
     made = FileFormat(

@@ -364,18 +364,18 @@ def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
     turn = (
         np.linalg.det(setup.permutation)
         * setup.permutation
-        @ angle_to_turn_jacobian(LISPAC_CONVENTION, boresight)
+        @ rotation_vector_jacobian(LISPAC_CONVENTION, boresight)
     )
     if convention.direction == "body_to_lidar":
         matrix, turn = matrix.T, -matrix.T @ turn
     angles, _ = angles_of_rotation(convention, matrix)
-    axes = angle_to_turn_jacobian(convention, angles)
+    axes = rotation_vector_jacobian(convention, angles)
     if abs(np.linalg.det(axes)) < GIMBAL_LOCK_COSINE:
         return None
     return np.linalg.solve(axes, turn)
 
 
-def angle_to_turn_jacobian(convention: Convention, angles: Array) -> Array:
+def rotation_vector_jacobian(convention: Convention, angles: Array) -> Array:
     """Derivatives of the small rotation vector with respect to the angles.
 
     Parameters

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from lispac.survey.conventions.axes import axes_matrix, nearest_axes
 from lispac.survey.conventions.conversion import (
     ConventionSetup,
-    angle_to_turn_jacobian,
     angles_of_rotation,
     convert_from_system,
     require_angles,
     rotation_of_angles,
+    rotation_vector_jacobian,
 )
 from lispac.survey.conventions.systems import LISPAC_CONVENTION, Convention
 from lispac.survey.georeferencing import Mounting
@@ -120,8 +120,8 @@ def add_to_applied_boresight(
     if covariance is None:
         return whole, None
     jacobian = np.linalg.solve(
-        angle_to_turn_jacobian(LISPAC_CONVENTION, whole.boresight),
-        angle_to_turn_jacobian(LISPAC_CONVENTION, estimated.boresight),
+        rotation_vector_jacobian(LISPAC_CONVENTION, whole.boresight),
+        rotation_vector_jacobian(LISPAC_CONVENTION, estimated.boresight),
     )
     return whole, jacobian @ covariance @ jacobian.T
 

@@ -16,13 +16,13 @@ Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
 """Function from angles (radians) or lengths (metres) to texts of their absolute values with units.
 The text of a value that rounds to zero is empty."""
 
-CHECK_FIRST = note("convention.check_first")
+CHECK_FIRST_NOTE = note("convention.check_first")
 UNCORRELATED_WARNING = warning("convention.uncorrelated")
 _DEGREES_TEXTS = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
 _METRES_TEXTS = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
 """Texts of an angle or a length by the number of decimals."""
 LARGE_ANGLE_RAD = np.radians(10.0)
-"""Angle above which the order of the rotations matters and is stated."""
+"""Angle above which the text gives the order of the rotations."""
 
 
 def angle_amounts(values: Sequence[float]) -> list[LazyText | str]:

@@ -141,7 +141,7 @@ class Convention:
 def _z_down_rotations(
     heading: str = N_("heading"),
 ) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
-    # X forward, Y starboard, Z down: all three turns are right-handed.
+    # X forward, Y starboard, Z down: all three rotations are right-handed.
     return (
         AxisRotation(N_("roll"), 0, 1, _STARBOARD_DOWN),
         AxisRotation(N_("pitch"), 1, 1, _BOW_UP),
@@ -152,7 +152,7 @@ def _z_down_rotations(
 def _z_up_rotations(
     heading: str = N_("heading"),
 ) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
-    # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
+    # X starboard, Y forward, Z up: a right-handed rotation about Z is to port.
     return (
         AxisRotation(N_("roll"), 1, 1, _STARBOARD_DOWN),
         AxisRotation(N_("pitch"), 0, 1, _BOW_UP),
@@ -161,7 +161,7 @@ def _z_up_rotations(
 
 
 def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
-    # Right-handed turns about the axes X, Y and Z.
+    # Right-handed rotations about the axes X, Y and Z.
     return (
         AxisRotation(N_("X rotation"), 0, 1, _RIGHT_HANDED),
         AxisRotation(N_("Y rotation"), 1, 1, _RIGHT_HANDED),

@@ -13,7 +13,7 @@ MAX_POINTS_PER_TARGET = 500
 """Largest number of points of a target used for its orientation."""
 
 
-def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
+def have_targets_single_orientation(project: Project, survey: Survey) -> bool:
     """True if several planes are used, all of one orientation that the user has not accepted.
 
     The sighting with the most points of each plane is used, placed with the prior boresight. The

@@ -24,10 +24,10 @@ Array = NDArray[np.float64]
 MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION_PLANES = 6, 3, 4
 """Largest and smallest number of targets, and number of planes that are reserved for validation
 once the targets check each other."""
-MAX_SIGMA_SHARE = 0.85
+MAX_SIGMA_RATIO_WITH_TARGET = 0.85
 """Largest ratio of a sigma with and without an additional target; if it is exceeded for every
 angle, the plane is not added and remains for validation."""
-MAX_PAIR_RATIO = 2.0
+MAX_PAIR_SIGMA_RATIO = 2.0
 """Factor on the smallest worst sigma of all pairs of planes, up to which a pair is preferred whose
 planes are far apart, or are boards. The worst sigma is that of the least determined angle."""
 
@@ -150,7 +150,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     """Pair of planes with the smallest worst sigma, that of the least determined angle.
 
     Pairs that are far apart, and among these pairs of boards, are preferred if their worst sigma is
-    not more than `MAX_PAIR_RATIO` times the smallest.
+    not more than `MAX_PAIR_SIGMA_RATIO` times the smallest.
 
     Raises
     ------
@@ -172,7 +172,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     )  # fmt: skip
     for is_preferred in preferences:
         preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
-        if preferred and min(preferred.values()) <= MAX_PAIR_RATIO * smallest:
+        if preferred and min(preferred.values()) <= MAX_PAIR_SIGMA_RATIO * smallest:
             worst = preferred
     best = min(worst, key=worst.__getitem__)
     return list(best)
@@ -200,4 +200,4 @@ def _best_addition(
     sigma = planes.sigma(chosen)
     ratios = {name: float((planes.sigma([*chosen, name]) / sigma).min()) for name in others}
     best = min(ratios, key=ratios.__getitem__)
-    return best if ratios[best] <= MAX_SIGMA_SHARE else None
+    return best if ratios[best] <= MAX_SIGMA_RATIO_WITH_TARGET else None

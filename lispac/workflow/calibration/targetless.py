@@ -64,7 +64,7 @@ class TargetlessResult:
         iteration.
     candidates : int
         Number of patches found in the last iteration, of which the best were chosen.
-    disagreeing : tuple of str
+    disagreeing_lines : tuple of str
         Lines that share no surface with the others or disagree with them; see
         `disagreeing_lines`.
     targets : int
@@ -78,7 +78,7 @@ class TargetlessResult:
     iterations: int
     converged: bool
     candidates: int
-    disagreeing: tuple[str, ...]
+    disagreeing_lines: tuple[str, ...]
     targets: int = 0
     raised: float = 1.0
 
@@ -97,8 +97,8 @@ class TargetlessResult:
             found.append(note("targetless.with_targets", targets=self.targets))
         if not self.converged:
             found.append(note("targetless.not_converged", share=CONVERGENCE_LIMIT))
-        if self.disagreeing:
-            found.append(note("targetless.lines_disagree", lines=self.disagreeing))
+        if self.disagreeing_lines:
+            found.append(note("targetless.lines_disagree", lines=self.disagreeing_lines))
         return tuple(found)
 
 

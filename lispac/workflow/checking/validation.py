@@ -20,7 +20,7 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-ERROR_POINTS = 200
+MAX_EFFECT_POINTS = 200
 """Largest number of points of a sighting at which the effects of errors are computed."""
 
 
@@ -108,7 +108,7 @@ def _plane_errors(
 def _line_errors(
     result: AdjustmentResult, survey: Survey, sighting: PickedSighting, normal: Array
 ) -> LineErrors:
-    numbers = sighting.indices[:: -(-len(sighting.indices) // ERROR_POINTS)]
+    numbers = sighting.indices[:: -(-len(sighting.indices) // MAX_EFFECT_POINTS)]
     points_lidar, time = survey.scans[sighting.line].take(numbers)
     latency = result.mounting.latency
     return LineErrors.of(

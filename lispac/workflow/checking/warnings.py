@@ -20,7 +20,7 @@ from lispac.survey.lever_arm_warnings import lever_arm_warnings
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.warning_causes import Cause
-from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.project.survey import Survey
 
 DATA_STEP, ADJUST_STEP = Cause.of_step("Data"), Cause.of_step("Adjust")
@@ -144,7 +144,7 @@ def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
     used = [target for target in project.targets_of_role("target") if target.used]
     if len(used) == 1:
         yield note("project.single_target", subject=Cause.of_target(used[0].name))
-    if survey is not None and do_targets_face_one_way(project, survey):
+    if survey is not None and have_targets_single_orientation(project, survey):
         yield note("project.one_facing", subject=Cause.of_target(used[-1].name))
 
 

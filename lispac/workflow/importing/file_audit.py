@@ -61,7 +61,7 @@ def audit_file(
     InputError
         If the file cannot be read.
     """
-    resolved = format.resolved(options)
+    resolved = format.complete_options(options)
     screen = PointScreen(
         PointSelection.of(resolved), ranged=resolved[FRAME_OPTION.name] == SCANNER_FRAME
     )

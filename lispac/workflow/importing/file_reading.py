@@ -71,7 +71,7 @@ class FileCheck:
     def values(self) -> FormatCheckValues:
         """Values for JSON, with texts in the language in use."""
         found = self.finding or FilePreview({})
-        options = {} if self.finding is None else self.format.resolved(found.choice)
+        options = {} if self.finding is None else self.format.complete_options(found.choice)
         return FormatCheckValues(
             self.format.key, message_text(self.format.name), self.format.kind, self.confidence,
             self.error, content_texts(found.facts), options, found.assumptions,
@@ -167,7 +167,7 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
         format = found[0][0]
     given = dict(reading.options)
     finding = preview_with_options(path, format, given)
-    choice = format.resolved({**finding.choice, **given})
+    choice = format.complete_options({**finding.choice, **given})
     messages = list(finding.file_warnings)
     detected = [f"{name}={value}" for name, value in choice.items() if value and name not in given]
     if detected:
@@ -222,7 +222,9 @@ an effect only through the time shift of a line (`shift_lines_to_trajectory`).""
 
 
 def _agrees_with_default(reading: Reading, key: str) -> bool:
-    usual = {name: value for name, value in format_of(key).resolved({}).items() if value != ""}
+    usual = {
+        name: value for name, value in format_of(key).complete_options({}).items() if value != ""
+    }
     found = dict(reading.options)
     return {k: v for k, v in found.items() if k not in OPTIONS_WITHOUT_EFFECT} == {
         k: v for k, v in usual.items() if k not in OPTIONS_WITHOUT_EFFECT
@@ -283,7 +285,7 @@ def format_of_line(line: LineSource) -> tuple[FileFormat, Choice, tuple[Message,
     """Format of a line, its options, and the assumptions of its reader."""
     if line.reading.format:
         format = format_of(line.reading.format)
-        choice: Choice = format.resolved(dict(line.reading.options))
+        choice: Choice = format.complete_options(dict(line.reading.options))
         assumed: tuple[Message, ...] = (
             note("assumed.format", file=printable(line.path.name), format=format.name),
         )

@@ -45,7 +45,7 @@ def known_time_base(
     """
     base_key = str(choice.get(option, ""))
     if not base_key:
-        found = format.resolved({**format.preview(path, choice).choice, **choice})
+        found = format.complete_options({**format.preview(path, choice).choice, **choice})
         base_key, given = str(found.get(option, "")), False
     suggested = not given and format.infers_time_base
     return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested)
@@ -64,7 +64,7 @@ def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
     if not given:
         return False
     format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
-    found = format.resolved({**format.preview(trajectory, kept).choice, **kept})
+    found = format.complete_options({**format.preview(trajectory, kept).choice, **kept})
     return given != str(found.get("time", ""))
 
 

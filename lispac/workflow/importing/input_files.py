@@ -16,9 +16,7 @@ from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.installation_paths import expand_user, home_folder
 from lispac.io.format_types import POSSIBLE, Kind
 from lispac.io.project.project_file import PROJECT_FILE_NAME, is_project_file
-from lispac.language import Plural, gettext
-from lispac.message_texts import message_text
-from lispac.messages import Action, Level, Message
+from lispac.messages import Action, Level, Message, error, note
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.line_source import DEFAULT_READING, Reading, printable
@@ -357,41 +355,34 @@ class InputFiles:
 
     # -- new project -------------------------------------------------------------------------
 
-    def import_problem(self, folder: str) -> str:
-        """Reason why no project can be made, in the present language; empty if one can."""
-        return self.files_problem_text() or folder_problem(folder)
+    def import_problem(self, folder: str) -> Message | None:
+        """Reason why no project can be made; None if one can."""
+        return self.files_problem() or folder_problem(folder)
 
-    def files_problem_text(self) -> str:
-        """Problem of the files, in the present language; empty if there is none."""
+    def files_problem(self) -> Message | None:
+        """Reason why the files cannot be imported; None if they can."""
         if not self.files:
-            return gettext("Add the files of the survey: drop them here, or press Add files.")
+            return note("import.no_files")
         if any(file.pending for file in self.files):
-            return gettext("The files are being examined.")
+            return note("import.being_examined")
         wrong = [file for file in self.files if self.state_of_file(file) == "error"]
         if wrong:
-            first = message_text(self.messages(wrong[0])[0])
+            first = self.messages(wrong[0])[0]
             if len(wrong) == 1:
                 return first
-            return gettext(
-                Plural(
-                    "{message} Another file has errors.",
-                    "{message} {count:n} other files have errors.",
-                ),
-                message=first,
-                count=len(wrong) - 1,
-            )
+            return error("import.several_errors", first=first, count=len(wrong) - 1)
         if self.trajectory is None:
-            return gettext("The trajectory is missing. Add the SBET, or a text export of it.")
+            return error("import.no_trajectory")
         if not self.lines:
-            return gettext("There is no line. Add the scan file of at least one line.")
+            return error("import.no_line")
         names = [line.name for line in (*self.sources(), *self._project_lines)]
         duplicates = [name for name in names if names.count(name) > 1]
         if not duplicates:
-            return ""
-        return gettext("Two lines are named {line}. Rename a file.", line=duplicates[0])
+            return None
+        return error("import.duplicate_line_name", line=duplicates[0])
 
     def request(self, folder: Path, settings: Settings) -> ImportRequest:
-        """Arguments for the new project; valid only if `import_problem` is empty."""
+        """Arguments for the new project; valid only if `import_problem` is None."""
         trajectory, accuracy = self.trajectory, self.accuracy
         assert trajectory is not None
         return ImportRequest(
@@ -422,20 +413,19 @@ class InputFiles:
         }
 
 
-def folder_problem(folder: str) -> str:
-    """Reason why no project can be made in a folder, in the present language; empty if it can."""
+def folder_problem(folder: str) -> Message | None:
+    """Reason why no project can be made in a folder; None if it can."""
     if not folder.strip():
-        return gettext("Choose a folder for the project.")
+        return note("import.no_folder")
     place = expand_user(Path(folder.strip()))
     if (place / PROJECT_FILE_NAME).exists():
-        return gettext("This folder already contains a project. Choose another folder.")
+        return error("import.folder_has_project")
     if place.is_file():
-        return gettext("This is a file. Choose a folder for the project.")
+        return error("import.folder_is_file")
     existing = next((p for p in (place, *place.parents) if p.exists()), None)
     if existing is None or not os.access(existing, os.W_OK):
-        name = str(existing or place)
-        return gettext("{folder}: cannot be written. Choose another folder.", folder=name)
-    return ""
+        return error("import.folder_not_writable", folder=str(existing or place))
+    return None
 
 
 def _require_number(value: object) -> float:

@@ -42,7 +42,7 @@ class LineChunks:
         else:
             format = format_of("text")
             options = {"columns": " ".join(name.strip().lower() for name in line.columns)}
-        choice = format.resolved(options)
+        choice = format.complete_options(options)
         return cls(line, format, choice, crs_of_options(choice, line.path))
 
     def __iter__(self) -> Iterator[PointChunk]:

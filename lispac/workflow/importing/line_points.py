@@ -140,7 +140,7 @@ class LinePoints:
         self._attributes, self._far_copies = attributes, far_copies
         self._latency = mounting.latency
         self._format, self._choice, assumptions = format_of_line(line)
-        resolved = self._format.resolved(self._choice)
+        resolved = self._format.complete_options(self._choice)
         self._selection = PointSelection.of(resolved)
         system = crs_of_options(resolved, line.path)
         self.recovery: RecoverySetup | None = None

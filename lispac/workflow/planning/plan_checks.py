@@ -21,8 +21,8 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, as_message, error, warning
 from lispac.present.csv_text import keyed_csv_text
 from lispac.present.planning import (
-    FRONT_CSV,
     SCENARIOS_CSV,
+    SHORTER_PLANS_CSV,
     ScenarioValues,
     ShorterPlanPrecision,
 )
@@ -129,7 +129,7 @@ def write_design(
         figure.savefig(temporary, format="svg", metadata={"Date": None})
     rows = [ShorterPlanPrecision.of(step) for step in design.front]
     with atomic_write(folder / "front.csv") as temporary:
-        temporary.write_text(keyed_csv_text(FRONT_CSV, rows), encoding="utf-8", newline="")
+        temporary.write_text(keyed_csv_text(SHORTER_PLANS_CSV, rows), encoding="utf-8", newline="")
 
 
 def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:

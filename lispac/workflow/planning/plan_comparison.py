@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.result import ANGLES
+from lispac.adjustment.solve.determinability import ANGLE_CODES
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.errors import ProjectError
 from lispac.io.config.plan_file import TitledPlan
-from lispac.language import N_, LazyText, gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.present.angles import degrees
 from lispac.present.planning import PlanComparison, known_degrees
 from lispac.project import Project
@@ -26,9 +27,6 @@ MAX_HEADING_DIFFERENCE_DEG = 22.5
 MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE = 2.0, 0.2
 """Largest difference from the planned distance of a line that is not reported, in metres and as a
 share of the distance."""
-
-
-ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 
 def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> PlanComparison:
@@ -59,16 +57,16 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
     sailed = predict(kept).sigma
     found_flatness = float(result.surfaces[0])
     costs = [
-        _precision_cost_text(gettext_lazy("Line {line:n} ({heading}) was not surveyed.", line=k + 1,
-                           heading=plan.lines[k].name), kept.with_lines(
+        _precision_cost(note("plan_survey.line_not_surveyed", line=k + 1,
+                             heading=plan.lines[k].name), kept.with_lines(
             [sailed_as.get(j, line) for j, line in enumerate(plan.lines)
              if j in sailed_as or j == k]
         ), sailed)
         for k in unsailed
     ]  # fmt: skip
     costs += [
-        _precision_cost_text(
-            gettext_lazy("Target {target} was not used.", target=name),
+        _precision_cost(
+            note("plan_survey.target_not_used", target=name),
             kept.with_targets(
                 [t for t in plan.targets if t.name not in missing_targets or t.name == name]
             ),
@@ -77,8 +75,8 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         for name in missing_targets
     ]
     off_plan = [
-        gettext_lazy(
-            "Line {line:n} ({heading}) was surveyed at {distance:m.0} m.",
+        note(
+            "plan_survey.other_distance",
             line=k + 1,
             heading=plan.lines[k].name,
             distance=line.distance,
@@ -153,12 +151,12 @@ def _extra_distance(plan: Plan, target: Board | Ball, course: Course, measured: 
     return float(np.sqrt(max(measured**2 - ray[2] ** 2, 0.0)) - planned)
 
 
-def _precision_cost_text(missing: LazyText, with_it: Plan, without: Array) -> LazyText:
-    """Text on the precision if a missing line or target had been used.
+def _precision_cost(missing: Message, with_it: Plan, without: Array) -> Message:
+    """Message on the precision if a missing line or target had been used.
 
     Parameters
     ----------
-    missing : text that names the line or target
+    missing : message that names the line or target
     with_it : plan with the line or target
     without : sigmas without it, shape (3,), radians
     """
@@ -166,15 +164,9 @@ def _precision_cost_text(missing: LazyText, with_it: Plan, without: Array) -> La
     if not np.isfinite(without).all():
         if not found.determined:
             return missing
-        return gettext_lazy(
-            "{missing} With it the boresight angles would be determined.", missing=missing
-        )
+        return note("plan_survey.would_be_determined", missing=missing)
     k = int(np.argmin(found.sigma / without))
-    return gettext_lazy(
-        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4} deg instead of "
-        "{without:deg.4} deg.",
-        missing=missing,
-        angle=LazyText(ANGLE_NAMES[k], {}),
-        sigma=float(found.sigma[k]),
-        without=float(without[k]),
-    )
+    return note(
+        "plan_survey.smaller_sigma", missing=missing, angle=note(ANGLE_CODES[ANGLES[k]]),
+        sigma=float(found.sigma[k]), without=float(without[k]),
+    )  # fmt: skip

@@ -357,7 +357,7 @@ class ConventionPanel(QWidget):
                     "correction · current."
                 )
             )
-            if correction.sum_matters:
+            if correction.is_sum_inaccurate:
                 lines.append(_sum_error_text(np.radians(correction.sum_error_deg)))
             if correction.transform is not None:
                 title = gettext("Correction of the 4x4 matrix:")

@@ -171,7 +171,7 @@ class Estimation(QObject):
         if self._requested is None:
             return
         project, cross_check = self._requested
-        is_current = self._document.survey_is_current
+        is_current = self._document.is_survey_current
         if is_current or self._document.project is not project:
             self._requested = None
         if is_current and self._document.project is project:

@@ -20,7 +20,7 @@ from lispac.gui.project.status import TARGETS
 from lispac.gui.viewport.base import Viewport
 from lispac.language import N_, gettext
 from lispac.project import Project
-from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.planning.demo import demo_seeds
 
 VIEW_RADIUS_M = 2.5
@@ -185,10 +185,12 @@ class Tour(QObject):
         candidate_waits = self._controller.candidate is not None
         at = next(k for k, step in enumerate(TOUR_STEPS) if not step.done(project, candidate_waits))
         document, text = self._document, TOUR_STEPS[at].text
-        if project.result is None and document.survey_is_current:
+        if project.result is None and document.is_survey_current:
             assert document.survey is not None
             text = (
-                SAME_ORIENTATION_TEXT if do_targets_face_one_way(project, document.survey) else text
+                SAME_ORIENTATION_TEXT
+                if have_targets_single_orientation(project, document.survey)
+                else text
             )
         if (at, text) != (self._step_index, self._text):
             self._step_index, self._text = at, text

@@ -130,7 +130,7 @@ class SectionPanel(QWidget):
         self._allow_pictures(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out the titles of the horizontal axes in a low panel."""
+        """Omit the titles of the horizontal axes in a low panel."""
         super().resizeEvent(event)
         is_low = self.height() < LOW_PANEL_PX
         if is_low != self._is_low:

@@ -112,7 +112,7 @@ class SectionTool(QObject):
         ends = tuple(self._ends) if len(self._ends) == 2 else None
         known = project is not None and {target.name for target in project.targets}
         name = selected[0] if selected is not None and known and selected[0] in known else None
-        ready = survey is not None and self._document.survey_is_current
+        ready = survey is not None and self._document.is_survey_current
         if project is None or survey is None or not ready or not (ends or name):
             self._show_nothing(gettext(EMPTY_TEXT))
             return

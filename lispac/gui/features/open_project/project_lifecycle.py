@@ -153,7 +153,7 @@ class ProjectLifecycle(QObject):
     def save_as(self) -> None:
         """Ask for another folder, save the project there and continue with it."""
         project = self._document.project
-        if project is not None and self._document.survey_is_current:
+        if project is not None and self._document.is_survey_current:
             folder = self._dialogs.folder_to_save_in(_free_folder(project.folder))
             if folder is not None:
                 self._controller.save_as(folder)

@@ -349,7 +349,9 @@ class PatchTestController(QObject):
             panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             panel.angles.show_found(PatchTestValues.of(result))
             panel.message_label.setText("\n".join(map(message_text, result.messages)))
-            panel.mark_objects({each.name: each.disagreement for each in result.disagreeing})
+            panel.mark_objects(
+                {each.name: each.disagreement for each in result.disagreeing_objects}
+            )
             self._draw_lines()
             self._enable_controls()
 

@@ -69,7 +69,7 @@ class QualityComputation(QObject):
     def _rate_sightings(self) -> None:
         document, known = self._document, self._known
         project, survey = document.project, document.survey
-        if project is None or survey is None or not document.survey_is_current:
+        if project is None or survey is None or not document.is_survey_current:
             return
         if self._runner.active or document.awaits_result:
             return  # the runner emits a signal when it is idle

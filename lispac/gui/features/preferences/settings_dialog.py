@@ -114,7 +114,7 @@ class CacheBox(QWidget):
 
     def _confirm_deletion(self, place: Path) -> bool:
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", gettext("Empty the cache?"),
+            QMessageBox.Icon.Question, "LISPAC", gettext("Clear the cache?"),
             QMessageBox.StandardButton.Cancel, self,
         )  # fmt: skip
         box.setObjectName("empty_cache")

@@ -213,7 +213,7 @@ class ReportExport(QObject):
 
     @property
     def _survey(self) -> Survey | None:
-        return self._document.survey if self._document.survey_is_current else None
+        return self._document.survey if self._document.is_survey_current else None
 
 
 def _reference_frame(project: Project) -> dict[str, str]:

@@ -42,7 +42,8 @@ class VisibilityDialog(StudyDialog):
                 "One board is scanned on six lines with one systematic error at a time and no "
                 "noise. The chart shows at which inclinations and on which lines the error is "
                 "visible. Shaded: inclinations accepted by the type I criterion; dashed: best "
-                "inclination."
+                "inclination. The results are compared with those of Shahraji's thesis, which "
+                "introduced the criteria."
             ),
             table, parent,
         )  # fmt: skip

@@ -257,7 +257,7 @@ class HistogramsPanel(QWidget):
         return self._comparisons[rows[0].row()] if rows else None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out title and legend of the histogram in a low panel, which names the colours."""
+        """Omit title and legend of the histogram in a low panel, which names the colours."""
         super().resizeEvent(event)
         is_low = self.height() < LOW_PANEL_PX
         if is_low != self._is_low:

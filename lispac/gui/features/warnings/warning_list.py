@@ -101,7 +101,7 @@ class WarningList(QObject):
         document = self._document
         project, refusal = document.project, document.refusal
         refused_since = document.refused_since
-        survey = document.survey if document.survey_is_current else None
+        survey = document.survey if document.is_survey_current else None
         qualities, storage = self._qualities, self._storage_problem()
         outdated = document.is_result_outdated
         if project is None or document.awaits_result:

@@ -42,7 +42,7 @@ from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
-from lispac.messages import Action
+from lispac.messages import Action, Message, note
 from lispac.project import LineSource, Project
 from lispac.workflow.importing.input_files import ImportRequest, InputFiles, proposed_folder
 from lispac.workflow.planning.sensors import read_library
@@ -310,16 +310,16 @@ class ImportDialog(NumberDialog):
             self._show_reason()
 
     def _show_reason(self) -> None:
-        problem = self._problem_text()
+        problem = self._problem()
         waiting = any(file.pending for file in self.input_files.files)
-        self.reason.setText(problem or self._hint())
-        wrong = bool(problem) and bool(self.input_files.files) and not waiting
+        self.reason.setText(self._hint() if problem is None else message_text(problem))
+        wrong = problem is not None and bool(self.input_files.files) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
-        self.ok.setEnabled(not problem)
+        self.ok.setEnabled(problem is None)
 
-    def _problem_text(self) -> str:
-        """Reason why the import is not complete; empty if it is complete."""
+    def _problem(self) -> Message | None:
+        """Reason why the files cannot be imported; None if they can."""
         return self.input_files.import_problem(self.folder.text())
 
     def _hint(self) -> str:
@@ -436,13 +436,10 @@ class AddLinesDialog(ImportDialog):
         """The lines to add."""
         return self.input_files.sources()
 
-    def _problem_text(self) -> str:
+    def _problem(self) -> Message | None:
         if self.input_files.files and not self.input_files.lines and not self.work.busy:
-            return gettext(
-                "No lines have been added yet. Drop the scan files of the lines here, or press "
-                "Add files."
-            )
-        return self.input_files.files_problem_text()
+            return note("import.no_lines_added")
+        return self.input_files.files_problem()
 
     def _hint(self) -> str:
         if any(line.is_georeferenced for line in self.input_files.lines):
