@@ -190,7 +190,7 @@ class MainWindow(QMainWindow):
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
-        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
+        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
@@ -254,8 +254,10 @@ class MainWindow(QMainWindow):
         data.demo_requested.connect(self.lifecycle.demo)
         targets.renamed.connect(self._rename)
         targets.selected.connect(lambda name: self._select(name, ""))
+        targets.activated.connect(lambda name: self._go_to(name, ""))
         self.table.sighting_selected.connect(self._select)
-        self.diagnostics.row_activated.connect(self._select)
+        self.table.sighting_activated.connect(self._go_to)
+        self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
@@ -367,7 +369,16 @@ class MainWindow(QMainWindow):
                 field.restore()
 
     def _select(self, name: str, line: str) -> None:
+        """Select a sighting, or a target if ``line`` is empty, without moving the view."""
+        self.scene.select(name, line)
+        self._select_in_panels(name, line)
+
+    def _go_to(self, name: str, line: str) -> None:
+        """Select a sighting, or a target if ``line`` is empty, and move the view to it."""
         self.scene.focus_on(name, line)
+        self._select_in_panels(name, line)
+
+    def _select_in_panels(self, name: str, line: str) -> None:
         self.targets.select(name)
         self.table.select(name)
         self.diagnostics.select(name, line)

@@ -3,18 +3,19 @@
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.appearance import theme
+from lispac.gui.features.inspect.linked_views import section_box
 from lispac.gui.features.inspect.section_panel import EMPTY_TEXT, SectionPanel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
-from lispac.gui.viewport.clipping import BOX_EDGES, Box
+from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.targets.cross_section import Section
@@ -31,6 +32,9 @@ HINTS = (N_("Click the start of the section"), N_("Click the end of the section"
 
 class SectionTool(QObject):
     """Computes the section in the background while its panel is visible."""
+
+    moved = Signal()
+    """Another section is shown in the view, or none."""
 
     def __init__(
         self,
@@ -50,6 +54,7 @@ class SectionTool(QObject):
         self._outdated = self._panel_visible = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
         self._cuts: Sequence[SectionPoints] = ()
+        self._framed: Section | None = None
         self.panel.changed.connect(self._update_section)
         self.panel.points_requested.connect(actions["section_points"].trigger)
         actions["section"].triggered.connect(lambda _=False: self._open())
@@ -164,12 +169,22 @@ class SectionTool(QObject):
         self.panel.show_nothing(text)
         self._draw_sketch(None)
 
+    @property
+    def section(self) -> Section | None:
+        """Section whose frame is shown in the view; None if there is none."""
+        return self._framed
+
     def _draw_frame(self) -> None:
         """Draw the frame of the section into the view."""
         cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
+        self._framed = cut.section
         self._draw_sketch(section_box_sketch(cut.section))
+        self.moved.emit()
 
     def _draw_sketch(self, sketch: Sketch | None) -> None:
+        if sketch is None and self._framed is not None:
+            self._framed = None
+            self.moved.emit()
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
             self._viewport.show_sketch(SKETCH_NAME, sketch)
@@ -177,7 +192,5 @@ class SectionTool(QObject):
 
 def section_box_sketch(section: Section) -> Sketch:
     """Outline of the box that a section cuts out, for the 3D view."""
-    half = 0.5 * np.array([section.width, section.height, section.thickness])
-    box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
-    places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)
+    places = tuple((float(x), float(y), float(z)) for x, y, z in section_box(section).corners)
     return Sketch(places, BOX_EDGES, SKETCH_COLOUR)
