@@ -42,6 +42,7 @@ class Scene(QObject):
         super().__init__(parent)
         self._document, self._viewport = document, viewport
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
+        self._former: Scene | None = None
         self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
         self.selected: tuple[str, str] | None = None
@@ -163,12 +164,9 @@ class Scene(QObject):
             self._schedule_targets()
         self.which_changed.emit(self.which)
 
-    def copy_state_from(self, former: "Scene") -> None:
-        """Copy state and georeferenced lines of another scene of the same document."""
-        self._estimated, self.which = former._estimated, former.which
-        self.colouring = former.colouring
-        self._schedule_lines()
-        self.which_changed.emit(self.which)
+    def continue_from(self, former: "Scene") -> None:
+        """Show what another scene of the same document shows, when the document is opened."""
+        self._former = former
 
     def show_candidate(self, candidate: Target | None) -> None:
         """Show the candidate beside the other targets."""
@@ -204,8 +202,12 @@ class Scene(QObject):
         self._drawn = {}
 
     def _reload(self) -> None:
-        self._estimated = None
-        self.which = "prior"
+        former, self._former = self._former, None
+        if former is None:
+            self._estimated, self.which = None, "prior"
+        else:
+            self._estimated, self.which = former._estimated, former.which
+            self.colouring = former.colouring
         survey = self._document.survey
         if survey is None:
             self._viewport.clear()
@@ -216,7 +218,8 @@ class Scene(QObject):
         self._schedule_lines()
         self.which_changed.emit(self.which)
         project = self._document.project
-        if survey is not None and project is not None and project.result is not None:
+        has_result = project is not None and project.result is not None
+        if former is None and survey is not None and has_result:
             self.placement_requested.emit()  # a project with a result is shown after the adjustment
 
     def _on_project_changed(self) -> None:

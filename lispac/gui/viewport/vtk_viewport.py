@@ -107,7 +107,7 @@ class VtkViewport:
         self._box: Box | None = None
         self._hidden: set[str] = set()
         self._point_size = 2
-        self._closed = False
+        self._closed = self._keeps_view = False
         self._shows_detail = False
         self._detail_render_s = np.inf
         self._frame_start = 0.0
@@ -166,7 +166,8 @@ class VtkViewport:
     ) -> None:
         """Draw the lines, each in its colour or shaded, instead of those shown.
 
-        The first lines are shown in the view "isometric"; later ones do not change the camera.
+        The first lines are shown in the view "isometric", unless the camera was copied; later ones
+        do not change the camera.
         """
         first = not self._layer.clouds
         self._overlay.shading = shading
@@ -181,7 +182,9 @@ class VtkViewport:
         self._draw_clouds()
         if first:
             self.show_highlights(self._main.sightings.highlights)  # relative to the new origin
-            self.view("isometric")
+            if not self._keeps_view:
+                self.view("isometric")
+            self._keeps_view = False
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line; the visible lines share the budget."""
@@ -320,6 +323,9 @@ class VtkViewport:
     def copy_view_from(self, former: Viewport) -> None:
         """Take over the camera and the history of views of another `VtkViewport`."""
         assert isinstance(former, VtkViewport)
+        if not former._layer.clouds:
+            return
+        self._keeps_view = True
         self._navigator.copy_view_from(former._navigator)
 
     def set_parallel(self, parallel: bool) -> None:

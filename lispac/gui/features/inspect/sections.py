@@ -73,6 +73,13 @@ class SectionTool(QObject):
         self._panel_visible = visible
         self._update_section()
 
+    def copy_state_from(self, former: "SectionTool") -> None:
+        """Take over the ends of the section of a former window."""
+        self._ends = list(former._ends)
+        if len(self._ends) == 1:
+            self._show_first_end()
+        self._update_section()
+
     # -- between two points ------------------------------------------------------------------
 
     def _toggle_tool(self, on: bool) -> None:
@@ -89,12 +96,16 @@ class SectionTool(QObject):
     def _add_point(self, point: PickedPoint) -> None:
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
-            self._mouse_tool.hint(gettext(HINTS[1]))
-            self._draw_sketch(Sketch((point.position,), (), SKETCH_COLOUR, dots=True))
+            self._show_first_end()
             return
         self._mouse_tool.end()
         self._open()
         self._update_section()
+
+    def _show_first_end(self) -> None:
+        north, west, up = (float(v) for v in self._ends[0])
+        self._mouse_tool.hint(gettext(HINTS[1]))
+        self._draw_sketch(Sketch(((north, west, up),), (), SKETCH_COLOUR, dots=True))
 
     def _discard_points(self) -> None:
         if len(self._ends) < 2:
