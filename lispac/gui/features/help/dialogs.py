@@ -55,6 +55,7 @@ KEYS = (
     )),
     (N_("Inspection"), (
         (N_("S, Shift + S"), N_("cut a section across the selected target, between two points")),
+        (N_("Alt + Up, Down"), N_("move the section by its thickness; or drag its dots")),
         (N_("Ctrl + P, Ctrl + Shift + P"), N_("save the picture of the section, copy it")),
         (N_("M, Shift + M"), N_("measure a distance, an angle")),
         ("X", N_("show or remove the clip box around the selected target")),
