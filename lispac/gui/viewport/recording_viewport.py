@@ -151,8 +151,8 @@ class RecordingViewport:
         self._record("step_view", steps)
 
     def copy_view_from(self, former: Viewport) -> None:
-        """Remember the call."""
-        self._record("copy_view_from", former)
+        """Remember the call, without a reference to the former viewport."""
+        self._record("copy_view_from")
 
     def set_parallel(self, parallel: bool) -> None:
         """Remember the projection."""

@@ -95,7 +95,7 @@ ACTIONS = by_name(
     ActionRecord("section_points", N_("Section &between two points"),
         N_("Cut a section between two clicked points"), ("Inspect", 1, 2), keys="Shift+S",
         toggles=True),
-    ActionRecord("section_forward", N_("Move the section &forward"),
+    ActionRecord("section_forward", N_("Move the section for&ward"),
         N_("Move the section by its thickness; or drag the dot in its middle"), ("Inspect", 1, 5),
         keys="Alt+Up"),
     ActionRecord("section_backward", N_("Move the section bac&kward"),
