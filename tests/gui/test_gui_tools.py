@@ -9,12 +9,13 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
-from lispac.gui.features.inspect.sections import section_box_sketch
+from lispac.gui.features.inspect.sections import DRAG_UPDATE_MS, section_box_sketch
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.window.main_window import MainWindow
 from lispac.warning_causes import Cause
 from tests.gui.support import (
+    Demo,
     Driver,
     Key,
     Left,
@@ -113,7 +114,9 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     apart = [float(each.get_title(loc="left").split()[-2]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
-    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)  # after
+    assert adjusted.viewport.sketches["section"] == section_box_sketch(
+        cuts[1].section, has_ends=False
+    )  # after
     panel.orientation.setCurrentIndex(1)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
@@ -126,7 +129,9 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window.computations.show("estimated")
     adjusted.rest()
     cuts = window.tools.sections._cuts
-    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)
+    assert adjusted.viewport.sketches["section"] == section_box_sketch(
+        cuts[1].section, has_ends=False
+    )
     show_panel(window, "Log")
     QApplication.processEvents()
     assert "section" not in adjusted.viewport.sketches
@@ -224,6 +229,66 @@ def test_a_section_is_cut_between_two_points(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
     picked.rest()
     assert panel.through.text() == "Across T1"
+
+
+def drag_handle(driver: Driver, handle: int, metres: float) -> None:
+    """Drag a dot of the section along its axis with the mouse, in two steps."""
+    view = driver.viewport
+    dot = view._sketch_layer._sketches["section"].handles[handle]
+    start, end = (
+        QPoint(*np.round(view.to_pixels(np.array([dot.position]) + share * np.array(dot.axis))[0])
+               .astype(int))
+        for share in (0.0, metres)
+    )  # fmt: skip
+    driver.bot.mousePress(view.canvas, Qt.MouseButton.LeftButton, pos=start)
+    for place in ((start + end) / 2, end):
+        driver.bot.mouseMove(view.canvas, place)
+    driver.bot.wait(DRAG_UPDATE_MS + 50)
+    driver.bot.waitUntil(lambda: not driver.window.runner.active, timeout=20_000)
+    assert driver.window.tools.sections.panel.canvas.isVisible()
+    driver.bot.mouseRelease(view.canvas, Qt.MouseButton.LeftButton, pos=end)
+    wait_until_idle(driver)
+
+
+def test_the_section_is_dragged_through_the_scene_and_stepped_by_keys(
+    real: Driver, demo: Demo
+) -> None:
+    window, sections = real.window, real.window.tools.sections
+    window.document.open(demo.picked, demo.survey)
+    wait_until_idle(real)
+    press(real, Key.Key_S)
+    window._go_to("T1", "")
+    wait_until_idle(real)
+    camera, first = real.viewport.camera, sections.section
+    drawn = sections._cuts
+    drag_handle(real, 0, 0.4)
+    moved = sections.section
+    distance = float((moved.centre - first.centre) @ first.across)
+    assert distance == pytest.approx(0.4, abs=0.05)
+    np.testing.assert_allclose(moved.centre, first.centre + distance * first.across, atol=1e-9)
+    assert real.viewport.camera is camera
+    for line, points in sections._cuts[0].points.items():
+        np.testing.assert_array_equal(points, moved.cut_points(window.scene.clouds[line]))
+    assert sections._cuts is not drawn
+    for key, expected in ((Key.Key_Up, 0.2), (Key.Key_Down, 0.0), (Key.Key_Down, -0.2)):
+        press(real, key, Qt.KeyboardModifier.AltModifier)
+        wait_until_idle(real)
+        shift = float((sections.section.centre - moved.centre) @ first.across)
+        assert shift == pytest.approx(expected, abs=1e-9)
+    window._select("T2", "")
+    window._select("T1", "")
+    wait_until_idle(real)
+    np.testing.assert_allclose(sections.section.centre, first.centre)
+    half = 0.5 * first.width * first.right
+    sections._ends = [first.centre - half, first.centre + half]
+    sections._update_section()
+    wait_until_idle(real)
+    drag_handle(real, 2, 0.5)
+    longer = sections.section
+    assert longer.width == pytest.approx(first.width + 0.5, abs=0.05)
+    np.testing.assert_allclose(
+        longer.centre - 0.5 * longer.width * longer.right, first.centre - half, atol=1e-9
+    )
 
 
 def test_the_section_is_zoomed_and_moved_with_the_mouse(picked: Driver) -> None:

@@ -1,17 +1,31 @@
-"""Test that the state of the view is restored in a window with another theme."""
+"""Tests that another theme or language changes nothing of what the user has in the window."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.app.docks import raise_panel
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance.theme import apply_theme
 from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Demo, Key
+from tests.gui.support import Control, Demo, Key, Left, ScriptedDialogs
 
 SOON_MS = 20_000
+
+
+@pytest.fixture(autouse=True)
+def _english() -> Iterator[None]:
+    """English after each test."""
+    yield
+    set_language("en")
 
 
 def choose_theme(session: Session, bot: QtBot, theme: str) -> None:
@@ -81,3 +95,185 @@ def wait_until_idle(session: Session, bot: QtBot) -> None:
 
 def same(one: Mapping[str, np.ndarray], other: Mapping[str, np.ndarray]) -> bool:
     return one.keys() == other.keys() and all(np.array_equal(one[k], other[k]) for k in one)
+
+
+def choose_language(session: Session, bot: QtBot, language: str) -> None:
+    """Choose a language in the menu, and wait for the new window."""
+    former = session.window
+    menu = "View" if language == "Français" else "Affichage"
+    choose(bot, open_menu(bot, former, menu), "Lang", language)
+    bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
+    bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
+
+
+def changes(session: Session, bot: QtBot) -> Iterator[None]:
+    """Change the theme and then the language, and wait each time until all is drawn."""
+    for change in (lambda: choose_theme(session, bot, "Dark"),
+                   lambda: choose_language(session, bot, "Français")):  # fmt: skip
+        change()
+        wait_until_idle(session, bot)
+        yield
+
+
+def test_selection_view_panels_and_undo_steps_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo, validated: Project
+) -> None:
+    window = session.window
+    window.document.open(validated, demo.survey)
+    wait_until_idle(session, qtbot)
+    for key in (Key.Key_B, Key.Key_O):
+        qtbot.keyClick(window, key)
+    table, lines = window.table, window.data.lines
+    raise_panel(table)
+    place = table.visualRect(table.sightings.index(1, 1)).center() + QPoint(20, 0)
+    qtbot.mouseClick(table.viewport(), Left, pos=place)
+    qtbot.keyClick(window, Key.Key_X)
+    qtbot.keyClick(window, Key.Key_1, Control)
+    place = lines.visualItemRect(lines.item(2, 0))
+    qtbot.mouseClick(lines.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
+    qtbot.keyClick(window, Key.Key_D, Control)
+    qtbot.keyClick(window.diagnostics.list, Key.Key_Down)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+    qtbot.keyClick(window, Key.Key_S)
+    section = window.tools.sections.panel
+    section.thickness.setFocus()
+    section.thickness.selectAll()
+    qtbot.keyClicks(section.thickness, "0.35")
+    qtbot.keyClick(section.thickness, Key.Key_Tab)
+    window.controller.rename("V1", "Quay")
+    wait_until_idle(session, qtbot)
+    hidden, box = set(window.viewport.hidden), window.tools.clipping.box
+    assert len(hidden) == 1
+    for _ in changes(session, qtbot):
+        window = session.window
+        assert window.actions_["before"].isChecked()
+        assert same(window.viewport.clouds,
+                    {name: cloud.sample for name, cloud in demo.survey.clouds.items()})  # fmt: skip
+        assert window.viewport.parallel
+        assert window.actions_["orthographic"].isChecked()
+        assert window.viewport.hidden == hidden
+        assert window.scene.selected == ("T2", demo.project.lines[0].name)
+        assert window.viewport.selected == window.scene.selected
+        current = window.table.currentIndex()
+        assert (current.row(), current.column()) == (1, 1)
+        assert window.tools.clipping.box is box
+        assert window.viewport.box is box
+        assert window.workflow.opened == 0
+        assert window.diagnostics.isVisible()
+        assert window.diagnostics.list.currentRow() == 1
+        section = window.tools.sections.panel
+        assert section.isVisible()
+        assert not section.visibleRegion().isEmpty(), "in front"
+        assert section.thickness.value() == pytest.approx(0.35)
+        assert window.tools.sections.section.thickness == pytest.approx(0.35)
+        assert window.document.undo_stack.count() == 1
+        assert window.document.is_modified
+    qtbot.keyClick(window, Key.Key_Z, Control)
+    assert "V1" in window.targets.names
+
+
+def test_objects_and_angles_of_the_patch_test_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    window = session.window
+    window.document.open(demo.picked, demo.survey)
+    wait_until_idle(session, qtbot)
+    window._select("T1", "")
+    qtbot.keyClick(window, Key.Key_T, Control)
+    panel = window.tools.patch_test_controller.panel
+    qtbot.mouseClick(panel.target, Left)
+    wait_until_idle(session, qtbot)
+    assert panel.objects.count() == 1
+    place = panel.pairs.visualItemRect(panel.pairs.item(3))
+    qtbot.mouseClick(panel.pairs.viewport(), Left,
+                     pos=QPoint(place.left() + 10, place.center().y()))  # fmt: skip
+    panel.of.setFocus()
+    qtbot.keyClick(panel.of, Key.Key_Down)
+    slider = panel.angles.sliders[1]
+    slider.setFocus()
+    for _ in range(3):
+        qtbot.keyClick(slider, Key.Key_PageUp)
+    wait_until_idle(session, qtbot)
+    objects = window.tools.patch_test_controller._placed_objects
+    angles, pairs = panel.angles.boresight, panel.ticked_pairs
+    assert angles[1] == pytest.approx(np.radians(0.03))
+    assert len(pairs) == panel.pairs.count() - 1
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+    for _ in changes(session, qtbot):
+        controller = session.window.tools.patch_test_controller
+        panel = controller.panel
+        assert panel.isVisible()
+        assert controller._placed_objects is objects
+        assert panel.objects.count() == 1
+        assert panel.shown == objects.objects[0].name
+        np.testing.assert_array_equal(panel.angles.boresight, angles)
+        assert panel.angles.fields[1].value() == pytest.approx(0.03)
+        assert panel.ticked_pairs == pairs
+        assert panel.of.currentIndex() == 1
+        assert panel.picture.isVisible()
+        assert "patch" in session.window.viewport.sketches
+
+
+def test_linked_views_and_a_measurement_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo, estimated: Project
+) -> None:
+    window = session.window
+    window.document.open(estimated, demo.survey)
+    wait_until_idle(session, qtbot)
+    qtbot.keyClick(window, Key.Key_2, Qt.KeyboardModifier.AltModifier)
+    wait_until_idle(session, qtbot)
+    qtbot.keyClick(window, Key.Key_M)
+    line = demo.project.lines[0].name
+    for index in (100, 4000):
+        window.viewport.point_at(line, index)
+    measured = window.viewport.sketches["measure"]
+    for _ in changes(session, qtbot):
+        viewport = session.window.viewport
+        assert [each.direction for each in viewport.linked] == ["same", "same"]
+        assert session.window.tools.mouse_tool.tool == "measure_distance"
+        assert viewport.mouse_mode == "point"
+        assert viewport.sketches["measure"].points == measured.points
+    qtbot.keyClick(session.window, Key.Key_Escape)
+    qtbot.keyClick(session.window, Key.Key_Escape)
+    assert session.window.viewport.linked == ()
+
+
+def test_the_camera_and_the_former_views_are_kept(
+    qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo
+) -> None:
+    if qapp.platformName() == "offscreen":
+        pytest.skip("OpenGL needs a screen, if only a virtual one")
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
+
+    settings = AppSettings(tmp_path / "settings.ini")
+    settings.language, settings.theme = "en", "light"
+    session = Session(qapp, VtkViewport, settings, ScriptedDialogs())
+    try:
+        window = session.window
+        qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+        window.document.open(demo.picked, demo.survey)
+        wait_until_idle(session, qtbot)
+        qtbot.keyClick(window, Key.Key_2)
+        top = window.viewport.camera
+        canvas = window.viewport.canvas
+        qtbot.mousePress(canvas, Left, pos=QPoint(300, 200))
+        qtbot.mouseMove(canvas, QPoint(340, 230))
+        qtbot.mouseRelease(canvas, Left, pos=QPoint(340, 230))
+        camera = window.viewport.camera
+        choose_theme(session, qtbot, "Dark")
+        wait_until_idle(session, qtbot)
+        window = session.window
+        assert window.viewport.camera is not None
+        np.testing.assert_allclose(window.viewport.camera.position, camera.position)
+        assert window.viewport.camera.azimuth == camera.azimuth
+        assert window.viewport.camera.elevation == camera.elevation
+        qtbot.keyClick(window, Key.Key_Left, Qt.KeyboardModifier.AltModifier)
+        assert window.viewport.camera.elevation == top.elevation
+    finally:
+        session.window.stop_and_hide()
+        session.window.deleteLater()
+        session.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        apply_theme(qapp)

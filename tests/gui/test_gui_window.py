@@ -175,12 +175,15 @@ def test_a_sighting_is_excluded_by_its_check_box(picked: Driver):
     assert "1 target in 5 lines" in sentence(picked, 1)
 
 
-def test_a_selected_cell_goes_to_its_sighting(picked: Driver):
+def test_a_clicked_cell_is_selected_and_enter_goes_to_its_sighting(picked: Driver):
     table = picked.window.table
     place = table.visualRect(table.sightings.index(1, 1))
+    picked.viewport.calls.clear()
     picked.bot.mouseClick(table.viewport(), Left, pos=place.center() + QPoint(20, 0))
     line = picked.project.lines[0].name
     assert picked.viewport.selected == ("T2", line)
+    assert "fit" not in [name for name, _ in picked.viewport.calls]
+    picked.bot.keyClick(table, Key.Key_Return)
     fitted = [arguments for name, arguments in picked.viewport.calls if name == "fit"]
     (points,) = fitted[-1]
     assert len(points) == len(picked.project.target("T2").sighting(line).indices)

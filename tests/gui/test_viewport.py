@@ -290,7 +290,7 @@ def test_slow_frames_reduce_the_points_drawn_while_moving(shown):
 
     def drawn():
         view.canvas.grabFramebuffer()
-        actors = view._renderer.GetActors()
+        actors = view.canvas.renderer.GetActors()
         return sum(
             actor.GetMapper().GetInput().GetNumberOfPoints()
             for actor in actors

@@ -116,7 +116,7 @@ def test_the_window_is_not_recreated_and_stays_in_front(qtbot: QtBot, shown: obj
 def test_every_signal_is_forwarded(late: LazyViewport, made: ViewportFactory) -> None:
     emitted = []
     names = [name for name, each in vars(ViewportSignals).items() if isinstance(each, Signal)]
-    assert len(names) == 10
+    assert len(names) == 11
     for name in names:
         getattr(late.signals, name).connect(lambda *_values, name=name: emitted.append(name))
     late.show_clouds(CLOUDS, COLOURS)
@@ -128,6 +128,7 @@ def test_every_signal_is_forwarded(late: LazyViewport, made: ViewportFactory) ->
             "help_used": (),
             "handle_moved": ("box", 1, 0.5),
             "handle_released": ("box",),
+            "history_changed": (True, False),
         }
         getattr(signals, name).emit(*values.get(name, (None,)))
     assert emitted == names

@@ -231,6 +231,12 @@ class DockLayout(QObject):
         layout = self._state_before or self._window.saveState()
         return layout, [title for title in self._docks if title in self._wanted]
 
+    def copy_front_from(self, former: "DockLayout") -> None:
+        """Bring those docks to the front that are in front in a former window."""
+        for title, dock in self._docks.items():
+            if not former._docks[title].visibleRegion().isEmpty():
+                dock.raise_()
+
     def restore(self, layout: QByteArray, wanted: Collection[str] | None) -> None:
         """Restore a stored layout; ``wanted`` is None if it was stored without the docks."""
         self._window.restoreState(layout)

@@ -14,7 +14,8 @@ from lispac.language import gettext
 class MouseTool(QObject):
     """Assigns the left mouse button to one tool at a time.
 
-    Esc ends the active tool; without an active tool, it rejects the detected target.
+    Esc ends the active tool. Without an active tool, it rejects the detected target; without one,
+    it ends the mode of the view.
     """
 
     def __init__(self, viewport: Viewport, actions: Actions) -> None:
@@ -26,13 +27,38 @@ class MouseTool(QObject):
         self._ended: Callable[[], None] = lambda: None
         viewport.signals.pointed.connect(self._pass_point)
         viewport.signals.outlined.connect(lambda corners: self._outlined(corners))
-        actions["end_tool"].triggered.connect(lambda _=False: self.end())
-        actions.set_reason("end_tool", Unavailable.NO_TOOL)
+        self._end_mode: Callable[[], None] | None = None
+        actions["end_tool"].triggered.connect(lambda _=False: self._end_tool_or_mode())
+        actions["reject"].enabledChanged.connect(lambda _on: self._assign_escape())
+        self._assign_escape()
 
     @property
     def tool(self) -> str:
         """Name of the action of the active tool; empty for none."""
         return self._tool
+
+    @property
+    def end_mode(self) -> Callable[[], None] | None:
+        """Function that ends the mode of the view, such as linked views; None without a mode."""
+        return self._end_mode
+
+    @end_mode.setter
+    def end_mode(self, end: Callable[[], None] | None) -> None:
+        self._end_mode = end
+        self._assign_escape()
+
+    def _end_tool_or_mode(self) -> None:
+        if self._tool:
+            self.end()
+        elif self._end_mode is not None:
+            self._end_mode()
+
+    def _assign_escape(self) -> None:
+        """Give Esc to the active tool, else to the detected target, else to the mode."""
+        rejects = not self._tool and self._actions["reject"].isEnabled()
+        ends = bool(self._tool) or (self._end_mode is not None and not rejects)
+        self._actions["reject"].setShortcut(QKeySequence("" if self._tool else "Esc"))
+        self._actions.set_reason("end_tool", None if ends else Unavailable.NO_TOOL)
 
     def begin(
         self,
@@ -59,8 +85,7 @@ class MouseTool(QObject):
             self._pointed = pointed
         if outlined is not None:
             mode, self._outlined = "outline", outlined
-        self._actions["reject"].setShortcut(QKeySequence())
-        self._actions.set_reason("end_tool", None)
+        self._assign_escape()
         self._actions[tool].setChecked(True)
         # A tool may be started in another window, and is used and ended with Esc in this one
         self._viewport.widget.window().activateWindow()
@@ -77,8 +102,7 @@ class MouseTool(QObject):
         tool, self._tool = self._tool, ""
         self._pointed, self._outlined = lambda _point: None, lambda _corners: None
         self._actions[tool].setChecked(False)
-        self._actions.set_reason("end_tool", Unavailable.NO_TOOL)
-        self._actions["reject"].setShortcut(QKeySequence("Esc"))
+        self._assign_escape()
         self._viewport.set_mouse("navigate")
         self._ended()
 

@@ -33,6 +33,8 @@ class Scene(QObject):
     selection_changed = Signal()
     drawn = Signal()
     """The lines were drawn again."""
+    targets_drawn = Signal()
+    """The sightings were drawn again."""
     placement_requested = Signal()
     """The lines shown after the adjustment must be georeferenced with the current result."""
 
@@ -40,6 +42,7 @@ class Scene(QObject):
         super().__init__(parent)
         self._document, self._viewport = document, viewport
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
+        self._former: Scene | None = None
         self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
         self.selected: tuple[str, str] | None = None
@@ -91,7 +94,7 @@ class Scene(QObject):
             return {}
         name, line = self.selected
         target = next((target for target in project.targets if target.name == name), None)
-        return {} if target is None else self._points_by_line(target, line)
+        return {} if target is None else _points_by_line(target, self.clouds, line)
 
     def prior_position_finder(self, point: PickedPoint) -> Callable[[], Triple]:
         """Function, callable in any thread, that finds the prior position of a clicked point.
@@ -161,12 +164,9 @@ class Scene(QObject):
             self._schedule_targets()
         self.which_changed.emit(self.which)
 
-    def copy_state_from(self, former: "Scene") -> None:
-        """Copy state and georeferenced lines of another scene of the same document."""
-        self._estimated, self.which = former._estimated, former.which
-        self.colouring = former.colouring
-        self._schedule_lines()
-        self.which_changed.emit(self.which)
+    def continue_from(self, former: "Scene") -> None:
+        """Show what another scene of the same document shows, when the document is opened."""
+        self._former = former
 
     def show_candidate(self, candidate: Target | None) -> None:
         """Show the candidate beside the other targets."""
@@ -174,9 +174,9 @@ class Scene(QObject):
         self._schedule_targets()
         self._viewport.select(None if candidate is None else (candidate.name, ""))
 
-    def select(self, name: str) -> None:
-        """Highlight a target on all its lines without moving the view."""
-        self.selected = (name, "")
+    def select(self, name: str, line: str = "") -> None:
+        """Highlight a sighting, or a target if ``line`` is empty, without moving the view."""
+        self.selected = (name, line)
         self._viewport.select(self.selected)
         self.selection_changed.emit()
 
@@ -188,8 +188,9 @@ class Scene(QObject):
         target = project.target(name)
         self.selected = (name, line)
         self._viewport.select((name, line))
-        points = self._points(target, line)
-        if points is not None:
+        groups = _points_by_line(target, self.clouds, line)
+        if groups:
+            points = np.concatenate(list(groups.values()))
             self.focused.emit(points, name)
             self._viewport.fit(points)
         self.selection_changed.emit()
@@ -201,8 +202,12 @@ class Scene(QObject):
         self._drawn = {}
 
     def _reload(self) -> None:
-        self._estimated = None
-        self.which = "prior"
+        former, self._former = self._former, None
+        if former is None:
+            self._estimated, self.which = None, "prior"
+        else:
+            self._estimated, self.which = former._estimated, former.which
+            self.colouring = former.colouring
         survey = self._document.survey
         if survey is None:
             self._viewport.clear()
@@ -213,7 +218,8 @@ class Scene(QObject):
         self._schedule_lines()
         self.which_changed.emit(self.which)
         project = self._document.project
-        if survey is not None and project is not None and project.result is not None:
+        has_result = project is not None and project.result is not None
+        if former is None and survey is not None and has_result:
             self.placement_requested.emit()  # a project with a result is shown after the adjustment
 
     def _on_project_changed(self) -> None:
@@ -283,18 +289,29 @@ class Scene(QObject):
 
     def _draw_due_targets(self) -> None:
         self._targets_due.stop()
+        self._viewport.show_highlights(self.highlights(self.which))
+        self._markers = [self._marker(target) for target in self._shown_targets()]
+        self._viewport.show_markers([*self._markers, *self._searched])
+        self.targets_drawn.emit()
+
+    def _shown_targets(self) -> list[Target]:
         project = self._document.project
         targets = [] if project is None or self._document.survey is None else list(project.targets)
         if self.candidate is not None:
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
-        highlights, markers = [], []
-        line_colours = theme.line_colours(list(self.clouds))
+        return targets
+
+    def highlights(self, which: PriorOrEstimated) -> list[Highlight]:
+        """Sightings of all targets and of the candidate, before or after the adjustment."""
+        project, clouds = self._document.project, self.clouds_of(which)
+        line_colours = theme.line_colours(list(clouds))
         result = None if project is None else project.result
         rejected = {
             (each.target, each.line) for each in (result.rejected_sightings if result else ())
         }
-        for target in targets:
-            groups = self._points_by_line(target, "")
+        highlights = []
+        for target in self._shown_targets():
+            groups = _points_by_line(target, clouds)
             for sighting in target.sightings:
                 points = groups.get(sighting.line)
                 if points is not None:
@@ -306,28 +323,28 @@ class Scene(QObject):
                     if shades is not None and len(shades) != len(points):
                         shades = None  # edited since the adjustment
                     highlights.append(Highlight(key, points, colour, halo, shades))
-            label = f"{target.name}?" if target is self.candidate else target.name
-            markers.append(Marker(label, _label_position(target, groups), self._colour(target)))
-        self._viewport.show_highlights(highlights)
-        self._markers = markers
-        self._viewport.show_markers([*markers, *self._searched])
+        return highlights
 
-    def _points(self, target: Target, line: str) -> Array | None:
-        groups = self._points_by_line(target, line)
-        return np.concatenate(list(groups.values())) if groups else None
-
-    def _points_by_line(self, target: Target, line: str) -> dict[str, Array]:
-        clouds = self.clouds
-        return {
-            s.line: clouds[s.line][s.indices]
-            for s in target.sightings
-            if s.line in clouds and line in ("", s.line)
-        }
+    def _marker(self, target: Target) -> Marker:
+        label = f"{target.name}?" if target is self.candidate else target.name
+        position = _label_position(target, _points_by_line(target, self.clouds))
+        return Marker(label, position, self._colour(target))
 
     def _colour(self, target: Target):
         if target is self.candidate:
             return theme.CANDIDATE_COLOUR
         return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
+
+
+def _points_by_line(
+    target: Target, clouds: Mapping[str, Cloud], line: str = ""
+) -> dict[str, Array]:
+    """Points (n, 3) of a target on each line, or on one line."""
+    return {
+        each.line: clouds[each.line][each.indices]
+        for each in target.sightings
+        if each.line in clouds and line in ("", each.line)
+    }
 
 
 def _label_position(target: Target, groups: dict[str, Array]) -> tuple[float, float, float]:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.camera import VIEW_ANGLE, Camera
@@ -39,6 +39,19 @@ def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vt
     if shades is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(shades), deep=True))
     return data
+
+
+def create_renderer(window: vtkRenderWindow) -> vtkRenderer:
+    """Renderer of a part of a window."""
+    renderer = vtkRenderer()
+    window.AddRenderer(renderer)
+    return renderer
+
+
+def place_renderer(renderer: vtkRenderer, part: tuple[float, float, float, float]) -> None:
+    """Set the part of the window: left, top, width and height, shares of its size."""
+    left, top, width, height = part
+    renderer.SetViewport(left, 1.0 - top - height, left + width, 1.0 - top)
 
 
 def half_space() -> vtkPlane:

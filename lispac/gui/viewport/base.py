@@ -111,6 +111,35 @@ class Sketch:
     metric: str = ""
 
 
+Direction = Literal["same", "top", "side", "section"]
+"""Direction of a linked view: that of the camera, from above, horizontally in the direction of the
+camera, or along the third axis of a box."""
+
+
+@dataclass(frozen=True, eq=False)
+class LinkedView:
+    """One of several views of the lines, beside each other in a viewport.
+
+    Attributes
+    ----------
+    title : text in its corner
+    part : left, top, width and height, shares of the size of the viewport
+    direction : direction in which it looks; its centre and scale are those of the camera, except
+        for "section"
+    clouds : other placement of the lines, with the same points in the same order; None for the
+        lines of the viewport
+    highlights : sightings in that placement; None for those of the viewport
+    box : what a "section" shows; None for all points
+    """
+
+    title: str
+    part: tuple[float, float, float, float]
+    direction: Direction = "same"
+    clouds: Mapping[str, Array] | None = None
+    highlights: Sequence[Highlight] | None = None
+    box: Box | None = None
+
+
 MouseMode = Literal["navigate", "point", "outline"]
 """Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
@@ -173,6 +202,7 @@ class ViewportSignals(QObject):
     help_used = Signal()  # first use of the mouse while the help is shown
     handle_moved = Signal(str, int, float)  # sketch, index of the handle, metres moved
     handle_released = Signal(str)  # sketch
+    history_changed = Signal(bool, bool)  # whether there is a previous view and a next one
 
 
 class Viewport(Protocol):
@@ -216,6 +246,13 @@ class Viewport(Protocol):
         The points must be the same, in the same order; they keep their colours.
         """
 
+    def show_linked(self, views: Sequence[LinkedView]) -> None:
+        """Show several linked views, the first of which is the view itself; one if it is empty.
+
+        A picked point has the position of the lines of the viewport, whatever placement its view
+        shows; in the mode "point", it has the position that is shown.
+        """
+
     def select(self, key: tuple[str, str] | None) -> None:
         """Highlight one sighting, (target, line), and dim the others of its target.
 
@@ -237,6 +274,15 @@ class Viewport(Protocol):
 
     def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction (3,), from the station's side of them."""
+
+    def step_view(self, steps: int) -> None:
+        """Go back (negative) or forward in the history of views, if there are so many.
+
+        A view is stored when it is commanded, and once the user has stopped moving it.
+        """
+
+    def copy_view_from(self, former: "Viewport") -> None:
+        """Take over the camera and the history of views of a viewport of the same kind."""
 
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""

@@ -53,6 +53,12 @@ class LazyViewport:
             return
         self._real_viewport().show_clouds(clouds, colours, shading)
 
+    def copy_view_from(self, former: Viewport) -> None:
+        """Take over the camera and the history of views of another lazy viewport."""
+        assert isinstance(former, LazyViewport)
+        if former._view is not None:
+            self._real_viewport().copy_view_from(former._view)
+
     def create_empty_viewport(self) -> "LazyViewport":
         """New empty lazy viewport."""
         return LazyViewport(self._create_viewport)
@@ -80,7 +86,7 @@ class LazyViewport:
             view = self._view = self._create_viewport()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
                          "copy_requested", "menu_requested", "help_used", "handle_moved",
-                         "handle_released"):  # fmt: skip
+                         "handle_released", "history_changed"):  # fmt: skip
                 getattr(view.signals, name).connect(getattr(self.signals, name))
             self._placeholder.layout().addWidget(view.widget)
             view.widget.show()

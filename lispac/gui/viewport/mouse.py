@@ -5,7 +5,7 @@ click: centre the view on a point. Arrows: rotate. Shift+arrows: pan. Ctrl+left 
 the dividing line. Page up and Page down: zoom at the centre. A Ctrl+drag has no effect. In the mode
 "point", a click emits a point and a drag still rotates; in the mode "outline", a left drag draws.
 If `try_grab` accepts the press of the left button, the drag moves a handle. A right click without
-a movement requests a menu, Ctrl+C a copy.
+a movement requests a menu, Ctrl+C a copy. The side buttons go to the previous and next view.
 """
 
 from collections.abc import Callable
@@ -31,6 +31,8 @@ _ARROW_KEY_DRAGS = {
     Qt.Key.Key_Down: (0.0, KEY_STEP_PX),
 }
 _PAGE_KEY_NOTCHES = {Qt.Key.Key_PageUp: 1.0, Qt.Key.Key_PageDown: -1.0}
+
+_HISTORY_STEPS = {Qt.MouseButton.BackButton: -1, Qt.MouseButton.ForwardButton: 1}
 
 
 class _Drag(Enum):
@@ -64,6 +66,7 @@ class ViewportMouse(QObject):
     nudged = Signal(float)  # pixels to the right, by Ctrl+arrow
     menu_requested = Signal(float, float)
     copy_requested = Signal()
+    history_requested = Signal(int)  # steps forward, by the side buttons of the mouse
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -72,6 +75,10 @@ class ViewportMouse(QObject):
         self._press = QPointF()
         self._last = QPointF()
         self.mode: MouseMode = "navigate"
+        self.key_position: Callable[[], tuple[float, float]] = lambda: (
+            0.5 * widget.width(), 0.5 * widget.height()
+        )  # fmt: skip
+        """Function that returns the pixel at which keys act."""
         self.try_grab: Callable[[float, float], bool] = lambda _x, _y: False
         widget.setMouseTracking(True)
         widget.installEventFilter(self)
@@ -130,11 +137,11 @@ class ViewportMouse(QObject):
             self.copy_requested.emit()
             return True
         key = Qt.Key(event.key())
-        x, y = 0.5 * self._widget.width(), 0.5 * self._widget.height()
+        x, y = self.key_position()
         if key in _PAGE_KEY_NOTCHES:
             self.zoomed.emit(_PAGE_KEY_NOTCHES[key], x, y)
             return True
-        if key not in _ARROW_KEY_DRAGS:
+        if key not in _ARROW_KEY_DRAGS or event.modifiers() & Qt.KeyboardModifier.AltModifier:
             return False
         right, down = _ARROW_KEY_DRAGS[key]
         if _is_control_pressed(event.modifiers()):
@@ -149,6 +156,9 @@ class ViewportMouse(QObject):
     def _pressed(self, event: QMouseEvent) -> None:
         if self._drag is not _Drag.NONE:
             return  # a second button during a drag
+        if event.button() in _HISTORY_STEPS:
+            self.history_requested.emit(_HISTORY_STEPS[event.button()])
+            return
         self._press = self._last = event.position()
         self._drag = _drag_kind(event)
         x, y = self._press.x(), self._press.y()

@@ -1,6 +1,6 @@
 """Camera movements: rotate, pan, zoom, fit, standard views; picking of points by the mouse."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.decimation import trimmed_points
+from lispac.gui.viewport.linked_pictures import Picture
 from lispac.gui.viewport.mouse import ViewportMouse
 from lispac.gui.viewport.point_picker import pick_point
+from lispac.gui.viewport.view_history import StoredView, ViewHistory
 
 WHEEL_FACTOR = 0.85
 """Factor on the distance for one notch of the wheel."""
@@ -38,15 +40,15 @@ class Navigator(QObject):
     Attributes
     ----------
     camera : the present camera
-    clouds : points (n, 3) of the visible lines in the clip box, which can be picked
-    coarse : thinned points (n, 3) of the visible lines, used for navigation
-    drawn : function that returns the drawn points (n, 3) by line, for the search while hovering
+    pictures : pictures of the widget; the first is that of the camera
+    history : views to which the user can go back
     station : ndarray of shape (3,), metres, local frame
         Position from which the view "front" looks.
     """
 
     moved = Signal()  # the user moves the camera
     move_ended = Signal()  # the user has stopped moving it
+    view_restored = Signal()  # a former view is shown
     picked = Signal(object)  # PickedPoint
     missed = Signal(object)  # QPoint on the screen
     pointed = Signal(object)  # PickedPoint or None
@@ -55,15 +57,18 @@ class Navigator(QObject):
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
         self.camera = Camera(np.zeros(3), 0.0, float(np.radians(VIEWS_DEG["isometric"][1])), 50.0)
-        self.clouds: Mapping[str, Array] = {}
-        self.coarse: Mapping[str, Array] = {}
-        self.drawn: Callable[[], Mapping[str, Array]] = lambda: self.coarse
+        self.pictures = [Picture()]
         self.station: Array = np.zeros(3)
         self._widget = widget
+        self._dragged = self.pictures[0]
         self._pivot: Array = np.zeros(3)
         self._fitted_points: Array | None = None
         self._extent_sample: tuple[Mapping[str, Array], Array] | None = None
+        self.history = ViewHistory(lambda: StoredView(self.camera, self._fitted_points), self)
+        self.move_ended.connect(self.history.store_later)
         self.mouse = ViewportMouse(widget)
+        self.mouse.key_position = self._middle_of_view
+        self.mouse.history_requested.connect(self.step_view)
         self.mouse.drag_started.connect(self._on_drag_started)
         self.mouse.rotated.connect(self._on_rotated)
         self.mouse.panned.connect(self._on_panned)
@@ -73,13 +78,45 @@ class Navigator(QObject):
         self.mouse.centred.connect(self._on_centred)
         self.mouse.pointed.connect(self._on_pointed)
         self.mouse.menu_requested.connect(
-            lambda x, y: self.menu_requested.emit(self._point_at(x, y), self._screen_place(x, y))
+            lambda x, y: self.menu_requested.emit(self.point_at(x, y), self._screen_place(x, y))
         )
 
     @property
-    def size(self) -> ViewportSize:
+    def coarse(self) -> Mapping[str, Array]:
+        """Thinned points (n, 3) of the visible lines."""
+        return self.pictures[0].coarse
+
+    @property
+    def widget_size(self) -> ViewportSize:
         """Size of the widget; at least one pixel."""
         return ViewportSize(max(self._widget.width(), 1), max(self._widget.height(), 1))
+
+    @property
+    def size(self) -> ViewportSize:
+        """Size of the picture of the camera."""
+        return self.size_of(self.pictures[0])
+
+    def size_of(self, picture: Picture) -> ViewportSize:
+        """Size of a picture."""
+        return picture.size(self.widget_size)
+
+    def camera_of(self, picture: Picture) -> Camera:
+        """Camera of a picture."""
+        return picture.camera(self.camera, self.widget_size)
+
+    def picture_at(self, x: float, y: float) -> Picture:
+        """Picture at a pixel of the widget."""
+        found = (each for each in self.pictures if each.contains(x, y, self.widget_size))
+        return next(found, self.pictures[0])
+
+    def local(self, picture: Picture, x: float, y: float) -> tuple[float, float]:
+        """Pixel of a picture at a pixel of the widget."""
+        return picture.local(x, y, self.widget_size)
+
+    def show_pictures(self, pictures: list[Picture]) -> None:
+        """Divide the widget into pictures; the first is that of the camera."""
+        self.pictures, self._dragged = pictures, pictures[0]
+        self.refit()
 
     def fit(self, points: Array | None = None) -> None:
         """Bring everything, or points of shape (n, 3), into view.
@@ -88,8 +125,10 @@ class Navigator(QObject):
         """
         target = self._extent_points() if points is None else np.asarray(points, dtype=np.float64)
         if len(target):
+            self.history.store_pending()
             self._fitted_points = target
             self.refit()
+            self.history.store()
 
     def refit(self) -> None:
         """Bring the fitted points into view again after a change of size."""
@@ -97,11 +136,31 @@ class Navigator(QObject):
             self.camera = self.camera.fitted(self._fitted_points, self.size)
 
     def clear_fit(self) -> None:
-        """Stop keeping the fitted points in view."""
+        """Stop keeping the fitted points in view, and discard the former views."""
         self._fitted_points = self._extent_sample = None
+        self.history.clear()
+
+    def step_view(self, steps: int) -> None:
+        """Show a former or later view, in the present projection."""
+        view = self.history.step(steps)
+        if view is not None:
+            self._show_view(view)
+
+    def copy_view_from(self, former: "Navigator") -> None:
+        """Take over the camera and the former views of another navigator."""
+        self.history.copy_from(former.history)
+        self.camera = former.camera
+        self._show_view(StoredView(former.camera, former._fitted_points))
+
+    def _show_view(self, view: StoredView) -> None:
+        self.camera = view.camera.with_projection(parallel=self.camera.parallel)
+        self._fitted_points = view.fitted
+        self.refit()
+        self.view_restored.emit()
 
     def view(self, name: str) -> None:
         """Look at everything from a standard direction."""
+        self.history.store_pending()
         if name == "top":
             azimuth, elevation = 0.0, 0.5 * np.pi
         else:
@@ -112,6 +171,7 @@ class Navigator(QObject):
 
     def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction, shape (3,), from the station's side of them."""
+        self.history.store_pending()
         from_station = points.mean(axis=0) - self.station
         self.camera = self.camera.along(direction if direction @ from_station >= 0 else -direction)
         self.fit(points)
@@ -140,37 +200,53 @@ class Navigator(QObject):
         north, west, _ = np.median(everything, axis=0) - self.station
         return float(np.arctan2(-west, north)) if np.hypot(north, west) > 1.0 else 0.0
 
+    def _middle_of_view(self) -> tuple[float, float]:
+        """Pixel of the widget in the middle of the picture of the camera."""
+        middle = self.pictures[0].rect(self.widget_size).center()
+        return middle.x(), middle.y()
+
     def _on_drag_started(self, x: float, y: float) -> None:
-        self._pivot = self._surface_at(x, y)
-        depth = self.camera.project(self._pivot, self.size)[0, 2]
-        self.camera = self.camera.with_focal_depth(float(depth))
+        self._dragged = self.picture_at(x, y)
+        if self._dragged.turns:
+            self._pivot = self._surface_at(x, y)
+            depth = self.camera.project(self._pivot, self.size)[0, 2]
+            self.camera = self.camera.with_focal_depth(float(depth))
 
     def _on_rotated(self, dx: float, dy: float) -> None:
-        self._set_camera(self.camera.orbited(dx, dy, self._pivot))
+        if self._dragged.turns:
+            self._set_camera(self.camera.orbited(dx, dy, self._pivot))
+        else:
+            self._on_panned(dx, dy)
 
     def _on_panned(self, dx: float, dy: float) -> None:
-        self._set_camera(self.camera.panned(dx, dy, self.camera.focal_depth, self.size))
+        picture = self._dragged
+        camera = self.camera_of(picture)
+        self._move(picture, camera.panned(dx, dy, camera.focal_depth, self.size_of(picture)))
 
     def _on_zoomed(self, notches: float, x: float, y: float) -> None:
-        self._set_camera(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
+        picture = self.picture_at(x, y)
+        camera, factor = self.camera_of(picture), WHEEL_FACTOR**notches
+        self._move(picture, camera.zoomed(factor, self._surface_at(x, y)))
         self.move_ended.emit()
 
     def _on_centred(self, x: float, y: float) -> None:
-        hit = pick_point(self.clouds, self.camera, x, y, self.size)
+        picture = self.picture_at(x, y)
+        camera, size = self.camera_of(picture), self.size_of(picture)
+        hit = pick_point(picture.clouds, camera, *self.local(picture, x, y), size)
         if hit is not None:
-            focal = self.clouds[hit.line][hit.index]
-            self._set_camera(self.camera.centred(focal, 0.6, hit.depth))
+            focal = picture.clouds[hit.line][hit.index]
+            self._move(picture, camera.centred(focal, 0.6, hit.depth))
             self.move_ended.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
-        point = self._point_at(x, y)
+        point = self.point_at(x, y)
         if point is None:
             self.missed.emit(self._screen_place(x, y))
         else:
             self.picked.emit(point)
 
     def _on_pointed(self, x: float, y: float) -> None:
-        point = self._point_at(x, y)
+        point = self.point_at(x, y, as_shown=True)
         self.pointed.emit(point)
         if point is None:
             self.missed.emit(self._screen_place(x, y))
@@ -178,20 +254,39 @@ class Navigator(QObject):
     def _screen_place(self, x: float, y: float) -> QPoint:
         return self._widget.mapToGlobal(QPoint(round(x), round(y)))
 
-    def _point_at(self, x: float, y: float) -> PickedPoint | None:
-        hit = pick_point(self.clouds, self.camera, x, y, self.size)
+    def point_at(self, x: float, y: float, *, as_shown: bool = False) -> PickedPoint | None:
+        """Point at a pixel of the widget, in the placement of the view or as it is shown."""
+        picture = self.picture_at(x, y)
+        hit = pick_point(
+            picture.clouds, self.camera_of(picture), *self.local(picture, x, y),
+            self.size_of(picture),
+        )  # fmt: skip
         if hit is None:
             return None
-        north, west, up = (float(v) for v in self.clouds[hit.line][hit.index])
+        place = picture.clouds[hit.line][hit.index]
+        if not as_shown:
+            place = picture.place_in_view(hit.line, place)
+        north, west, up = (float(v) for v in place)
         return PickedPoint(hit.line, (north, west, up))
 
     def _surface_at(self, x: float, y: float) -> Array:
         """Surface point at a pixel, or the point behind it at the focal depth."""
-        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP_RADII_PX)
+        picture = self.picture_at(x, y)
+        camera, size = self.camera_of(picture), self.size_of(picture)
+        x, y = self.local(picture, x, y)
+        hit = pick_point(picture.coarse, camera, x, y, size, SNAP_RADII_PX)
         if hit is not None:
-            surface: Array = self.coarse[hit.line][hit.index]
+            surface: Array = picture.coarse[hit.line][hit.index]
             return surface
-        return self.camera.point_at(x, y, self.camera.focal_depth, self.size)
+        return camera.point_at(x, y, camera.focal_depth, size)
+
+    def _move(self, picture: Picture, camera: Camera) -> None:
+        """Set the camera of a picture."""
+        if picture.is_separate:
+            picture.move_separately(camera)
+            self.moved.emit()
+        else:
+            self._set_camera(picture.moved_view(self.camera, camera))
 
     def _set_camera(self, camera: Camera) -> None:
         self.camera = camera

@@ -5,6 +5,7 @@ sharp on every screen and is never hidden by the scene.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimeLine, Signal
@@ -24,6 +25,7 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
+from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, gettext
 
 EMPTY_TITLE = N_("No project open")
@@ -80,6 +82,16 @@ def length_text(metres: float) -> str:
     return f"{units.localised(f'{metres * factor:g}')} {unit}"
 
 
+@dataclass(frozen=True, eq=False)
+class OverlaidPicture:
+    """Pixels, camera and title of a picture, and the box to which it is limited."""
+
+    rect: QRectF
+    camera: Camera
+    title: str = ""
+    box: Box | None = None
+
+
 class Overlay(QWidget):
     """Transparent widget over the picture, which ignores the mouse."""
 
@@ -89,8 +101,8 @@ class Overlay(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.camera: Camera | None = None
-        """Camera of the picture; None for an empty view, which shows a hint."""
+        self.pictures: Sequence[OverlaidPicture] = ()
+        """Pictures under the overlay; an empty view shows a hint."""
         self.markers: Sequence[Marker] = ()
         self.shading: PointColouring | None = None
         self.hint = ""
@@ -121,7 +133,7 @@ class Overlay(QWidget):
         """Paint on the screen."""
         painter = QPainter(self)
         self.paint(painter)
-        if self.camera is not None:
+        if len(self.pictures) == 1 or (self.pictures and self.hint):
             self._paint_help(painter)
         painter.end()
 
@@ -132,18 +144,44 @@ class Overlay(QWidget):
         """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
-        if self.camera is None:
+        if not self.pictures:
             self._paint_hint(painter)
             return
-        size = ViewportSize(self.width(), self.height())
-        self._paint_markers(painter, self.camera, size)
-        painter.setFont(self.font())
-        for paint in self.paint_hooks:
-            paint(painter, self.camera, size)
-        self._paint_axes(painter, self.camera)
-        self._paint_scale(painter, self.camera.metres_per_pixel(size))
+        for picture in self.pictures:
+            painter.save()
+            if len(self.pictures) > 1:
+                painter.setClipRect(picture.rect)
+                painter.translate(picture.rect.topLeft())
+            self._paint_picture(painter, picture)
+            if picture.title:
+                self._paint_title(painter, picture.rect, picture.title)
+            painter.restore()
         if self.shading is not None:
             self._paint_legend(painter, self.shading)
+
+    def _paint_picture(self, painter: QPainter, picture: OverlaidPicture) -> None:
+        camera = picture.camera
+        size = ViewportSize(picture.rect.width(), picture.rect.height())
+        self._paint_markers(painter, camera, size, picture.box)
+        painter.setFont(self.font())
+        for paint in self.paint_hooks:
+            paint(painter, camera, size)
+        self._paint_axes(painter, camera, size)
+        self._paint_scale(painter, camera.metres_per_pixel(size), size)
+
+    def _paint_title(self, painter: QPainter, rect: QRectF, title: str) -> None:
+        """Paint the frame of one of several pictures, and its title in the upper right corner."""
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(theme.colour("edge_strong"), 2.0))
+        painter.drawRect(QRectF(0.0, 0.0, rect.width(), rect.height()))
+        painter.setFont(self.font())
+        width = QFontMetricsF(self.font()).horizontalAdvance(title) + 20.0
+        box = QRectF(rect.width() - width - 10.0, 10.0, width, 24.0)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.colour("paper", 0.88))
+        painter.drawRoundedRect(box, 4.0, 4.0)
+        painter.setPen(QColor(theme.TEXT))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, title)
 
     def _paint_hint(self, painter: QPainter) -> None:
         middle = QRectF(self.rect()).center()
@@ -157,14 +195,20 @@ class Overlay(QWidget):
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, gettext(EMPTY_HINT))
 
-    def _paint_markers(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
-        if not self.markers:
+    def _paint_markers(
+        self, painter: QPainter, camera: Camera, size: ViewportSize, box: Box | None
+    ) -> None:
+        markers = [
+            each for each in self.markers
+            if box is None or len(box.inside(np.array([each.position])))
+        ]  # fmt: skip
+        if not markers:
             return
         font = QFont(self.font())
         font.setBold(True)
         painter.setFont(font)
         metrics = QFontMetricsF(font)
-        spots = camera.project(np.array([m.position for m in self.markers]), size)
+        spots = camera.project(np.array([m.position for m in markers]), size)
         # Near markers are placed first and painted last.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
         occupied = self.occupied()
@@ -173,16 +217,14 @@ class Overlay(QWidget):
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
                 spot = QPointF(x, y)
                 crowded = has_right_neighbour(spots[:, :2], k)
-                box = free_label_place(
-                    spot, metrics, self.markers[k].label, occupied, leftwards=crowded
-                )
+                box = free_label_place(spot, metrics, markers[k].label, occupied, leftwards=crowded)
                 occupied.append(box)
-                placed.append((spot, box, self.markers[k]))
+                placed.append((spot, box, markers[k]))
         for spot, box, marker in reversed(placed):
             _paint_marker(painter, spot, box, marker)
 
-    def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
-        centre = QPointF(MARGIN_PX + 42.0, self.height() - MARGIN_PX - 42.0)
+    def _paint_axes(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
+        centre = QPointF(MARGIN_PX + 42.0, size.height - MARGIN_PX - 42.0)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
@@ -205,10 +247,10 @@ class Overlay(QWidget):
             box = QRectF(letter.x() - 10.0, letter.y() - 10.0, 20.0, 20.0)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, gettext(name))
 
-    def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
+    def _paint_scale(self, painter: QPainter, metres_per_pixel: float, size: ViewportSize) -> None:
         metres = scale_bar_length(metres_per_pixel)
         pixels = metres / metres_per_pixel
-        right, base = self.width() - MARGIN_PX - 4.0, self.height() - MARGIN_PX - 6.0
+        right, base = size.width - MARGIN_PX - 4.0, size.height - MARGIN_PX - 6.0
         left = right - pixels
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.85))

@@ -11,6 +11,7 @@ from lispac.gui.viewport.base import (
     Array,
     Colour,
     Highlight,
+    LinkedView,
     Marker,
     MouseMode,
     PickedPoint,
@@ -18,6 +19,7 @@ from lispac.gui.viewport.base import (
     PointColouring,
     SightingStyle,
     Sketch,
+    Viewport,
     ViewportSignals,
     sighting_style,
 )
@@ -32,7 +34,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, help_shown, sketches, box, wipe_clouds
+    mouse_mode, hint, help_shown, sketches, box, wipe_clouds, linked
         Content and state that a real viewport would show.
     """
 
@@ -54,6 +56,7 @@ class RecordingViewport:
         self.help_shown = True
         self.box: Box | None = None
         self.wipe_clouds: dict[str, Array] | None = None
+        self.linked: tuple[LinkedView, ...] = ()
         self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
@@ -121,6 +124,11 @@ class RecordingViewport:
         self._record("show_wipe", clouds)
         self.wipe_clouds = None if clouds is None else dict(clouds)
 
+    def show_linked(self, views: Sequence[LinkedView]) -> None:
+        """Remember the linked views."""
+        self._record("show_linked", views)
+        self.linked = tuple(views)
+
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Remember the position of the observer."""
         self._record("set_station", position)
@@ -137,6 +145,14 @@ class RecordingViewport:
     def view_along(self, direction: Array, points: Array) -> None:
         """Remember the call."""
         self._record("view_along", direction, points)
+
+    def step_view(self, steps: int) -> None:
+        """Remember the call."""
+        self._record("step_view", steps)
+
+    def copy_view_from(self, former: Viewport) -> None:
+        """Remember the call, without a reference to the former viewport."""
+        self._record("copy_view_from")
 
     def set_parallel(self, parallel: bool) -> None:
         """Remember the projection."""
@@ -199,7 +215,7 @@ class RecordingViewport:
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None
-        self.sketches, self.box, self.wipe_clouds = {}, None, None
+        self.sketches, self.box, self.wipe_clouds, self.linked = {}, None, None, ()
 
     def create_empty_viewport(self) -> "RecordingViewport":
         """New empty viewport."""

@@ -62,6 +62,7 @@ class SketchLayer(QObject):
         self._sketches: dict[str, Sketch] = {}
         self._outline: list[QPointF] = []
         self._drag: _HandleDrag | None = None
+        self._picture = navigator.pictures[0]  # in which a handle is dragged
         self._mouse_position: tuple[float, float] | None = None
         self._is_over_point = False
         self.share = 0.5
@@ -133,7 +134,11 @@ class SketchLayer(QObject):
         if not handles:
             return False
         places = np.array([handle.position for _, _, handle in handles])
-        spots = self._navigator.camera.project(places, self._navigator.size)
+        picture = self._navigator.picture_at(x, y)
+        size = self._navigator.size_of(picture)
+        spots = self._navigator.camera_of(picture).project(places, size)
+        self._picture = picture
+        x, y = self._navigator.local(picture, x, y)
         distances = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
         distances[~(distances <= GRAB_RADIUS_PX)] = np.inf
         if not np.isfinite(distances).any():
@@ -154,6 +159,7 @@ class SketchLayer(QObject):
         drag = self._drag
         if drag is None:
             return
+        x, y = self._navigator.local(self._picture, x, y)
         now = self._distance_along_axis(drag.place, drag.axis, x, y)
         if now is not None:
             moved, drag.mouse_position = now - drag.mouse_position, now
@@ -169,7 +175,8 @@ class SketchLayer(QObject):
 
     def _distance_along_axis(self, place: Array, axis: Array, x: float, y: float) -> float | None:
         """Position of the mouse along an axis, metres; None if the axis points at the camera."""
-        camera, size = self._navigator.camera, self._navigator.size
+        camera = self._navigator.camera_of(self._picture)
+        size = self._navigator.size_of(self._picture)
         eye = camera.point_at(x, y, 0.0, size)
         ray = camera.point_at(x, y, 1.0, size) - eye
         ray /= np.linalg.norm(ray)
@@ -203,21 +210,21 @@ class SketchLayer(QObject):
     def _emit_hovered(self) -> None:
         if self._mouse_position is None:
             return
-        drawn = self._navigator.drawn()
+        navigator = self._navigator
+        picture = navigator.picture_at(*self._mouse_position)
+        drawn = picture.drawn()
         step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
         hit = pick_point(
-            clouds,
-            self._navigator.camera,
-            *self._mouse_position,
-            self._navigator.size,
-            SNAP_RADII_PX,
-        )
+            clouds, navigator.camera_of(picture), *navigator.local(picture, *self._mouse_position),
+            navigator.size_of(picture), SNAP_RADII_PX,
+        )  # fmt: skip
         if hit is None:
             self._clear_hovered()
             return
         self._is_over_point = True
-        north, west, up = (float(v) for v in clouds[hit.line][hit.index])
+        place = picture.place_in_view(hit.line, clouds[hit.line][hit.index])
+        north, west, up = (float(v) for v in place)
         self._signals.hovered.emit(PickedPoint(hit.line, (north, west, up)))
 
     # The picture

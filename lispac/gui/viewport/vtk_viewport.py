@@ -6,22 +6,32 @@ combines requests and paints when the event loop is free.
 
 import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
 
 import numpy as np
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.appearance import theme
-from lispac.gui.viewport.actors import half_space, set_half_space, set_renderer_camera
+from lispac.gui.viewport.actors import (
+    create_renderer,
+    half_space,
+    place_renderer,
+    set_half_space,
+    set_renderer_camera,
+)
 from lispac.gui.viewport.base import (
     Array,
     Colour,
     Highlight,
+    LinkedView,
     Marker,
     MouseMode,
     Place,
     PointColouring,
     Sketch,
+    Viewport,
     ViewportSignals,
 )
 from lispac.gui.viewport.camera import Camera
@@ -31,14 +41,44 @@ from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.frame_times import SLICE_FRACTIONS, FrameTimes
 from lispac.gui.viewport.highlights import HighlightLayer
 from lispac.gui.viewport.line_layer import LineLayer, common_origin
+from lispac.gui.viewport.linked_pictures import WHOLE, Picture
 from lispac.gui.viewport.navigation import Navigator
-from lispac.gui.viewport.overlay import OverlaidView
+from lispac.gui.viewport.overlay import OverlaidPicture, OverlaidView
 from lispac.gui.viewport.sketches import SketchLayer
 from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
 
 MAX_MOVING_DETAIL_S = 0.03
 """Longest rendering time of detail that is also shown while the camera moves."""
+
+
+class _Pane:
+    """Picture of the lines in a part of the canvas, with its renderer, points and sightings.
+
+    Attributes
+    ----------
+    view : the linked view that it shows; None for the view itself
+    """
+
+    def __init__(self, renderer: Any, view: LinkedView | None = None) -> None:
+        self.renderer, self.view = renderer, view
+        renderer.SetBackground(*theme.colour("ground").getRgbF()[:3])
+        renderer.SetBackground2(*theme.colour("sky").getRgbF()[:3])
+        renderer.GradientBackgroundOn()
+        self.layer = LineLayer(renderer)
+        self.sightings = HighlightLayer(renderer)
+        self.picture = Picture(drawn=lambda: self.layer.detail or self.layer.sparse)
+
+    def place(self, part: tuple[float, float, float, float]) -> None:
+        """Set the part of the canvas."""
+        self.picture.part = part
+        place_renderer(self.renderer, part)
+
+    def clear_references(self) -> None:
+        """Clear all references to points and actors."""
+        self.renderer.RemoveAllViewProps()
+        self.layer.clear_references()
+        self.sightings.clear_references()
 
 
 class VtkViewport:
@@ -60,18 +100,14 @@ class VtkViewport:
         self.canvas.setAccessibleName(gettext("Lines in 3D"))
         self._view.set_canvas(self.canvas)
         self._overlay = self._view.overlay
-        self._renderer = self.canvas.renderer
-        self._renderer.SetBackground(*theme.colour("ground").getRgbF()[:3])
-        self._renderer.SetBackground2(*theme.colour("sky").getRgbF()[:3])
-        self._renderer.GradientBackgroundOn()
-
-        self._layer = LineLayer(self._renderer)
+        self._main = _Pane(self.canvas.renderer)
+        self._layer = self._main.layer
+        self._panes = [self._main]
         self._wipe_layer: LineLayer | None = None
         self._box: Box | None = None
         self._hidden: set[str] = set()
-        self._highlight_layer = HighlightLayer(self._renderer)
         self._point_size = 2
-        self._closed = False
+        self._closed = self._keeps_view = False
         self._shows_detail = False
         self._detail_render_s = np.inf
         self._frame_start = 0.0
@@ -88,9 +124,12 @@ class VtkViewport:
         )
         self._view.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
+        self._navigator.show_pictures([self._main.picture])
         self._navigator.moved.connect(self._on_moved)
         self._navigator.move_ended.connect(self._view_detail.schedule)
         self._navigator.picked.connect(self.signals.seed_clicked)
+        self._navigator.view_restored.connect(self._refine_later)
+        self._navigator.history.changed.connect(self.signals.history_changed)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
         self._navigator.menu_requested.connect(self.signals.menu_requested)
@@ -99,7 +138,6 @@ class VtkViewport:
             used.connect(self._overlay.fade_help)
         self._overlay.help_used.connect(self.signals.help_used)
         self._sketch_layer = SketchLayer(self._navigator, self._overlay, self.signals)
-        self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
         self._sketch_layer.divider_moved.connect(self._camera_moved)
 
     # Interface of `Viewport`
@@ -116,7 +154,9 @@ class VtkViewport:
 
     def to_pixels(self, points: Array) -> Array:
         """Pixels (x, y) of the canvas where points (n, 3) of the local frame are drawn."""
-        return self.camera.project(points, self._navigator.size)[:, :2]
+        corner = self._main.picture.rect(self._navigator.widget_size).topLeft()
+        pixels = self.camera.project(points, self._navigator.size)[:, :2]
+        return pixels + np.array([corner.x(), corner.y()])
 
     def show_clouds(
         self,
@@ -126,17 +166,25 @@ class VtkViewport:
     ) -> None:
         """Draw the lines, each in its colour or shaded, instead of those shown.
 
-        The first lines are shown in the view "isometric"; later ones do not change the camera.
+        The first lines are shown in the view "isometric", unless the camera was copied; later ones
+        do not change the camera.
         """
         first = not self._layer.clouds
         self._overlay.shading = shading
         self._layer.set_lines(clouds, colours, shading)
+        for pane in self._panes[1:]:
+            if pane.view is not None and pane.view.clouds is None:
+                pane.layer.set_lines(clouds, colours, shading)
         if first:
-            self._layer.origin = common_origin(self._layer.clouds)
+            origin = common_origin(self._layer.clouds)
+            for pane in self._panes:
+                pane.layer.origin = origin
         self._draw_clouds()
         if first:
-            self.show_highlights(self._highlight_layer.highlights)  # relative to the new origin
-            self.view("isometric")
+            self.show_highlights(self._main.sightings.highlights)  # relative to the new origin
+            if not self._keeps_view:
+                self.view("isometric")
+            self._keeps_view = False
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line; the visible lines share the budget."""
@@ -151,9 +199,14 @@ class VtkViewport:
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the lines, instead of those shown."""
-        layer = self._layer
-        self._highlight_layer.set_highlights(highlights, layer.origin, self._box, layer.half)
+        for pane in self._panes:
+            if pane.view is None or pane.view.highlights is None:
+                self._set_highlights(pane, highlights)
         self._style_points()
+
+    def _set_highlights(self, pane: _Pane, highlights: Sequence[Highlight]) -> None:
+        layer, box = pane.layer, pane.picture.box or self._box
+        pane.sightings.set_highlights(highlights, layer.origin, box, layer.half)
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
         """Draw seeds and labels, instead of those shown."""
@@ -164,7 +217,12 @@ class VtkViewport:
         """Draw only the points in a box; None for all points."""
         self._box = box
         self._draw_clouds()
-        self.show_highlights(self._highlight_layer.highlights)
+        self._redraw_highlights()
+
+    def _redraw_highlights(self) -> None:
+        for pane in self._panes:
+            self._set_highlights(pane, pane.sightings.highlights)
+        self._style_points()
 
     def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
         """Draw another placement of the lines to the left of a movable line; None ends it.
@@ -179,16 +237,64 @@ class VtkViewport:
         self._layer.half = None
         self._sketch_layer.show_dividing_line(clouds is not None)
         if clouds is not None:
-            self._wipe_layer = LineLayer(self._renderer)
+            self._wipe_layer = LineLayer(self._main.renderer)
             self._wipe_layer.origin = self._layer.origin
             self._layer.half, self._wipe_layer.half = half_space(), half_space()
             self._wipe_layer.set_lines(clouds, self._layer.colours, self._layer.shading)
         self._draw_clouds()
-        self.show_highlights(self._highlight_layer.highlights)
+        self._redraw_highlights()
+
+    def show_linked(self, views: Sequence[LinkedView]) -> None:
+        """Show several linked views, the first of which is the view itself; one if it is empty."""
+        if not views and len(self._panes) == 1:
+            return
+        former, self._panes = self._panes[1:], [self._main]
+        self._main.place(views[0].part if views else WHOLE)
+        self._main.picture.title = views[0].title if views else ""
+        for view in views[1:]:
+            found = (pane for pane in former if pane.view is not None and _fits(pane.view, view))
+            pane = next(found, None) or self._create_pane(view)
+            if pane in former:
+                former.remove(pane)
+            pane.view, pane.picture.title = view, view.title
+            pane.picture.show_box(view.box)
+            self._set_pane_lines(pane)
+            self._panes.append(pane)
+        for pane in former:
+            self._remove_pane(pane)
+        self._navigator.show_pictures([pane.picture for pane in self._panes])
+        self._draw_clouds()
+        for pane in self._panes[1:]:
+            own = None if pane.view is None else pane.view.highlights
+            pane.sightings.selected = self._main.sightings.selected
+            self._set_highlights(pane, self._main.sightings.highlights if own is None else own)
+        self._style_points()
+
+    def _set_pane_lines(self, pane: _Pane) -> None:
+        """Show the lines of the view, or their other placement, with the colours of the view."""
+        own, main, layer = None if pane.view is None else pane.view.clouds, self._layer, pane.layer
+        clouds = main.clouds if own is None else own
+        is_same = all(layer.clouds.get(line) is points for line, points in clouds.items())
+        if not (is_same and layer.colours == main.colours and layer.shading is main.shading):
+            layer.set_lines(clouds, main.colours, main.shading)
+
+    def _remove_pane(self, pane: _Pane) -> None:
+        pane.clear_references()
+        self.canvas.ren_win.RemoveRenderer(pane.renderer)
+
+    def _create_pane(self, view: LinkedView) -> _Pane:
+        pane = _Pane(create_renderer(self.canvas.ren_win), view)
+        pane.place(view.part)
+        pane.picture.direction = view.direction
+        pane.layer.origin = self._layer.origin
+        if view.clouds is not None:
+            pane.picture.place_in_view = partial(_corresponding_place, pane.layer, self._layer)
+        return pane
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Highlight one sighting, (target, line), and dim the others of its target."""
-        self._highlight_layer.selected = key
+        for pane in self._panes:
+            pane.sightings.selected = key
         self._style_points()
 
     def set_station(self, position: tuple[float, float, float]) -> None:
@@ -210,6 +316,18 @@ class VtkViewport:
         self._navigator.view_along(direction, points)
         self._refine_later()
 
+    def step_view(self, steps: int) -> None:
+        """Go back (negative) or forward in the history of views, if there are so many."""
+        self._navigator.step_view(steps)
+
+    def copy_view_from(self, former: Viewport) -> None:
+        """Take over the camera and the history of views of another `VtkViewport`."""
+        assert isinstance(former, VtkViewport)
+        if not former._layer.clouds:
+            return
+        self._keeps_view = True
+        self._navigator.copy_view_from(former._navigator)
+
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""
         self._navigator.project_parallel(parallel)
@@ -227,7 +345,7 @@ class VtkViewport:
 
     def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
-        points = self._navigator.drawn().get(line, np.empty((0, 3)))
+        points = self._main.picture.drawn().get(line, np.empty((0, 3)))
         points = points[np.abs(points[:, 0] - centre[0]) <= radius]  # excludes nearly all at once
         offsets = points - np.asarray(centre)
         return points[np.einsum("ij,ij->i", offsets, offsets) <= radius**2]
@@ -269,8 +387,9 @@ class VtkViewport:
         self._sketch_layer.clear()
         self._box = None
         self.show_wipe(None)
+        self.show_linked(())
         self._hidden.clear()
-        self._highlight_layer.selected = None
+        self._main.sightings.selected = None
         self._overlay.markers = ()
         self._overlay.shading = None
         self._layer.set_lines({}, {})
@@ -291,42 +410,53 @@ class VtkViewport:
         self._view_detail.stop()
         self._sketch_layer.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
-        self._renderer.RemoveAllViewProps()
-        for layer in self._layers:
-            layer.clear_references()
-        self._highlight_layer.clear_references()
+        if self._wipe_layer is not None:
+            self._wipe_layer.clear_references()
+        self._main.clear_references()
+        for pane in self._panes[1:]:
+            self._remove_pane(pane)
         self.canvas.close()
 
     # Drawing
 
     def _draw_clouds(self) -> None:
         """Draw the visible lines coarsely; the detail is drawn later."""
-        for layer in self._layers:
-            layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
+        budget = self._budget.moving // len(self._layers)
+        for layer, picture in self._layers:
+            layer.draw(self._hidden, budget, picture.box or self._box)
             layer.show_detail(fine=False, coarse=self._times.slice)
-        self._navigator.clouds, self._navigator.coarse = self._layer.visible, self._layer.sparse
+        for pane in self._panes:
+            pane.picture.clouds, pane.picture.coarse = pane.layer.visible, pane.layer.sparse
         self._shows_detail = False
         self._style_points()
         self._view_detail.schedule()
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
-        for layer in self._layers:
+        for layer, _ in self._layers:
             layer.style(self._point_size, scale)
-        self._highlight_layer.style(self._point_size, scale, self._hidden)
+        for pane in self._panes:
+            pane.sightings.style(self._point_size, scale, self._hidden)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
-        camera, origin = self.camera, self._layer.origin
-        self._highlight_layer.update_depth(camera, origin)
-        for layer in self._layers:
-            layer.update_depth(camera)
+        for layer, picture in self._layers:
+            layer.update_depth(self._navigator.camera_of(picture))
         self._place_dividing_plane()
-        set_renderer_camera(self._renderer, camera, origin)
+        for pane in self._panes:
+            camera, origin = self._navigator.camera_of(pane.picture), pane.layer.origin
+            pane.sightings.update_depth(camera, origin)
+            set_renderer_camera(pane.renderer, camera, origin)
         self._update()
 
     def _update(self) -> None:
-        self._overlay.camera = self.camera if self._layer.clouds else None
+        navigator = self._navigator
+        self._overlay.pictures = [
+            OverlaidPicture(
+                each.rect(navigator.widget_size), navigator.camera_of(each), each.title, each.box
+            )
+            for each in (navigator.pictures if self._layer.clouds else ())
+        ]  # fmt: skip
         self.canvas.redraw()
         self._overlay.update()
 
@@ -338,21 +468,22 @@ class VtkViewport:
         seconds = time.perf_counter() - self._frame_start
         if self._shows_detail:
             self._detail_render_s = seconds
-            points = _count_points(layer.detail for layer in self._layers)
+            points = _count_points(layer.detail for layer, _ in self._layers)
             self._times.record("resting", points, seconds)
         else:
-            whole = _count_points(layer.sparse for layer in self._layers)
+            whole = _count_points(layer.sparse for layer, _ in self._layers)
             drawn = int(SLICE_FRACTIONS[self._times.slice] * whole)
             self._times.record("moving", drawn, seconds, whole)
 
     def _refinement_steps(self, points: int) -> Iterator[None]:
-        camera, size, budget = self.camera, self._navigator.size, points // len(self._layers)
-        for layer in self._layers:
+        navigator, budget = self._navigator, points // len(self._layers)
+        for layer, picture in self._layers:
+            camera, size = navigator.camera_of(picture), navigator.size_of(picture)
             yield from layer.refinement_steps(camera, size, budget)
 
     def _show_detail(self) -> None:
         self._shows_detail = True
-        for layer in self._layers:
+        for layer, _ in self._layers:
             layer.show_detail(fine=True, coarse=None)
         self._style_points()
 
@@ -360,14 +491,18 @@ class VtkViewport:
         self._view_detail.abandon()
         if self._detail_render_s > MAX_MOVING_DETAIL_S:
             self._shows_detail = False
-        for layer in self._layers:
+        for layer, _ in self._layers:
             # The detail was selected for the camera at its last rest.
             layer.show_detail(fine=self._shows_detail, coarse=self._times.slice)
         self._camera_moved()
 
     @property
-    def _layers(self) -> list[LineLayer]:
-        return [self._layer] if self._wipe_layer is None else [self._layer, self._wipe_layer]
+    def _layers(self) -> list[tuple[LineLayer, Picture]]:
+        """All drawn lines, each with its picture."""
+        layers = [(pane.layer, pane.picture) for pane in self._panes]
+        if self._wipe_layer is not None:
+            layers.append((self._wipe_layer, self._main.picture))
+        return layers
 
     def _place_dividing_plane(self) -> None:
         """Place the clipping planes of both placements at the dividing line."""
@@ -387,6 +522,21 @@ class VtkViewport:
         """Show a coarse picture immediately and schedule the detail."""
         self._on_moved()
         self._view_detail.schedule()
+
+
+def _fits(shown: LinkedView, view: LinkedView) -> bool:
+    """Whether a linked view is in the same place as another, with the same kind of content."""
+    return (shown.part, shown.direction, shown.clouds is None) == (
+        view.part, view.direction, view.clouds is None
+    )  # fmt: skip
+
+
+def _corresponding_place(layer: LineLayer, other: LineLayer, line: str, place: Array) -> Array:
+    """Position, in another placement of a line, of its point at ``place``."""
+    points = layer.clouds[line]
+    rows = np.flatnonzero(points[:, 0] == place[0])  # few, so that the rest takes no time
+    found: Array = other.clouds[line][rows[(points[rows] == place).all(axis=1)][0]]
+    return found
 
 
 def _count_points(drawn: Iterable[Mapping[str, Array]]) -> int:

@@ -25,6 +25,7 @@ MENUS = {
     "Recent": Menu(N_("Open &recent"), "File", 1, 4),
     "Edit": Menu(N_("&Edit")),
     "View": Menu(N_("&View")),
+    "Linked views": Menu(N_("Lin&ked views"), "View", 1, 5),
     "Look from": Menu(N_("&Look from"), "View", 2, 3),
     "Colour by": Menu(N_("&Colour by"), "View", 3, 3),
     "Steps": Menu(N_("S&teps"), "View", 5, 2),

@@ -22,7 +22,6 @@ from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
-from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu, with_help_until_used
@@ -43,7 +42,6 @@ from lispac.gui.project.recovery_copies import RecoveryCopies
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
-from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
 from lispac.gui.widgets.number_input import NumberEntry, commit_focused_field, first_input_error
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS, STEP_ACTIONS
@@ -74,6 +72,8 @@ class MainWindow(QMainWindow):
         If None, the stored settings and the dialogues of the program.
     document : Document, optional
         Document to show, which the window owns from then on.
+    scene : Scene, optional
+        Scene of the window that this one replaces, which shows the same document.
     """
 
     renewal_requested = Signal()
@@ -85,6 +85,7 @@ class MainWindow(QMainWindow):
         settings: AppSettings | None = None,
         dialogs: Dialogs | None = None,
         document: Document | None = None,
+        scene: Scene | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("main_window")
@@ -126,6 +127,8 @@ class MainWindow(QMainWindow):
             self.panel_refresh.refresh()
             self._set_title()
         else:
+            if scene is not None:
+                self.scene.continue_from(scene)
             document.notify_opened()
 
     # -- assembly ----------------------------------------------------------------------------
@@ -190,7 +193,7 @@ class MainWindow(QMainWindow):
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
-        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
+        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
@@ -254,8 +257,10 @@ class MainWindow(QMainWindow):
         data.demo_requested.connect(self.lifecycle.demo)
         targets.renamed.connect(self._rename)
         targets.selected.connect(lambda name: self._select(name, ""))
+        targets.activated.connect(lambda name: self._go_to(name, ""))
         self.table.sighting_selected.connect(self._select)
-        self.diagnostics.row_activated.connect(self._select)
+        self.table.sighting_activated.connect(self._go_to)
+        self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
@@ -367,7 +372,16 @@ class MainWindow(QMainWindow):
                 field.restore()
 
     def _select(self, name: str, line: str) -> None:
+        """Select a sighting, or a target if ``line`` is empty, without moving the view."""
+        self.scene.select(name, line)
+        self._select_in_panels(name, line)
+
+    def _go_to(self, name: str, line: str) -> None:
+        """Select a sighting, or a target if ``line`` is empty, and move the view to it."""
         self.scene.focus_on(name, line)
+        self._select_in_panels(name, line)
+
+    def _select_in_panels(self, name: str, line: str) -> None:
         self.targets.select(name)
         self.table.select(name)
         self.diagnostics.select(name, line)
@@ -403,28 +417,6 @@ class MainWindow(QMainWindow):
                 runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_requested.emit()
-
-    def copy_state_from(self, former: "MainWindow") -> None:
-        """Take over the fields, choices, open step, view and candidate of a former window."""
-        self.log.copy_state_from(former.log)
-        for before, after in (
-            (former.data, self.data),
-            (former.targets, self.targets),
-            (former.adjust, self.adjust),
-            (former.validate, self.validate),
-        ):
-            copy_fields(before, after)
-        self.workflow.open(former.workflow.opened)
-        for title, window in self.panel_windows.items():
-            window.copy_state_from(former.panel_windows[title])
-        if former.controller.candidate is not None:
-            self.controller.set_candidate(former.controller.candidate)
-        self.scene.copy_state_from(former.scene)
-        self.actions_[COLOUR_ACTIONS[former.scene.colouring]].setChecked(True)
-        if former.actions_["wipe"].isChecked():
-            self.actions_["wipe"].trigger()
-        if former.tour.is_running:
-            self.tour.resume()
 
     # -- closing -----------------------------------------------------------------------------
 

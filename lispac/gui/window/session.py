@@ -1,7 +1,7 @@
 """Window on the screen, and its replacement when language, theme, units or colours change.
 
 Widgets get their texts and colours when they are created. Therefore the window is rebuilt with the
-same document; the project, its data and all undo steps are kept.
+same document and with everything the user has in it (`state_transfer`).
 """
 
 from collections.abc import Callable
@@ -19,6 +19,7 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.main_window import MainWindow
+from lispac.gui.window.state_transfer import copy_window_state
 from lispac.io.project.project_file import UNSAVED_NAME
 
 THEME_DELAY_MS = 500
@@ -60,12 +61,15 @@ class Session(QObject):
         set_colour_scale(self._settings.colour_scale)
         theme.apply_theme(self._application, self._settings.theme)
         document = None if former is None else former.document.copy_for_new_window()
-        window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
+        scene = None if former is None else former.scene
+        window = MainWindow(self._viewport(), self._settings, self._dialogs, document, scene)
         if former is not None:
-            window.copy_state_from(former)
+            copy_window_state(former, window)
         # Queued, since the action that emits it belongs to the window that is replaced
         window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
         show_window_and_docks(window, window.docks)
+        if former is not None and former.dock_layout.is_maximised:
+            window.actions_["maximise"].trigger()
         window.activateWindow()
         if former is not None:
             window.site_design.copy_state_from(former.site_design)

@@ -13,6 +13,7 @@ from lispac.gui.features.inspect.before_after_wipe import BeforeAfterWipe
 from lispac.gui.features.inspect.clipping import ClipBoxController
 from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
 from lispac.gui.features.inspect.dialogs import PictureDialogs
+from lispac.gui.features.inspect.linked_views import LinkedViews
 from lispac.gui.features.inspect.measurements import Measurements
 from lispac.gui.features.inspect.picture_export import PictureExport
 from lispac.gui.features.inspect.point_readout import PointReadout
@@ -55,6 +56,11 @@ class InspectionTools(QObject):
         self.before_after_wipe = BeforeAfterWipe(
             document, scene, computations, viewport, actions, note
         )
+        self.linked_views = LinkedViews(
+            document, scene, computations, viewport, actions, self.mouse_tool,
+            lambda: self.sections.section, note,
+        )  # fmt: skip
+        self.sections.moved.connect(self.linked_views.update)
         self.clipping = ClipBoxController(scene, viewport, actions, raise_panel, note)
         self.patch_test_controller = PatchTestController(
             document, runner, scene, viewport, controller, actions, self.mouse_tool,

@@ -82,6 +82,7 @@ def section_at_target(
     level: bool = False,
     size: float = 2.0,
     thickness: float = 0.2,
+    offset: float = 0.0,
     progress: Progress = no_progress,
 ) -> tuple[SectionPoints, ...]:
     """Cut a section through a target before and, if there is a result, after the calibration.
@@ -92,6 +93,8 @@ def section_at_target(
     Parameters
     ----------
     level, size, thickness : see `section_across_target`
+    offset : float, metres
+        Distance of the section from the centre of the target, along its thickness.
 
     Raises
     ------
@@ -115,6 +118,7 @@ def section_at_target(
         section = section_across_target(
             centre, normal, viewpoint, level=level, size=size, thickness=thickness
         )
+        section = replace(section, centre=section.centre + offset * section.across)
         cut = _section_points(which, clouds, section, progress)
         if target.shape == "plane":
             offsets = [float((middle - centre) @ normal) for middle in middles.values()]

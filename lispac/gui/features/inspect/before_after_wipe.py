@@ -32,7 +32,7 @@ class BeforeAfterWipe(QObject):
         self._single = {"prior": actions["before"], "estimated": actions["after"]}
         self._is_on = False
         self._action.triggered.connect(self._toggle_tool)
-        for action in self._single.values():
+        for action in (*self._single.values(), actions["two_views"], actions["four_views"]):
             action.triggered.connect(self._stop_wipe)
         self._due = IdleTask(self._show_wipe, self)
         scene.drawn.connect(self._due.start)

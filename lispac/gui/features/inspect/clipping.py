@@ -76,6 +76,11 @@ class ClipBoxController(QObject):
             self._set_box(None)
         self._actions["clip"].setChecked(False)
 
+    def copy_state_from(self, former: "ClipBoxController") -> None:
+        """Take over the box of a former window."""
+        if former.box is not None:
+            self._set_box(former.box)
+
     def _set_box(self, box: Box | None) -> None:
         self.box = box
         self._actions["clip"].setChecked(box is not None)

@@ -63,6 +63,17 @@ class Measurements(QObject):
         if len(self._points) == needed:
             self._points = []
         self._points.append(np.array(point.position))
+        self._show_points()
+
+    def copy_state_from(self, former: "Measurements") -> None:
+        """Take over the clicked points of a former window, for the same tool."""
+        if former._points and self._mouse_tool.tool in HINTS:
+            self._points = list(former._points)
+            self._show_points()
+
+    def _show_points(self) -> None:
+        tool = self._mouse_tool.tool
+        needed = len(HINTS[tool])
         text = metric = ""
         if len(self._points) == needed:
             try:

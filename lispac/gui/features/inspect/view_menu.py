@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.point_colours import COLOURINGS, Colouring
 from lispac.gui.app.settings import POINT_SIZES_PX, AppSettings
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -48,6 +49,8 @@ class ViewMenu(QObject):
                 "prior" if scene.which == "estimated" else "estimated"
             ),
             "fit": viewport.fit,
+            "previous_view": lambda: viewport.step_view(-1),
+            "next_view": lambda: viewport.step_view(+1),
             "larger": lambda: self._resize_points(+1),
             "smaller": lambda: self._resize_points(-1),
             "colour_next": self._colour_by_next,
@@ -60,6 +63,15 @@ class ViewMenu(QObject):
         for name in COLOURINGS:
             slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         actions.connect_slots(slots)
+        viewport.signals.history_changed.connect(self._enable_history)
+        self._enable_history(False, False)
+
+    def _enable_history(self, has_previous: bool, has_next: bool) -> None:
+        for name, has_view, missing in (
+            ("previous_view", has_previous, Unavailable.FIRST_VIEW),
+            ("next_view", has_next, Unavailable.LAST_VIEW),
+        ):
+            self._actions.set_reason(name, first_reason((not has_view, missing)))
 
     def _resize_points(self, change: int) -> None:
         pixels = min(max(self._settings.point_size + change, POINT_SIZES_PX[0]), POINT_SIZES_PX[-1])

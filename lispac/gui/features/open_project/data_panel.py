@@ -124,6 +124,11 @@ class DataPanel(QWidget):
             self.lines.setCurrentItem(item)
         return bool(found)
 
+    def copy_hidden_lines_from(self, former: "DataPanel") -> None:
+        """Hide the lines that are hidden in the panel of a former window."""
+        for row in range(min(self.lines.rowCount(), former.lines.rowCount())):
+            self.lines.item(row, 0).setCheckState(former.lines.item(row, 0).checkState())
+
     def _list_lines(self, project: Project, survey: Survey | None) -> None:
         names = [line.name for line in project.lines]
         colours = theme.line_colours(names)

@@ -111,6 +111,11 @@ class PatchAngles(QWidget):
             slider.blockSignals(False)
         self.set_angles(boresight)
 
+    def copy_state_from(self, former: "PatchAngles") -> None:
+        """Copy the angles and the ranges of the sliders of a former window."""
+        self.set_start(former._start, former.sliders[0].maximum() * SLIDER_STEP_DEG)
+        self.set_angles(former._boresight)
+
     def set_angles(self, boresight: Array) -> None:
         """Set all angles without emitting a signal."""
         self._boresight = np.array(boresight, dtype=float)

@@ -345,13 +345,8 @@ class PatchTestController(QObject):
 
         def done(result: PatchTestResult) -> None:
             self._result = result
-            panel = self.panel
-            panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
-            panel.angles.show_found(PatchTestValues.of(result))
-            panel.message_label.setText("\n".join(map(message_text, result.messages)))
-            panel.mark_objects(
-                {each.name: each.disagreement for each in result.disagreeing_objects}
-            )
+            self.panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
+            self._show_result(result)
             self._draw_lines()
             self._enable_controls()
 
@@ -381,6 +376,27 @@ class PatchTestController(QObject):
             prior = next(iter(survey.clouds.values())).place.mounting.boresight
             self.panel.angles.set_start(prior)
             self._draw_lines()
+
+    def copy_state_from(self, former: "PatchTestController") -> None:
+        """Take over the objects, angles and results of a former window with the same data."""
+        if former._survey is None or former._survey is not self._survey:
+            return
+        self._placed_objects, self._dense_sample = former._placed_objects, former._dense_sample
+        self._angle, self._result = former._angle, former._result
+        panel = self.panel
+        panel.copy_choices_from(former.panel)
+        if self._result is not None:
+            self._show_result(self._result)
+        panel.angles.copy_state_from(former.panel.angles)
+        self._show_object()
+        self._enable_controls()
+
+    def _show_result(self, result: PatchTestResult) -> None:
+        self.panel.angles.show_found(PatchTestValues.of(result))
+        self.panel.message_label.setText("\n".join(map(message_text, result.messages)))
+        self.panel.mark_objects(
+            {each.name: each.disagreement for each in result.disagreeing_objects}
+        )
 
     # -- state -------------------------------------------------------------------------------
 

@@ -275,6 +275,18 @@ class PatchTestPanel(QWidget):
                     Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
                 )
 
+    def copy_choices_from(self, former: "PatchTestPanel") -> None:
+        """Copy objects, ticks and choices of the panel of a former window, without a signal."""
+        items = [former.objects.item(row) for row in range(former.objects.count())]
+        names = [_item_name(item) for item in items]
+        self.show_objects(names, set(names) - set(former.ticked_entries), former.shown)
+        with QSignalBlocker(self.pairs):
+            for row in range(self.pairs.count()):
+                self.pairs.item(row).setCheckState(former.pairs.item(row).checkState())
+        for choice, chosen in ((self.view, former.view), (self.of, former.of)):
+            with QSignalBlocker(choice):
+                choice.setCurrentIndex(chosen.currentIndex())
+
     def mark_objects(self, messages: Mapping[str, Message]) -> None:
         """Mark objects by name with messages, which their tooltips show."""
         with QSignalBlocker(self.objects):

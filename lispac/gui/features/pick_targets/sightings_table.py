@@ -275,9 +275,13 @@ class SightingsModel(QAbstractTableModel):
 
 
 class SightingsTable(QTableView):
-    """Table view of the sightings; emits the selected sighting."""
+    """Table view of the sightings; emits the selected sighting.
+
+    A double click or Enter emits `sighting_activated`.
+    """
 
     sighting_selected = Signal(str, str)
+    sighting_activated = Signal(str, str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -295,6 +299,7 @@ class SightingsTable(QTableView):
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.horizontalHeader().setMinimumSectionSize(110)
         self.selectionModel().currentChanged.connect(self._emit_selected)
+        self.activated.connect(self._emit_activated)
 
     def show_state(self, state: ProjectState) -> None:
         """Show the project; a cell remains selected if its target is still in the same row."""
@@ -344,6 +349,11 @@ class SightingsTable(QTableView):
         key = self.sightings.key(current)
         if key is not None:
             self.sighting_selected.emit(*key)
+
+    def _emit_activated(self, index: QModelIndex) -> None:
+        key = self.sightings.key(index)
+        if key is not None:
+            self.sighting_activated.emit(*key)
 
 
 def _millimetres(metres: float) -> str:

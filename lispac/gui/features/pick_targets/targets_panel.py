@@ -98,6 +98,8 @@ class TargetsPanel(QWidget):
     removed = Signal(str)
     used_changed = Signal(str, bool)
     selected = Signal(str)
+    activated = Signal(str)
+    """A target was double-clicked beside its name, or Enter was pressed."""
     current_changed = Signal()
     """Another row was selected, by the user or by the program."""
     propose_requested = Signal()
@@ -121,6 +123,7 @@ class TargetsPanel(QWidget):
         self.table = _targets_table()
         self.table.itemChanged.connect(self._on_item_changed)
         self.table.itemSelectionChanged.connect(self._on_selection_changed)
+        self.table.activated.connect(lambda index: self.activated.emit(self._names[index.row()]))
         layout.addWidget(self.table)
         layout.addLayout(self._buttons())
         self._names: list[str] = []
