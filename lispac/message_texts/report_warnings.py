@@ -150,6 +150,10 @@ TEXTS: Mapping[str, Template] = {
         "Acceptance criteria could not be judged on {planes:names}, because the lines could not be "
         "compared there. The calibration is not accepted without them."
     ),
+    "acceptance.criteria_missing": N_(
+        "The verdict does not include the values without a criterion: {criteria:names}. Enter "
+        "these criteria if the contract or standard has them."
+    ),
     "acceptance_field.roll_sigma": N_("Largest standard deviation of roll"),
     "acceptance_field.pitch_sigma": N_("Largest standard deviation of pitch"),
     "acceptance_field.yaw_sigma": N_("Largest standard deviation of yaw"),

@@ -1,6 +1,6 @@
 """Acceptance criteria and the judgement of a calibration, as values and tables."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Literal
 
 from lispac.acceptance import (
@@ -45,6 +45,13 @@ class AcceptanceCriteriaValues:
             criteria.roll_sigma_deg, criteria.pitch_sigma_deg, criteria.yaw_sigma_deg, criteria.rms,
             criteria.offset, criteria.source,
         )  # fmt: skip
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Names of the criteria that are not given, without their units."""
+        limits = [field.name for field in fields(self) if field.name != "source"]
+        names = [name for name in limits if getattr(self, name) is None]
+        return tuple(name.removesuffix("_deg").removesuffix("_m") for name in names)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ FALSE_WARNING_LEVEL = 0.01
 
 
 def acceptance_warnings(values: AcceptanceValues) -> Iterator[Message]:
-    """Warnings about criteria that are not met, and a note on those that could not be judged."""
+    """Warnings about criteria that are not met, and notes on what is not judged."""
     for check in values.checks:
         if check.verdict == "fail":
             yield _failure(check)
@@ -26,6 +26,10 @@ def acceptance_warnings(values: AcceptanceValues) -> Iterator[Message]:
             yield note("acceptance.planes_not_judged", planes=planes, subject=VALIDATE_STEP)
         else:
             yield note("acceptance.not_judged", subject=VALIDATE_STEP)
+    missing = values.criteria.missing
+    if values.checks and missing:
+        criteria = tuple(note(f"acceptance_field.{name}") for name in missing)
+        yield note("acceptance.criteria_missing", criteria=criteria, subject=VALIDATE_STEP)
 
 
 def _failure(check: AcceptanceCheckValues) -> Message:

@@ -32,6 +32,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
     scale : number of base units in one metre, radian or second
     empty : meaning of an empty field, or the expected content of a ``needed`` field
     description : description of the number, without its unit
+    limits : smallest and largest value, metres, radians or seconds; None if there are none
     """
 
     committed = Signal()
@@ -46,6 +47,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
         empty: str,
         description: str,
         needed: bool = False,
+        limits: tuple[float, float] | None = None,
     ) -> None:
         super().__init__()
         self._pending = PendingInput(self)
@@ -66,6 +68,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
         self.setFont(theme.tabular_font(self.font()))
         self.setMinimumWidth(48)
         self._title, self._unit, self._scale = title, shown.sign, scale * shown.factor
+        self._limits = limits
         self._shown_value: tuple[str, float] | None = None
         self.textEdited.connect(self._pending.begin)
         self.textChanged.connect(self._mark_invalid)
@@ -82,7 +85,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
         Raises
         ------
         InputError
-            If the text is not a number.
+            If the text is not a number, or the value is outside the limits.
         """
         if self._shown_value is not None and self.text() == self._shown_value[0]:
             return self._shown_value[1]  # an unchanged value keeps all its digits
@@ -94,7 +97,16 @@ class OptionalNumber(NumberEntry, QLineEdit):
             raise InputError(
                 error("window.not_a_number_in", field=self._title, text=text, unit=self._unit)
             )
-        return number / self._scale
+        value = number / self._scale
+        if self._limits is not None and not self._limits[0] <= value <= self._limits[1]:
+            low, high = (units.localised(f"{each * self._scale:.6g}") for each in self._limits)
+            raise InputError(
+                error(
+                    "window.out_of_range",
+                    field=self._title, text=text, unit=self._unit, low=low, high=high,
+                )
+            )  # fmt: skip
+        return value
 
     def show_value(self, value: float | None) -> None:
         """Fill in a value without emitting a signal; a wrong text of the same value is kept."""

@@ -6,7 +6,13 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFormLayout, QGridLayout, QLineEdit, QWidget
 
-from lispac.acceptance import LIMIT_NAMES, NO_CRITERIA, AcceptanceCriteria
+from lispac.acceptance import (
+    ANGLE_LIMITS_DEG,
+    LENGTH_LIMITS_M,
+    LIMIT_NAMES,
+    NO_CRITERIA,
+    AcceptanceCriteria,
+)
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.widgets.number_input import NumberEntry, PendingInput, handle_shortcut_override
@@ -16,6 +22,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues, verdict_text
 from lispac.project import Project
+from lispac.report.validation_warnings import acceptance_warnings
 
 NOT_JUDGED_TEXT = N_("not judged")
 STORED_DECIMALS = 12
@@ -58,9 +65,12 @@ class AcceptanceForm(QWidget):
         for column, (name, label, title, description) in enumerate(_LIMITS):
             is_angle = name.endswith("_deg")
             unit, scale = ("°", degrees(1.0)) if is_angle else ("mm", 1000.0)
+            limits = LENGTH_LIMITS_M
+            if is_angle:
+                limits = radians(ANGLE_LIMITS_DEG[0]), radians(ANGLE_LIMITS_DEG[1])
             field = OptionalNumber(
                 f"acceptance_{name.removesuffix('_deg')}", gettext(title), unit, scale,
-                gettext(NOT_JUDGED_TEXT), gettext(description),
+                gettext(NOT_JUDGED_TEXT), gettext(description), limits=limits,
             )  # fmt: skip
             field.committed.connect(lambda name=name: self._emit_edit(name))
             self.fields[name] = field
@@ -106,7 +116,9 @@ class AcceptanceForm(QWidget):
         values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
         if values.checks:
-            reasons = [_reason(each) for each in values.checks if each.verdict != "pass"]
+            reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
+            notes = [each for each in acceptance_warnings(values) if each.level == "note"]
+            reasons += map(message_text, notes)
         else:
             reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
         self.reasons.setText("\n".join(reasons))
@@ -124,10 +136,9 @@ class AcceptanceForm(QWidget):
 
 
 def _reason(check: AcceptanceCheckValues) -> str:
-    """Value that is larger than its limit, or could not be judged."""
+    """Value that is larger than its limit."""
     what = f"{check.title}, {check.place}" if check.place else check.title
-    if check.value is None:
-        return gettext("{what}: not judged, because it is not known", what=what)
+    assert check.value is not None
     if check.unit == "deg":
         return gettext(
             "{what}: {value:deg.4} deg, limit {limit:deg.4} deg",
