@@ -25,8 +25,13 @@ hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 # Warnings are errors in child processes too, except for deprecation warnings of libraries.
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
-LONG_FILES = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
-"""Files with a few long tests, with the number of short tests that take the same time."""
+LONG_FILES = {
+    "test_absolute.py", "test_coverage.py", "test_gui_manual.py", "test_gui_monkey.py",
+    "test_gui_proposal.py", "test_gui_script.py", "test_gui_tour_by_hand.py", "test_omitted.py",
+    "test_script.py", "test_scripting.py", "test_targetless.py",
+}  # fmt: skip
+"""Files with a few long tests, which take as long as `LONG_FILE_TESTS` short ones."""
+LONG_FILE_TESTS = 40
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -42,7 +47,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         tests = Counter(item.path for item in items)
-        items.sort(key=lambda item: -max(tests[item.path], LONG_FILES.get(item.path.name, 0)))
+        least = dict.fromkeys(LONG_FILES, LONG_FILE_TESTS)
+        items.sort(key=lambda item: -max(tests[item.path], least.get(item.path.name, 0)))
 
 
 def pytest_collection_finish() -> None:

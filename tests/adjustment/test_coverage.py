@@ -5,7 +5,10 @@ import pytest
 import scipy.stats
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
-from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
+from lispac.adjustment.diagnostics.excess_scatter import (
+    expected_sigma_factors,
+    leave_out_sigma_factors,
+)
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
@@ -31,8 +34,8 @@ from tests.studies.coverage_study import (
 
 
 def test_most_intervals_contain_the_truth() -> None:
-    """Forty surveys; bounds of the binomial and chi-square distributions at one in a thousand."""
-    count, times = 40, (300.0, 600.0)
+    """Bounds of the binomial and chi-square distributions at one in a thousand."""
+    count, times = 24, (300.0, 600.0)
     results = study(times, (0.10,), count, workers=1)
     correlated, independent = results["correlated", 0.10], results["independent", 0.10]
     table = table_text(times, results)
@@ -73,10 +76,10 @@ def test_sigmas_do_not_depend_on_subsampling(times: tuple[float, float]) -> None
 
 @pytest.mark.parametrize("kind", ["none", "POS time / 10"])
 def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> None:
-    """Five surveys; an angle misses two of the intervals with a probability of 1/40."""
-    results = study_of_errors(kind, 5, workers=1)
+    """Three surveys; an angle misses two of the intervals with a probability of 1/46."""
+    results = study_of_errors(kind, 3, workers=1)
     table_row = row(kind, results)
-    assert (hits(results) >= 0.6).all(), table_row
+    assert (3 * hits(results) > 1.5).all(), table_row
     assert not any(each.serious for each in results), table_row
     shortened = [each.shortened for each in results]
     assert all(shortened) if kind == "POS time / 10" else not any(shortened)
@@ -129,13 +132,12 @@ def test_the_expected_increase_of_the_sigmas_is_that_of_simulated_surveys() -> N
     squared, expected = [], np.zeros(3)
     for seed in range(20):
         data = survey("none", seed)
-        result = adjust(data, PRIOR, MODEL)
-        factors = result.angle_sigma_factors
+        equations = SolvedEquations.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
+        assert equations is not None
+        linearised = equations.linearised
+        factors = leave_out_sigma_factors(linearised)
         squared.append(np.ones(3) if factors is None else factors**2)
         if not expected.any():
-            equations = SolvedEquations.of(result, data, PRIOR)
-            assert equations is not None
-            linearised = equations.linearised
             none = np.zeros(len(linearised.sums), dtype=bool)
             expected = expected_sigma_factors(linearised, none) ** 2
     error = np.std(squared, axis=0) / np.sqrt(len(squared))

@@ -8,6 +8,7 @@ from scipy.stats import norm
 
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.solve.omitted_parameters import CRITICAL_VALUE, find_contradicted_parameters
@@ -20,7 +21,7 @@ from tests.adjustment.test_parameters import (
 )
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("name", ["lever_x", "lever_y", "range_offset"])
 def test_a_harmful_wrong_value_is_named_first(name, seed) -> None:
     """The chi-square test passes despite an error of 10 cm, because sigmas are estimated."""
@@ -52,7 +53,7 @@ def test_a_wrong_lever_arm_causes_no_rejected_sightings(wrong, names) -> None:
     for seed in range(3):
         wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + wrong)
         points = survey(TRUE_MOUNTING, 200 + seed)
-        result = adjust(points, wrong_prior, MODEL)
+        result = adjust(points, wrong_prior, MODEL, test_model=False)
         assert result.rejected_sightings == ()
         assert {each.name for each in result.contradictions} == names
         for each in result.contradictions:
@@ -66,7 +67,7 @@ def test_a_shifted_sighting_is_named_beside_a_wrong_lever_arm() -> None:
 
     wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     points = survey(TRUE_MOUNTING, 221)
-    result = adjust(shifted(points, 4, 0.3), wrong_prior, MODEL)
+    result = adjust(shifted(points, 4, 0.3), wrong_prior, MODEL, test_model=False)
     assert result.rejected_sightings == (points.sightings[4],)
     assert [each.name for each in result.contradictions] == ["lever_x"]
 
@@ -89,6 +90,13 @@ def test_an_estimated_lever_arm_is_not_contradicted() -> None:
     )
 
 
+def solved_equations(data: Observations) -> SolvedEquations:
+    """Equations at the solution, without the diagnostics, which take most of the time."""
+    solved = SolvedEquations.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
+    assert solved is not None
+    return solved
+
+
 @pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.long), 0.003])
 def test_correct_values_are_not_contradicted(bent) -> None:
     """Form errors of 3 mm per line must not look like a lever arm; 1 in 100 by chance."""
@@ -98,7 +106,7 @@ def test_correct_values_are_not_contradicted(bent) -> None:
         off = np.random.default_rng(seed).normal(0, bent, len(data.sightings))[data.sighting]
         beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
         data = replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
-        count += len(adjust(data, PRIOR, MODEL).contradictions)
+        count += len(find_contradicted_parameters(solved_equations(data).linearised))
     assert count <= 2
 
 
@@ -112,9 +120,8 @@ def test_one_survey_in_a_hundred_contradicts_a_value_by_chance() -> None:
     count = 0
     for seed in range(30):
         data = survey(TRUE_MOUNTING, 2000 + seed)
-        solved = SolvedEquations.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
-        assert solved is not None
-        count += bool(find_contradicted_parameters(solved.linearised, min_angle_change=0.0))
+        linearised = solved_equations(data).linearised
+        count += bool(find_contradicted_parameters(linearised, min_angle_change=0.0))
     assert count <= 1
 
 

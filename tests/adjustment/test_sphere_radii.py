@@ -69,7 +69,7 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
         assert each.largest - each.smallest > 0.01
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize(
     ("cause", "value", "tolerance", "courses"),
     [
@@ -126,7 +126,8 @@ def test_the_pitch_sign_of_a_real_survey_is_named(shared_data: Path) -> None:
 
 def test_the_result_of_an_adjustment_has_radius_discrepancies() -> None:
     data = average_points_in_cells(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
-    result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
+    # Without a search for correlation times, none of which explains a wrong sign
+    result = adjust(data, TRUTH, StochasticModel(loss="tukey"), test_model=False)
     assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}
     discrepancies = [
         each for each in result_warnings(result, None) if each.code.startswith("adjustment.radii_")

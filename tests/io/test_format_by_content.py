@@ -11,7 +11,7 @@ import socket
 import tarfile
 import threading
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import laspy
@@ -22,7 +22,7 @@ from lispac.errors import InputError
 from lispac.io.format_types import Kind
 from lispac.io.formats import is_las, recognise_formats
 from lispac.io.points.compressed_files import ARCHIVE_FORMATS
-from lispac.io.points.mesh_file import read_mesh
+from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.static_scan import open_static_scan
 from lispac.io.text.plane_file import read_plane_table
 from lispac.io.text.seed_file import is_point_list, read_point_list
@@ -166,16 +166,25 @@ def test_lists_and_plane_files_with_other_endings_are_recognised(tmp_path: Path)
         )
 
 
+@pytest.fixture(scope="module")
+def reader() -> Iterator[MeshReader]:
+    """Reader of meshes whose process serves all tests; starting one takes seconds."""
+    with MeshReader() as started:
+        yield started
+
+
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl", ".txt"])
 @pytest.mark.parametrize("kind", ["ply", "obj", "stl"])
-def test_meshes_are_recognised_by_their_content(tmp_path: Path, kind: str, ending: str) -> None:
+def test_meshes_are_recognised_by_their_content(
+    reader: MeshReader, tmp_path: Path, kind: str, ending: str
+) -> None:
     import open3d as o3d
 
     box = o3d.geometry.TriangleMesh.create_box()
     box.compute_triangle_normals()
     assert o3d.io.write_triangle_mesh(str(tmp_path / f"box.{kind}"), box)
     path = (tmp_path / f"box.{kind}").rename(tmp_path / f"mesh{ending}")
-    assert len(read_mesh(path, "box", 0.5).triangles) == 12
+    assert len(read_mesh(path, "box", 0.5, reader=reader).triangles) == 12
 
 
 def tar(data: bytes) -> bytes:

@@ -1,5 +1,6 @@
 """Tests of meshes in a simulated scene: ranges, occlusion, and reading of mesh files."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,13 @@ from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle
 
 DISTANT_PLACE = np.array([4_000.0, -7_000.0, 60.0])
 """A place where single precision has steps of 0.5 mm."""
+
+
+@pytest.fixture(scope="module")
+def reader() -> Iterator[MeshReader]:
+    """Reader of meshes whose process serves all tests; starting one takes seconds."""
+    with MeshReader() as started:
+        yield started
 
 
 def as_mesh(rectangle: Rectangle, pieces: int = 6) -> Mesh:
@@ -111,11 +119,11 @@ def test_distance_to_a_mesh() -> None:
 
 
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl"])
-def test_mesh_files(ending: str, tmp_path: Path) -> None:
+def test_mesh_files(ending: str, reader: MeshReader, tmp_path: Path) -> None:
     board = as_mesh(tilted_rectangle("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20))
     path = tmp_path / f"board{ending}"
     write_mesh(path, board)
-    mesh = read_mesh(path, "board", 0.5)
+    mesh = read_mesh(path, "board", 0.5, reader=reader)
     corners, expected = mesh.vertices[mesh.triangles], board.vertices[board.triangles]
     np.testing.assert_allclose(corners, expected, atol=1e-5)
     assert (mesh.name, mesh.reflectance) == ("board", 0.5)
@@ -176,7 +184,7 @@ def stl_text(mesh: Mesh) -> bytes:
 
 
 @pytest.mark.parametrize("kind", ["text.ply", "binary.ply", "text.stl", "binary.stl"])
-def test_a_mesh_that_is_cut_short_is_refused(kind: str, tmp_path: Path) -> None:
+def test_a_mesh_that_is_cut_short_is_refused(kind: str, reader: MeshReader, tmp_path: Path) -> None:
     """Open3D alone would return the faces before the cut."""
     mesh = as_mesh(tilted_rectangle("board", (3.0, 2.0, 1.0), 2.0, 1.0, 70, 30))
     path, cut = tmp_path / f"whole.{kind[-3:]}", tmp_path / f"cut.{kind[-3:]}"
@@ -193,17 +201,16 @@ def test_a_mesh_that_is_cut_short_is_refused(kind: str, tmp_path: Path) -> None:
         )
     whole = path.read_bytes()
     codes = {"mesh.faces_missing", "mesh.no_end", "mesh.damaged", "mesh.no_triangles"}
-    with MeshReader() as reader:  # one process for all
-        found = read_mesh(path, "m", 0.5, reader=reader)
-        assert len(found.triangles) == len(mesh.triangles)
-        for bytes_cut in (15, 40, 75, 300):
-            cut.write_bytes(whole[:-bytes_cut])
-            with pytest.raises(InputError) as refused:
-                read_mesh(cut, "m", 0.5, reader=reader)
-            assert refused.value.code in codes
+    found = read_mesh(path, "m", 0.5, reader=reader)
+    assert len(found.triangles) == len(mesh.triangles)
+    for bytes_cut in (15, 40, 75, 300):
+        cut.write_bytes(whole[:-bytes_cut])
+        with pytest.raises(InputError) as refused:
+            read_mesh(cut, "m", 0.5, reader=reader)
+        assert refused.value.code in codes
 
 
-def test_files_without_a_valid_mesh_are_refused(tmp_path: Path) -> None:
+def test_files_without_a_valid_mesh_are_refused(reader: MeshReader, tmp_path: Path) -> None:
     def of_triangle(first: str, last: str) -> Path:
         path = tmp_path / f"{first}.obj"
         path.write_text(f"v {first}\nv 1 0 0\nv {last}\nf 1 2 3\n")
@@ -224,5 +231,5 @@ def test_files_without_a_valid_mesh_are_refused(tmp_path: Path) -> None:
         (of_triangle("0 0 0", "2 0 0"), "mesh.no_area"),
     ):  # fmt: skip
         with pytest.raises(InputError) as refused:
-            read_mesh(path, "m", 0.4)
+            read_mesh(path, "m", 0.4, reader=reader)
         assert refused.value.code == code

@@ -36,7 +36,7 @@ def tripod_scan(
     *,
     noise: float = 0.002,
     shift: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    density: float = 400.0,
+    density: float = 100.0,
 ) -> Array:
     """Evenly spread points of true planes with noise along their normals, shape (n, 3)."""
     rng, parts = np.random.default_rng(4), []

@@ -72,18 +72,18 @@ def found(
     return messages[0] if messages else None
 
 
-SEEDS = (1, 2, 3)
+SEEDS = (1, 2)
 
 
-@pytest.mark.parametrize("seed", range(10))
-@pytest.mark.parametrize("system", [UTM, FEET])
+@pytest.mark.parametrize(
+    ("system", "seed"), [*((UTM, seed) for seed in range(10)), (FEET, 0), (FEET, 1)]
+)
 def test_a_cloud_with_the_right_setup_has_no_message(seed: int, system: str) -> None:
     assert found(*cloud(seed, system)) is None
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("system", [UTM, FEET])
-@pytest.mark.parametrize("offset", [28.4, -44.1, 6.3])
+@pytest.mark.parametrize(("system", "offset"), [(UTM, 28.4), (FEET, -44.1), (UTM, 6.3)])
 def test_a_height_offset_is_diagnosed(seed: int, system: str, offset: float) -> None:
     points, time, made = cloud(seed, system)
     points[:, 2] += offset / made.system.metres[2]

@@ -57,11 +57,12 @@ def test_a_target_on_only_one_line_is_not_used(
     """The result is that without the target; warnings and report name it."""
     project, survey = calibrated
     target = project.target("T1")
-    for plane in project.targets_of_role("validation"):
-        project = project.with_target(replace(plane, role="target"))
+    for name in ("V1", "V5"):
+        project = project.with_target(replace(project.target(name), role="target"))
     single = project.with_target(replace(target, sightings=target.sightings[:1]))
-    found = calibration.estimate(single, survey)
-    without = calibration.estimate(project.with_target(replace(target, used=False)), survey)
+    found = calibration.estimate(single, survey, cross_check=False)
+    project = project.with_target(replace(target, used=False))
+    without = calibration.estimate(project, survey, cross_check=False)
     assert found.result is not None
     assert without.result is not None
     np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
