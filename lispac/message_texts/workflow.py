@@ -154,7 +154,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: this file does not exist. Restore it, or give its new location."
     ),
     "project_files.several_missing": N_(
-        "{file}: this file does not exist. Also missing: {others:names}. Restore all of them, or "
+        "{file}: this file does not exist; also missing: {others:names}. Restore all of them, or "
         "give their new location."
     ),
     # -- repeat ----------------------------------------------------------------------------

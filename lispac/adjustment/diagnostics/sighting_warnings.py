@@ -140,9 +140,9 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
 
 
 def probably_not_flat(result: AdjustmentResult) -> frozenset[str]:
-    """Targets whose form errors exceed the given noise, while no other line checks some line.
+    """Targets with form errors larger than the given noise that the sigmas do not contain.
 
-    Results without such a line cannot raise the sigmas, so the form errors are not covered.
+    With lines that no other line checks, leave-out results cannot raise the sigmas.
     """
     geometry = result.observability
     if geometry is None or not any(each.kind == "line" for each in geometry.unchecked):
