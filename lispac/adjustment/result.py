@@ -547,21 +547,9 @@ class CrossCheck:
 
 @dataclass(frozen=True, eq=False)
 class CrossChecks:
-    """All cross-checks, and the spread of their results compared with the formal sigmas.
-
-    Attributes
-    ----------
-    parts : tuple of CrossCheck
-    spread_lines, spread_targets : ndarray of shape (3,) or None, radians
-        Jackknife standard deviation from omitting one line, or one target, at a time.
-    sigma : ndarray of shape (3,), radians
-        Formal sigmas of the result of all points.
-    """
+    """Results of all subsets of the data."""
 
     parts: tuple[CrossCheck, ...]
-    spread_lines: Annotated[Array, ArrayShape(3)] | None
-    spread_targets: Annotated[Array, ArrayShape(3)] | None
-    sigma: Annotated[Array, ArrayShape(3)]
 
     @property
     def disagreements(self) -> tuple[CrossCheck, ...]:

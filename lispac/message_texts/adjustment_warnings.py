@@ -45,6 +45,14 @@ TEXTS: Mapping[str, Template] = {
         "The proposed targets are too few or too close together to detect errors in the data. Use "
         "the targetless method, which adjusts many small surfaces, or put up boards."
     ),
+    "targets.proposal_not_flat": Plural(
+        "Too few flat surfaces remain without target {targets:names}, which is therefore proposed "
+        "although it is probably not flat. Use the targetless method, which adjusts many small "
+        "surfaces, or put up boards.",
+        "Too few flat surfaces remain without targets {targets:names}, which are therefore "
+        "proposed although they are probably not flat. Use the targetless method, which adjusts "
+        "many small surfaces, or put up boards.",
+    ),
     "targets.no_validation_plane": N_(
         "No flat surface besides the targets can be compared between lines, so no validation "
         "plane is proposed. Pick a flat surface that two lines cover, or put up boards."
@@ -148,9 +156,11 @@ TEXTS: Mapping[str, Template] = {
         "The targets extend over only {size:percent.0} % of their distance from the scanner, too "
         "little to detect errors of a line. Add targets at other places."
     ),
-    "adjustment.targets_act_as_one": N_(
+    "adjustment.targets_act_as_one": Plural(
         "Targets {targets:names} are so close together that they act as one target, on which "
-        "{angles:names} depend alone. Add targets at other places."
+        "alone {angles:names} depends. Add targets at other places.",
+        "Targets {targets:names} are so close together that they act as one target, on which "
+        "alone {angles:names} depend. Add targets at other places.",
     ),
     "adjustment.carried_by_one": N_(
         "Angles depend on single targets or sightings whose errors cannot be detected: "

@@ -163,8 +163,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- columns of text -------------------------------------------------------------------
     "text.unit_overridden": N_(
-        "{file}: the titles of the columns {stated:names} specify a unit, but the values are read "
-        "in that of the option {option}, {given}. Check the option."
+        "{file}: the column titles specify a unit ({stated:names}), but the values are read in "
+        "that of the option {option}, {given}. Check the option."
     ),
     "text.two_columns": N_(
         "{file}: the columns {columns:names} have the same meaning; column {used} is used. If this "

@@ -88,8 +88,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- units of columns --------------------------------------------------------------------
     "text.several_units": N_(
-        "{file}: the column titles {titles:names} do not specify one common unit of length for x, "
-        "y and z. Export them in one unit, or set the unit (option unit)."
+        "{file}: the column titles do not specify one common unit of length for x, y and z "
+        "({titles:names}). Export them in one unit, or set the unit (option unit)."
     ),
     "text.not_degrees": N_(
         "{file}: column {column} is not in degrees positive to the east or north. Export longitude "

@@ -154,7 +154,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: this file does not exist. Restore it, or give its new location."
     ),
     "project_files.several_missing": N_(
-        "{file}: this file does not exist, and {others:names} are missing too. Restore them, or "
+        "{file}: this file does not exist; also missing: {others:names}. Restore all of them, or "
         "give their new location."
     ),
     # -- repeat ----------------------------------------------------------------------------
@@ -284,7 +284,8 @@ TEXTS: Mapping[str, Template] = {
     # -- check ---------------------------------------------------------------------------------
     "check.line_not_compared": N_("{line}: {reason}"),
     "check.points_not_compared": N_(
-        "No line has a flat area within {distance:m} m of {points:names}, so they are not compared."
+        "No line has a flat area within {distance:m} m of {points:names}. No comparison is made "
+        "there."
     ),
     # -- project_files -------------------------------------------------------------------------
     "project_files.many_missing": N_(

@@ -15,7 +15,6 @@ from lispac.adjustment.model.parameters import OUTPUT_UNITS
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
-    ContradictedParameter,
     FitOutcome,
     Observability,
     PossibleCause,
@@ -24,9 +23,9 @@ from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.messages import Message
 from lispac.present.angles import (
-    SIGMAS_TABLE,
     Angles,
     AnglesRow,
+    angle_columns,
     angles,
     degrees,
     degrees_or_none,
@@ -150,27 +149,6 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
 
 
 @dataclass(frozen=True)
-class ContradictionValues:
-    """A given value that the data contradict; ``change`` and ``sigma`` in the unit of ``unit``."""
-
-    name: str
-    unit: str
-    change: float
-    sigma: float
-    w: float
-    angle_change_deg: Angles
-    surface_sigma_m: float
-
-
-def _contradiction_values(found: ContradictedParameter) -> ContradictionValues:
-    factor, unit = OUTPUT_UNITS[found.name]
-    return ContradictionValues(
-        found.name, unit, factor * found.change, factor * found.sigma, found.w,
-        degrees(found.angle_change), found.surface_sigma,
-    )  # fmt: skip
-
-
-@dataclass(frozen=True)
 class CauseValues:
     """Possible cause of residuals that contradict the model.
 
@@ -246,7 +224,6 @@ class AdjustmentValues:
     single_orientation: bool
     critical_w: float | None
     sightings: tuple[SightingValues, ...]
-    contradictions: tuple[ContradictionValues, ...]
     causes: tuple[tuple[CauseValues, ...], ...]
 
     @property
@@ -301,13 +278,13 @@ def adjustment_values(
         ),
         critical_w=critical_test_value(result),
         sightings=sighting_values(result, headings_deg),
-        contradictions=tuple(map(_contradiction_values, result.contradictions)),
         causes=tuple(tuple(map(_cause_values, group)) for group in result.causes or ()),
     )
 
 
 SIGMAS_WITHOUT_LINE_TABLE = Table[AnglesRow](
-    N_("1 sigma of the angles with one line omitted"), SIGMAS_TABLE.columns
+    N_("1 sigma of the angles with one line omitted"),
+    (Column("name", ""), *angle_columns("values", DEGREES)),
 )
 
 

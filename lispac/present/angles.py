@@ -13,7 +13,6 @@ from lispac.adjustment.result import (
 )
 from lispac.language import N_
 from lispac.present.tables import (
-    DEGREES,
     Column,
     Format,
     Table,
@@ -99,10 +98,6 @@ def angle_columns(
     )
 
 
-SIGMAS_TABLE = Table[AnglesRow](
-    N_("Standard deviations of the angles, from the adjustment and by the jackknife"),
-    (Column("name", ""), *angle_columns("values", DEGREES)),
-)
 CORRELATIONS_TABLE = Table[AnglesRow](
     N_("Correlations"), (Column("name", ""), *angle_columns("values", ratio(3).signed))
 )

@@ -10,7 +10,7 @@ from lispac.adjustment.result import (
 )
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.angles import Angles, AnglesRow, angles, degrees, degrees_or_none
+from lispac.present.angles import Angles, angles, degrees_or_none
 from lispac.present.tables import (
     DEGREES,
     Column,
@@ -40,26 +40,14 @@ class SubsetValues:
 
 @dataclass(frozen=True)
 class CrossCheckValues:
-    """Results of subsets of the data, sigmas of the adjustment, and sigmas by the jackknife.
+    """Results of subsets of the data."""
 
-    ``spread_lines_deg`` and ``spread_targets_deg`` are the sigmas from the scatter of the results
-    with one line or one target omitted.
-    """
-
-    sigma_deg: Angles
-    spread_lines_deg: Angles | None
-    spread_targets_deg: Angles | None
     parts: tuple[SubsetValues, ...]
 
 
 def cross_check_values(checks: CrossChecks) -> CrossCheckValues:
     """Results of the cross-checks with subsets of the data."""
-    return CrossCheckValues(
-        sigma_deg=degrees(checks.sigma),
-        spread_lines_deg=degrees_or_none(checks.spread_lines),
-        spread_targets_deg=degrees_or_none(checks.spread_targets),
-        parts=tuple(_subset_values(part) for part in checks.parts),
-    )
+    return CrossCheckValues(tuple(map(_subset_values, checks.parts)))
 
 
 def _subset_values(part: CrossCheck) -> SubsetValues:
@@ -73,15 +61,6 @@ def _subset_values(part: CrossCheck) -> SubsetValues:
         disagrees=part.disagrees,
         reason=part.reason or "",
     )
-
-
-def spread_rows(checks: CrossCheckValues) -> list[AnglesRow]:
-    """Rows with the standard deviations from the adjustment and by the jackknife."""
-    return [
-        AnglesRow(gettext("Adjustment"), checks.sigma_deg),
-        AnglesRow(gettext("Jackknife, one line omitted"), checks.spread_lines_deg),
-        AnglesRow(gettext("Jackknife, one target omitted"), checks.spread_targets_deg),
-    ]
 
 
 @dataclass(frozen=True)

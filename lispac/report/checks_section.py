@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
-from lispac.present.angles import SIGMAS_TABLE
-from lispac.present.cross_checks import SUBSETS_TABLE, spread_rows, subset_rows
+from lispac.present.cross_checks import SUBSETS_TABLE, subset_rows
 from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
 from lispac.present.sightings import (
     MEAN_POS_SIGMAS_TABLE,
@@ -47,9 +46,7 @@ POS_ERROR_CAPTION = N_(
 )
 CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
-    "and with each half of the lines in the order of the survey. The jackknife standard "
-    "deviation of the angles is computed from the scatter of the results with one line omitted at "
-    "a time, or with one target omitted at a time. It does not depend on the given sigmas."
+    "and with each half of the lines in the order of the survey."
 )
 SUBSET_DIFFERENCES_TEXT = N_(
     "The differences are also given divided by their expected sigma. Above 3, the subset "
@@ -141,30 +138,9 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
     checks = content.cross_checks
     if checks is None:
         return [Paragraph(gettext("The adjustment was not repeated with subsets of the data."))]
+    rows = subset_rows(checks)
     blocks: list[Block] = [
         Paragraph(gettext(CROSS_CHECKS_TEXT)),
-        report_table(SIGMAS_TABLE, spread_rows(checks)),
-    ]
-    if checks.spread_lines_deg is None:
-        blocks.append(
-            Paragraph(
-                gettext(
-                    "The jackknife standard deviation with one line omitted at a time requires at "
-                    "least three lines, and a result without each of them."
-                )
-            )
-        )
-    if checks.spread_targets_deg is None:
-        blocks.append(
-            Paragraph(
-                gettext(
-                    "The jackknife standard deviation with one target omitted at a time requires "
-                    "at least three targets, and a result without each of them."
-                )
-            )
-        )
-    rows = subset_rows(checks)
-    blocks += [
         report_table(SUBSETS_TABLE, rows),
         Paragraph(gettext(SUBSET_DIFFERENCES_TEXT)),
     ]

@@ -326,11 +326,6 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_a_blunder() -> None:
     assert [c.kind for c in checks.parts].count("line") == 6
     assert [c.kind for c in checks.parts].count("target") == 2
     assert len(checks.disagreements) <= 1
-    assert checks.spread_lines is not None
-    assert checks.spread_targets is None
-    ratio = checks.spread_lines / checks.sigma
-    assert (ratio > 0.1).all()
-    assert (ratio < 4).all()
     halves = [c for c in checks.parts if c.kind == "half"]
     np.testing.assert_allclose(halves[0].difference, -halves[1].difference)
     # Opposite shifts of two sightings contradict every model.

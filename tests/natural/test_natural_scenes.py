@@ -137,7 +137,8 @@ def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -
     project, survey = opened(
         natural_site(scene), np.random.default_rng([35, scene]).normal(0, 1.0, 3)
     )
-    solved = estimate(replace(project, targets=propose_targets(project, survey).targets), survey)
+    proposal = propose_targets(project, survey)
+    solved = estimate(replace(project, targets=proposal.targets), survey)
     assert solved.result is not None
     assert any(target.noise > 2 for target in solved.result.targets)
     found = [
@@ -145,6 +146,12 @@ def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -
         if message.code == "adjustment.not_flat"
     ]  # fmt: skip
     assert [message.params["targets"] for message in found] == ([bent] if bent else [])
+    # There are no other surfaces to replace them.
+    named = [
+        message.params["targets"] for message in proposal.warnings
+        if message.code == "targets.proposal_not_flat"
+    ]  # fmt: skip
+    assert named == ([list(bent)] if bent else [])
 
 
 @pytest.mark.long

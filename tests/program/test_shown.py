@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
 from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
 from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
@@ -13,7 +14,7 @@ from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
 from lispac.gui.features.estimate.result_texts import variance_component_texts
-from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
+from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
@@ -21,6 +22,7 @@ from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
 from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.text_format import quantity_text
 from lispac.report.document import report_document
+from lispac.report.document_blocks import Table
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 Sample = tuple[AdjustmentResult, CrossChecks]
@@ -100,11 +102,8 @@ def test_sightings_that_disagree_in_the_report_are_marked(sample: Sample) -> Non
     assert all(len(row.cells) == len(window_columns(SIGHTINGS_TABLE)) for row in rows)
 
 
-def test_spread_has_the_same_name_everywhere_and_halves_are_reported_once(
-    capsys: pytest.CaptureFixture[str], sample: Sample, tmp_path: Path
-) -> None:
+def test_halves_are_reported_once(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
     result, checks = sample
-    assert checks.spread_lines is not None
     odd = tuple(
         replace(part, significance=np.array([9.0, 0.0, 0.0])) if part.kind == "half" else part
         for part in checks.parts
@@ -112,20 +111,33 @@ def test_spread_has_the_same_name_everywhere_and_halves_are_reported_once(
     checks = replace(checks, parts=odd)
     print_result(result, checks)
     printed = capsys.readouterr().out
-    assert "\n  Jackknife, one line omitted " in printed
     assert printed.count("half") == 1
     assert "second minus first half of the data (roll " in printed
-    assert "Jackknife,<br>one line omitted" in spread_text(cross_check_values(checks))
     names = [row.name for row in subset_rows(cross_check_values(checks))]
     assert [name for name in names if "half" in name] == ["Second minus first half"]
-    content = sample_content(sample_project(tmp_path / "report"))
-    tables = [
-        b
-        for s in report_document(content, {}, FULL_REPORT).sections
-        for b in s.blocks
-        if b.kind == "table"
+
+
+def test_only_the_stated_sigma_is_given_beside_the_note_that_it_was_raised(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    project = sample_project(tmp_path)
+    assert project.result is not None
+    formal = f"{np.degrees(project.result.sigma[1]):.4f}"
+    raised = with_raised_sigmas(project.result, np.array([1.0, 3.7, 1.0]))
+    project = replace(project, result=raised)
+    print_result(raised, project.cross_checks)
+    assert capsys.readouterr().out.count(formal) == 1
+    document = report_document(sample_content(project), {}, FULL_REPORT)
+    cells = [
+        cell
+        for section in document.sections
+        for block in section.blocks
+        if isinstance(block, Table)
+        for row in block.rows
+        for cell in row
     ]
-    assert any("Jackknife, one line omitted" in row[0] for t in tables for row in t.rows)
+    assert f"{np.degrees(raised.sigma[1]):.4f}" in cells
+    assert formal not in cells
 
 
 def test_halves_are_compared_only_if_both_have_a_result(sample: Sample) -> None:

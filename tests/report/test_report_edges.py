@@ -7,7 +7,7 @@ import pytest
 
 from lispac.design.monte_carlo import MonteCarloResult
 from lispac.project import Project
-from lispac.report import boresight_section, checks_section, sections
+from lispac.report import boresight_section, sections
 from lispac.report.content import ReportContent
 from lispac.report.design_figures import simulated_errors_figure
 from lispac.report.distance_profiles import profile_figure
@@ -131,15 +131,6 @@ def test_observability_is_omitted_where_it_was_not_computed(project: Project) ->
         blocks = boresight_section.boresight_blocks(sample_content(replace(project, result=result)))
         assert ("Observability of the angles on these lines:" in _text(blocks)) == is_reported
         assert (head in _titles(blocks)) == has_table
-
-
-def test_known_spreads_have_no_explanation_of_their_absence(project: Project) -> None:
-    assert project.cross_checks is not None
-    excuse = "at least three targets"
-    known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
-    for checks, is_explained in ((project.cross_checks, True), (known, False)):
-        content = sample_content(replace(project, cross_checks=checks))
-        assert (excuse in _text(checks_section.cross_check_blocks(content))) == is_explained
 
 
 def test_a_site_without_tracks_and_planes_is_not_drawn(content: ReportContent) -> None:

@@ -104,9 +104,6 @@ def sample_checks(lines: dict[str, float], targets: tuple[str, ...]) -> CrossChe
             part("half", "first", halves),
             part("half", "second", -halves),
         ),
-        spread_lines=np.radians([0.0151, 0.0322, 0.0345]),
-        spread_targets=None,
-        sigma=sigma,
     )
 
 

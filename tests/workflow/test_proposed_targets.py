@@ -27,6 +27,7 @@ from lispac.workflow.calibration import proposals
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.proposals import propose_targets
 from lispac.workflow.calibration.sighting_assessment import lidar_noise, sighting_qualities
+from lispac.workflow.calibration.target_choice import CandidatePlanes
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
@@ -265,8 +266,9 @@ def test_targets_close_to_each_other_are_not_proposed_together() -> None:
     assert "targets.proposal_unchecked" not in [each.code for each in proposal.warnings]
 
 
-def test_boards_are_proposed_while_each_adds_information() -> None:
-    """Of eight boards of similar orientation, four remain for validation."""
+@cache
+def with_eight_boards() -> Site:
+    """Return a site with eight boards of similar orientation."""
     facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
     boards = [
         tilted_rectangle(
@@ -274,7 +276,12 @@ def test_boards_are_proposed_while_each_adds_information() -> None:
         )
         for k, (across, lean) in enumerate(facing)
     ]
-    project, survey = site(boards, lines=4, pulses_per_second=40_000.0).opened((1, -1, 1))
+    return site(boards, lines=4, pulses_per_second=40_000.0)
+
+
+def test_boards_are_proposed_while_each_adds_information() -> None:
+    """Four of the boards remain for validation."""
+    project, survey = with_eight_boards().opened((1, -1, 1))
     proposal = propose_targets(project, survey)
     assert [target.name for target in proposal.targets] == [
         "T1", "T2", "T3", "T4", "V1", "V2", "V3", "V4",
@@ -288,6 +295,29 @@ def test_boards_are_proposed_while_each_adds_information() -> None:
             if reason.params["angle"] == mounting_value_name(angle)
         )
         assert reason.params["sigma"] == proposal.sigma[k] < cast(float, reason.params["without"])
+
+
+def test_a_target_that_is_probably_not_flat_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first adjustment finds this for T1, that without it for no target."""
+    chosen: list[list[str]] = []
+    usual = proposals.choose_targets
+
+    def kept(planes: CandidatePlanes) -> list[str]:
+        chosen.append(usual(planes))
+        return chosen[-1]
+
+    monkeypatch.setattr(proposals, "choose_targets", kept)
+    monkeypatch.setattr(
+        proposals, "probably_not_flat", lambda _: frozenset({"T1"} if len(chosen) == 1 else ())
+    )
+    project, survey = with_eight_boards().opened((1, -1, 1))
+    proposal = propose_targets(project, survey)
+    first, second = chosen
+    assert len(second) >= 3
+    assert first[0] not in second
+    # It is not proposed for validation either.
+    assert len(proposal.targets) == 7
+    assert "targets.proposal_not_flat" not in [each.code for each in proposal.warnings]
 
 
 @pytest.mark.long

@@ -54,12 +54,7 @@ def cross_checks(
         )
         found.append(_cross_check_part(observations, start, result, parameters, kind, name, keep))
     progress(1.0)
-    return CrossChecks(
-        tuple(_compare_halves(found)),
-        _jackknife_sigma([c.boresight for c in found if c.kind == "line"]),
-        _jackknife_sigma([c.boresight for c in found if c.kind == "target"]),
-        result.sigma,
-    )
+    return CrossChecks(tuple(_compare_halves(found)))
 
 
 def apply_rejections_and_surfaces(
@@ -178,14 +173,3 @@ def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
         yield CrossCheck(
             "half", half.part, half.boresight, half.sigma, sign * difference, sign * significance
         )
-
-
-def _jackknife_sigma(angles: list[Array | None]) -> Array | None:
-    """Jackknife standard deviation of the whole result from those of the parts (Tukey 1958)."""
-    known = np.array([values for values in angles if values is not None])
-    if len(known) < 3 or len(known) < len(angles):
-        return None
-    count = len(known)
-    return np.asarray(
-        np.sqrt((count - 1) / count * ((known - known.mean(axis=0)) ** 2).sum(axis=0))
-    )

@@ -129,17 +129,33 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
             count=len(other), targets=shortened_list([t.target for t in other]),
             factor=float(other[0].noise), subject=Cause.of_target(other[0].target),
         )  # fmt: skip
-    rough = [t for t in worst_first if NOISE_FACTOR_LIMIT < t.noise <= OTHER_SURFACE_FACTOR]
+    rough = [t for t in worst_first if _is_rough(t)]
     if not rough:
         return
-    geometry = result.observability
-    # With lines that no other line checks, leave-out results cannot raise the sigmas.
-    too_few = geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
-    bent = [t for t in rough if too_few and form_error_factor(t) > FORM_FACTOR_LIMIT]
+    bent = [t for t in rough if t.target in probably_not_flat(result)]
     if bent:
         yield _noise_message(warning, "adjustment.not_flat", bent, form_error_factor)
     if others := [t for t in rough if t not in bent]:
         yield _noise_message(note, "adjustment.noise", others, lambda target: target.noise)
+
+
+def probably_not_flat(result: AdjustmentResult) -> frozenset[str]:
+    """Targets with form errors larger than the given noise that the sigmas do not contain.
+
+    With lines that no other line checks, leave-out results cannot raise the sigmas.
+    """
+    geometry = result.observability
+    if geometry is None or not any(each.kind == "line" for each in geometry.unchecked):
+        return frozenset()
+    return frozenset(
+        each.target
+        for each in result.targets
+        if _is_rough(each) and form_error_factor(each) > FORM_FACTOR_LIMIT
+    )
+
+
+def _is_rough(target: TargetResidual) -> bool:
+    return NOISE_FACTOR_LIMIT < target.noise <= OTHER_SURFACE_FACTOR
 
 
 def form_error_factor(target: TargetResidual) -> float:

@@ -231,7 +231,8 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
         if each.kind == "clustered" and each.targets:
             yield warning(
                 "adjustment.targets_act_as_one",
-                targets=each.targets, angles=mounting_value_names(each.angles),
+                count=len(each.angles), targets=each.targets,
+                angles=mounting_value_names(each.angles),
                 subject=Cause.of_target(each.targets[0]),
             )  # fmt: skip
         elif each.kind == "clustered":

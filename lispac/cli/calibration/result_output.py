@@ -11,8 +11,8 @@ from lispac.duplicate_targets import project_warnings
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
 from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
-from lispac.present.angles import SIGMAS_TABLE, angles
-from lispac.present.cross_checks import cross_check_values, spread_rows
+from lispac.present.angles import angles
+from lispac.present.cross_checks import cross_check_values
 from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
 from lispac.present.tables import Fact
@@ -55,8 +55,6 @@ def print_result(
     )
     if result.mounting.axes is not None:
         print_steep_rotation(result)
-    if checks is not None:
-        print_table(SIGMAS_TABLE, spread_rows(cross_check_values(checks)))
     if values.parameters:
         print_table(PARAMETERS_TABLE, values.parameters)
     for parameter in values.parameters:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from datetime import date
-from html import escape
 
 from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
@@ -16,13 +15,11 @@ from lispac.gui.widgets.diagnostics_table import (
     spreadsheet_number,
 )
 from lispac.language import gettext, short_date
-from lispac.present.angles import ANGLE_TITLES
-from lispac.present.cross_checks import CrossCheckValues, spread_rows
 from lispac.present.csv_text import csv_text
-from lispac.present.tables import DEGREES, Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Column as ResultColumn
+from lispac.present.tables import Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Row as ResultRow
-from lispac.present.text_format import UNKNOWN_TEXT, with_unit
+from lispac.present.text_format import with_unit
 
 BASE_OF_UNIT: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": "m°"}
 
@@ -118,18 +115,6 @@ def _with_unit(value: float, form: Format) -> str:
     if base is None:
         return with_unit(form.text(value), form.unit)
     return units.local_amount(form.factor * value, base, _python_form(form))
-
-
-def spread_text(checks: CrossCheckValues) -> str:
-    """Jackknife standard deviations beside those from the adjustment, as rich text."""
-    title = gettext("1 σ, {unit}", unit=units.local_sign("°"))
-    rows = []
-    for row in spread_rows(checks):
-        numbers = [UNKNOWN_TEXT] * 3 if row.values is None else [
-            local_number(value, DEGREES) for value in row.values
-        ]  # fmt: skip
-        rows.append([escape(row.name).replace(", ", ",<br>"), *numbers])
-    return html_table([title, *map(gettext, ANGLE_TITLES)], rows)
 
 
 def html_table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:

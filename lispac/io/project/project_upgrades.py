@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 12
+SCHEMA_VERSION = 13
 
 
 def upgrade_content(content: Content) -> Content:
@@ -202,6 +202,14 @@ def _upgrade_from_11(content: Content) -> Content:
     return content | {"schema_version": 12, "acceptance": {}}
 
 
+def _upgrade_from_12(content: Content) -> Content:
+    """Upgrade to version 13, whose cross-checks contain only the results of the subsets."""
+    checks = content["cross_checks"]
+    if checks is not None:
+        checks = {"parts": checks["parts"]}
+    return content | {"schema_version": 13, "cross_checks": checks}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -214,4 +222,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     9: _upgrade_from_9,
     10: _upgrade_from_10,
     11: _upgrade_from_11,
+    12: _upgrade_from_12,
 }

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.diagnostics.sighting_warnings import probably_not_flat
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.parameters import mounting_value_name
@@ -29,7 +30,7 @@ from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, det
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import are_reciprocal, comparable_pairs
-from lispac.warning_causes import RESULT_CAUSE
+from lispac.warning_causes import RESULT_CAUSE, Cause
 from lispac.workflow.calibration.estimation import estimate, observations_of
 from lispac.workflow.calibration.method_errors import replace_suggested_actions
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
@@ -94,8 +95,9 @@ def propose_targets(
 
     The targets are the flat planes that determine the angles best and check each other (see
     `target_choice`). They are adjusted. Planes that are not flat with the estimated boresight, or
-    with a sighting that the adjustment rejects, are replaced. Validation planes are chosen from the
-    other flat planes on which lines can be compared, at positions far from each other.
+    with a sighting that the adjustment rejects, are replaced. So are planes that the adjustment
+    calls probably not flat, if enough others remain. Validation planes are chosen from the other
+    flat planes on which lines can be compared, at positions far from each other.
 
     Raises
     ------
@@ -135,12 +137,12 @@ def propose_targets(
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.9, gettext_lazy("Selecting the targets"))
     with replace_suggested_actions(project.name, "propose"):
-        chosen, solved, planes = _choose_targets(project, survey, flat, named, judged)
+        chosen, solved, planes = _choose_flat_targets(project, survey, flat, named, judged)
     if len(chosen) < MIN_TARGETS:
         spare = [target for target in targets if judged[target.name].use == "at need"]
         flat = [target for target in targets if judged[target.name].use == "any"]
         with suppress(AdjustmentError, TargetNotFound):
-            others = _choose_targets(project, survey, [*flat, *spare], named, judged)
+            others = _choose_flat_targets(project, survey, [*flat, *spare], named, judged)
             if len(others[0]) > len(chosen):
                 chosen, solved, planes = others
     assert solved.result is not None
@@ -204,6 +206,40 @@ def _comparable_planes(
 def _is_boresight_known(result: AdjustmentResult) -> bool:
     """True if the boresight is precise enough to attribute a bend of a plane to the surface."""
     return float(result.sigma.max()) <= ROUGH_BORESIGHT_SIGMA
+
+
+def _choose_flat_targets(
+    project: Project,
+    survey: Survey,
+    flat: Sequence[Target],
+    named: Mapping[str, DetectedPlane],
+    judged: dict[str, "_PlaneAssessment"],
+) -> tuple[list[str], Project, CandidatePlanes]:
+    """Choose the targets without those that their adjustment calls probably not flat.
+
+    As `_choose_targets`. Such targets are kept if fewer than `MIN_TARGETS` others can be chosen.
+    """
+    found = _choose_targets(project, survey, flat, named, judged)
+    while True:
+        chosen, solved, _ = found
+        assert solved.result is not None
+        bent = probably_not_flat(solved.result)
+        marked = judged | {
+            name: replace(judged[name], use="not flat")
+            for name, target in zip(chosen, solved.targets, strict=True)
+            if target.name in bent
+        }
+        left = [each for each in flat if marked[each.name].use != "not flat"]
+        if not bent or len(left) < MIN_TARGETS:
+            return found
+        try:
+            others = _choose_targets(project, survey, left, named, marked)
+        except (AdjustmentError, TargetNotFound):
+            return found
+        if len(others[0]) < MIN_TARGETS:
+            return found
+        judged |= marked
+        found = others
 
 
 def _choose_targets(
@@ -314,6 +350,13 @@ def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
     found = [message for message in result_warnings(result, None) if message.is_serious]
     if any(message.code in UNCHECKED_TARGET_CODES for message in found):
         found.append(warning("targets.proposal_unchecked", subject=RESULT_CAUSE))
+    if bent := sorted(probably_not_flat(result)):
+        found.append(
+            warning(
+                "targets.proposal_not_flat",
+                count=len(bent), targets=bent, subject=Cause.of_target(bent[0]),
+            )
+        )  # fmt: skip
     return tuple(found)
 
 

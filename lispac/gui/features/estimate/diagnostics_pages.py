@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QScrollArea,
-    QSizePolicy,
     QStackedLayout,
     QVBoxLayout,
     QWidget,
@@ -18,7 +17,7 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
-from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
+from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
@@ -282,35 +281,15 @@ class ParametersPage(TablePage):
         )  # fmt: skip
 
 
-class CrossChecksPage(DiagnosticsPage):
+class CrossChecksPage(TablePage):
     """Page with the results from subsets of the data."""
 
-    title = N_("Cross-checks")
+    title, name = N_("Cross-checks"), "diagnostics_checks_table"
+    results = WINDOW_SUBSETS_TABLE
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the results from subsets of "
         "the data."
     )
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.table = DiagnosticsTable(
-            "diagnostics_checks_table", gettext(self.title), window_columns(WINDOW_SUBSETS_TABLE)
-        )
-        self.spread = widgets.label("", name="cross_check_spread", rich=True)
-        self.spread.setToolTip(
-            gettext(
-                "Standard deviations from the adjustment, and by the jackknife: from the scatter "
-                "of the results with one line or one target omitted at a time. The jackknife needs "
-                "at least three results."
-            )
-        )
-        self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.spread.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
-        layout = QHBoxLayout(self.content)
-        layout.setContentsMargins(4, 4, 8, 4)
-        layout.setSpacing(12)
-        layout.addWidget(self.table, 1)
-        layout.addWidget(self.spread)
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if there are no cross-checks."""
@@ -323,16 +302,15 @@ class CrossChecksPage(DiagnosticsPage):
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Fill the table, and show the jackknife standard deviations."""
+        """Fill the table."""
         assert project.cross_checks is not None
         checks = cross_check_values(project.cross_checks)
         self.table.show_rows(
             window_rows(
-                WINDOW_SUBSETS_TABLE, subset_rows(checks), marked=lambda row: row.subset.disagrees,
+                self.results, subset_rows(checks), marked=lambda row: row.subset.disagrees,
                 tip=lambda row: message_text(row.subset.reason) if row.subset.reason else "",
             )
         )  # fmt: skip
-        self.spread.setText(spread_text(checks))
 
 
 PAGE_CLASSES: tuple[type[DiagnosticsPage], ...] = (
