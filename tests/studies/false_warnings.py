@@ -56,6 +56,7 @@ PICKED = {"T1", "T2", "V1"}
 """Surfaces of the port used to calibrate the spinning scanner."""
 
 NOT_FLAT = "adjustment.not_flat"
+COMMON_POINTS = "targets.counted_twice"
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,6 +167,8 @@ def separate_warnings(
 ) -> WarningCodes:
     """Separate false and true warnings among the serious ones that name an error.
 
+    Common points of two targets are counted, not inferred, so that a warning about them is true.
+
     Parameters
     ----------
     bent : frozenset of str
@@ -175,8 +178,9 @@ def separate_warnings(
     for each in warnings:
         if each.code in OF_GEOMETRY:
             continue
-        is_true = each.code == NOT_FLAT and bent.issuperset(
-            cast(tuple[str, ...], each.params["targets"])
+        is_true = each.code == COMMON_POINTS or (
+            each.code == NOT_FLAT
+            and bent.issuperset(cast(tuple[str, ...], each.params["targets"]))
         )
         (true if is_true else false).append(each.code)
         word = "true" if is_true else "false"
