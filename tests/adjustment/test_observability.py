@@ -188,10 +188,12 @@ def test_directions_and_condition_agree_with_the_covariance() -> None:
     )
     assert observability.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
     weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(observability.directions[:, 0])))]
-    assert observability.messages[0].code == "observability.directions"
-    assert english_text(observability.messages[0]).startswith(
-        f"Least precisely determined: {weakest}"
-    )
+    message = observability.messages[0]
+    assert message.code == "observability.directions"
+    named = message.params["weakest"]
+    assert isinstance(named, Message)
+    assert named.params.get("first", named) == note(f"adjustment.angle_{weakest}")
+    assert message.params["weakest_sigma"] == pytest.approx(observability.eigenvalues[0] ** -0.5)
 
 
 def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:

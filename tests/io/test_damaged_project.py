@@ -1,5 +1,6 @@
 """Tests of project files that cannot be read: plain messages without the words of libraries."""
 
+import errno
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,8 +19,9 @@ from lispac.io.project.project_file import (
     write_project,
     write_unsaved,
 )
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.value_conversion import encode_value
+from tests.support.error_codes import has_code
 from tests.support.report_sample import sample_project
 
 Damage = Callable[[dict[str, Any]], object]
@@ -108,10 +110,11 @@ def test_a_read_error_of_the_drive_is_reported(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def raise_read_error(path: Path) -> bytes:
-        raise OSError(5, "Input/output error", str(path))
+        raise OSError(errno.EIO, "Input/output error", str(path))
 
     monkeypatch.setattr(Path, "read_bytes", raise_read_error)
-    with pytest.raises(ProjectError, match="Input/output error"):
+    unreadable = has_code("project.unreadable", reason=note("system.input_output"))
+    with pytest.raises(ProjectError, check=unreadable):
         read_project(folder)
 
 

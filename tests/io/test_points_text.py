@@ -18,6 +18,7 @@ from lispac.io.text.text_units import easting_unit_warnings, height_unit_of
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests.support import point_files as files
+from tests.support.error_codes import has_code
 from tests.support.message_codes import codes
 
 TEXT = format_of("text")
@@ -81,9 +82,8 @@ def test_a_compressed_file_with_a_wrong_checksum_is_refused(tmp_path: Path) -> N
     content[-8] ^= 1
     path = tmp_path / "a.csv.gz"
     path.write_bytes(content)
-    with pytest.raises(InputError, match="CRC check failed") as raised:
+    with pytest.raises(InputError, check=has_code("file.damaged")):
         list(TEXT.read(path, {}))
-    assert raised.value.code == "file.damaged"
 
 
 def test_an_invalid_epoch_is_refused() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_to_show
-from lispac.errors import InputError
+from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
 from lispac.project import Project
@@ -138,7 +138,7 @@ def test_criteria_are_saved_and_keep_results(project: Project) -> None:
     content = json.loads((project.folder / PROJECT_FILE_NAME).read_text())
     content["acceptance"]["rms"] = -1.0
     (project.folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
-    with pytest.raises(Exception, match="project") as raised:
+    with pytest.raises(ProjectError) as raised:
         read_project(project.folder)
     assert raised.value.code == "project.invalid_value"
 

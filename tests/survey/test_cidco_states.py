@@ -14,6 +14,7 @@ from lispac.messages import note
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from tests.support import point_files
+from tests.support.error_codes import has_code
 from tests.support.message_codes import codes
 
 STATES, SIGMAS = format_of("cidco-states"), format_of("cidco-sigmas")
@@ -85,9 +86,8 @@ def test_invalid_origins_and_contradictory_states_are_refused(tmp_path: Path) ->
     other = rows.copy()
     other[:, 16] += 1
     path.write_bytes(np.concatenate([rows, other]).tobytes())
-    with pytest.raises(InputError, match=r"400,000\.000000 s") as refused:
+    with pytest.raises(InputError, check=has_code("cidco.different_states", time=400_000.0)):
         STATES.read(path, {})
-    assert refused.value.code == "cidco.different_states"
     path.write_bytes(rows[:1].tobytes())
     with pytest.raises(InputError) as refused:
         STATES.read(path, {})

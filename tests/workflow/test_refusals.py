@@ -247,10 +247,21 @@ def test_implausible_values_are_refused(copy: Project, path: tuple[Any, ...], va
         projects.open_project(copy.folder)
 
 
-@pytest.mark.parametrize("name", ["", "  ", "a\nb", "../x", "N" * 300])
-def test_invalid_names_are_refused(calibrated: tuple[Project, Survey], name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "code"),
+    [
+        ("", "target.invalid_name"),
+        ("  ", "target.invalid_name"),
+        ("a\nb", "target.invalid_name"),
+        ("../x", "target.name_with_separator"),
+        ("N" * 300, "target.invalid_name"),
+    ],
+)
+def test_invalid_names_are_refused(
+    calibrated: tuple[Project, Survey], name: str, code: str
+) -> None:
     project, _ = calibrated
-    with pytest.raises(ProjectError, match="name"):
+    with pytest.raises(ProjectError, check=has_code(code)):
         project.with_target(replace(project.target("T1"), name=name))
 
 

@@ -14,6 +14,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.las.las_format import write_points
 from lispac.io.project import project_file
 from lispac.io.project.project_file import write_project
+from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import LineSource, Project
 from lispac.survey.store.import_lock import lock_folder
@@ -22,6 +23,7 @@ from lispac.workflow.importing.line_import import LINES_FOLDER, import_lines, li
 from lispac.workflow.project.project_copy import UNFINISHED_MARK, save_project_as
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
 
 KILLED_SAVE_SCRIPT = """
@@ -165,13 +167,13 @@ def test_a_failed_save_leaves_its_folder_usable(
     @contextmanager
     def full(path: Path) -> Iterator[Path]:
         if path.name == "project.json":
-            raise InputError(f"{path}: cannot be written (No space left on device).")
+            raise InputError(error("file.disk_full", file=str(path)))
         with real(path) as temporary:
             yield temporary
 
     with monkeypatch.context() as patched:
         patched.setattr(project_file, "atomic_write", full)
-        with pytest.raises(InputError, match="No space left"):
+        with pytest.raises(InputError, check=has_code("file.disk_full")):
             save_project_as(project, survey, tmp_path / "kept")
     assert list(tmp_path.iterdir()) == []
     save_project_as(project, survey, tmp_path / "kept")
@@ -209,10 +211,10 @@ def test_a_failed_save_keeps_points_that_were_there_before(
 
     @contextmanager
     def full(path: Path) -> Iterator[Path]:
-        raise InputError(f"{path}: cannot be written (No space left on device).")
+        raise InputError(error("file.disk_full", file=str(path)))
         yield path
 
     monkeypatch.setattr(project_file, "atomic_write", full)
-    with pytest.raises(InputError, match="No space left"):
+    with pytest.raises(InputError, check=has_code("file.disk_full")):
         save_project_as(project, survey, tmp_path / "kept")
     assert (kept / "theirs.npz").read_bytes() == b"points"

@@ -21,6 +21,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run
 from tests.support.command_errors import command_error
+from tests.support.error_codes import has_code
 from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
@@ -100,7 +101,8 @@ def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     words = ["pick", folder, "--seeds", path, "--crs", UTM]
     refusal = command_error(*words)
     assert refusal.code == "coordinates.swapped_projected"
-    assert "row 1: B0: " in str(refusal)
+    row = note("item.list_row", file=str(path), row=1, name="B0")
+    assert refusal.message.params["name"] == row
     code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
     assert code == 0, err
     assert is_shown("assumed.list_system", err)
@@ -219,7 +221,7 @@ def test_cancelled_lists_and_seeds_that_cannot_be_searched(
     assert steps[0] == (0.0, "Searching for T1 (1 of 2)")
     assert steps[-1] == (0.5, "Searching for T2 (2 of 2)")
     assert demo_project.targets == ()
-    with pytest.raises(InputError, match="threshold"):
+    with pytest.raises(InputError, check=has_code("finder.setting", name="threshold")):
         pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})
-    with pytest.raises(ProjectError, check=lambda e: e.code == "target.invalid_radius"):
+    with pytest.raises(ProjectError, check=has_code("target.invalid_radius")):
         pick_seeds(demo_project, survey, read.seeds, {"shape": "sphere", "sphere_radius": -1.0})

@@ -90,9 +90,9 @@ def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Pat
     reason = "All targets face one way."
     by_code = messages_by_code(sample_project(tmp_path), refused_since=reason)
     assert by_code["adjustment.refused_since"] == outdated_result_warning(reason)
-    assert outdated_result_warning(reason).level is Level.WARNING
-    assert outdated_result_warning(reason).subject == Cause("result")
-    assert f"was not possible: {reason} The angles" in message_text(outdated_result_warning(reason))
+    assert outdated_result_warning(reason) == warning(
+        "adjustment.refused_since", reason=reason, subject=Cause("result")
+    )
 
 
 def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:
