@@ -179,7 +179,9 @@ def test_a_line_that_cannot_be_read_leaves_project_and_folder_as_they_are(
     with pytest.raises(InputError) as raised:
         with_lines_added(shorter, [LineSource(shorter.lines[0].name, late)])
     assert raised.value.code == "project_line.same_name"
-    with pytest.raises(ProjectError, match="already"):
+    with pytest.raises(
+        ProjectError, check=has_code("project_line.known", line=shorter.lines[0].name)
+    ):
         with_lines_added(shorter, [LineSource("again", shorter.lines[0].path)])
     assert sorted(shorter.folder.rglob("*")) == before
     assert kept.read_text() == "mine"

@@ -217,7 +217,7 @@ def test_a_comparison_without_a_calibrated_project_is_refused(
 ) -> None:
     driver.bot.keyClick(design, Key.Key_F11)
     (error,) = driver.dialogs.errors
-    assert "No project is open" in str(error)
+    assert error.code == "window.no_project_to_compare"
     driver.dialogs.errors.clear()
     driver.window.document.open(demo.picked, demo.survey)
     driver.rest()

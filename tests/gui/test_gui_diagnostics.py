@@ -230,8 +230,8 @@ def test_a_further_line_is_searched_after_the_results_of_a_check_box(
 
     def shown_text():
         result = shown.project.result
-        return result is not None and "further line" in message_text(
-            result.observability.messages[-1]
+        return result is not None and result.observability.messages[-1].code.startswith(
+            "further_line."
         )
 
     monkeypatch.setattr("lispac.workflow.calibration.estimation.further_line_advice", advised)

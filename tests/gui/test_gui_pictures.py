@@ -45,7 +45,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     picked.dialogs.path = Path("/dev/null/view.png")
     press(picked, Key.Key_P)
     wait_until_idle(picked)
-    assert "cannot be written" in str(picked.dialogs.errors[-1])
+    assert picked.dialogs.errors[-1].code == "file.not_writable"
 
 
 def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path: Path) -> None:

@@ -202,7 +202,7 @@ def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: 
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
-    assert "cannot be written" in str(error)
+    assert error.code == "file.not_writable"
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 """Tests of saving a project in another folder with the real file dialogue."""
 
+import errno
 import os
 import stat
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLine
 from lispac.errors import InputError, ProjectError
 from lispac.gui.window.dialogs import Dialogs
 from lispac.io.project.project_file import write_project
+from lispac.messages import error, note
 from lispac.progress import Step, no_progress
 from lispac.project import Project
 from lispac.workflow.importing.line_import import import_lines, line_folder
@@ -151,12 +153,15 @@ def test_imported_lines_are_copied_to_the_new_folder(demo: Demo, tmp_path: Path)
 
     def stop(fraction: float, step: Step | None = None) -> None:
         if str(step).startswith("Copying"):
-            raise OSError(28, "No space left on device")
+            raise OSError(errno.ENOSPC, "No space left on device")
 
     with pytest.raises(InputError) as refused:
         save_project_as(one, survey, tmp_path / "full", progress=stop)
-    assert refused.value.code == "project_folder.not_writable"
-    assert "No space left on device" in str(refused.value)
+    assert refused.value.message == error(
+        "project_folder.not_writable",
+        folder=str(tmp_path / "full"),
+        reason=note("system.disk_full"),
+    )
     assert not (tmp_path / "full").exists()
 
 

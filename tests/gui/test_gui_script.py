@@ -123,4 +123,4 @@ def test_a_script_that_cannot_be_saved_is_reported(opened: Driver, tmp_path: Pat
     with pytest.raises(AssertionError):
         shown_script(opened, save)
     (error,) = opened.dialogs.errors
-    assert "cannot be written" in str(error)
+    assert error.code == "file.not_writable"
