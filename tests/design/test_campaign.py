@@ -468,7 +468,7 @@ def test_a_cluster_is_reached_by_tls(
         with cluster_mapper(ClusterAccess(address, certificates)) as mapper:
             assert list(mapper(abs, [-1, -2])) == [1, 2]
         with (
-            pytest.raises(LispacError, match="certificates"),
+            pytest.raises(LispacError, check=has_code("cluster.no_certificates")),
             cluster_mapper(ClusterAccess(address)),
         ):
             pass

@@ -22,6 +22,7 @@ from lispac.workflow.calibration.target_choice import MIN_TARGETS
 from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.checking.validation import validate
 from tests.studies.natural_scenes import form_factors, natural_site, opened, study
+from tests.support.error_codes import has_code
 
 SCENE_GOOD = 6
 """Six lines and many flat surfaces."""
@@ -100,7 +101,7 @@ def test_form_factors_of_simulated_surfaces() -> None:
 
 def test_a_scene_without_flat_surfaces_is_refused() -> None:
     project, survey = opened(natural_site(SCENE_NOT_FLAT), np.zeros(3))
-    with pytest.raises(TargetNotFound, match="targetless"):
+    with pytest.raises(TargetNotFound, check=has_code("propose.few_flat_surfaces")):
         propose_targets(project, survey)
 
 
@@ -116,7 +117,6 @@ def test_parallel_lines_are_refused_and_the_targetless_method_works() -> None:
         direction=note("adjustment.angle_yaw"),
         reason=note("adjustment.parallel_lines"),
     )
-    assert "targetless method" in str(raised.value)
     found = targetless(project, survey).result
     assert (np.abs(found.boresight - site.boresight) < 3 * found.sigma).all()
 
