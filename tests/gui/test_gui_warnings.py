@@ -17,7 +17,7 @@ from lispac.gui.features.warnings.warnings_panel import (
 )
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
-from lispac.messages import Level, Message, note, warning
+from lispac.messages import Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.warning_causes import Cause
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wait_until_idle
@@ -267,7 +267,8 @@ def test_gaps_of_the_trajectory_are_reported(picked: Driver, demo: Demo) -> None
 def test_a_failed_recovery_copy_is_listed(picked: Driver) -> None:
     picked.window.recovery_copies._on_write_failed(OSError("The disk is full"))
     (found,) = [each for each in listed(picked) if each.code == "project.storage"]
-    assert "The disk is full" in message_text(found)
+    problem = error("window.unsaved_work_not_kept", reason="The disk is full")
+    assert found.params["reason"] == problem
     assert found.level is Level.WARNING
 
 
