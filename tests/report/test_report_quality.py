@@ -282,6 +282,8 @@ def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
     document = report_document(content, {}, FULL_REPORT)
+    (reliability,) = (each for each in document.sections if each.title.startswith("Reliability"))
+    assert [type(block) for block in reliability.blocks] == [Paragraph]  # no table of tests
     roll = note("observability.no_main_line", angle=note("quantity.roll"))
     assert message_text(roll) in _words(document, "Boresight and its uncertainty")
     data = json.loads(json_text(content))
