@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from lispac.survey.line_source import Reading as Reading
     from lispac.targets.expected_target import ExpectedTarget as ExpectedTarget
     from lispac.targets.finder_settings import FinderChoices as FinderChoices
-    from lispac.workflow.calibration.point_numbers import point_numbers as point_numbers
+    from lispac.workflow.calibration.point_index_text import point_numbers as point_numbers
     from lispac.workflow.checking.batch import batch as batch
 
 # Modules are imported on first use, since the command line often needs only the version.
@@ -59,7 +59,7 @@ _MODULE_OF_NAME = {
     "demo": "lispac.scripting.projects",
     "new": "lispac.scripting.projects",
     "open": "lispac.scripting.projects",
-    "point_numbers": "lispac.workflow.calibration.point_numbers",
+    "point_numbers": "lispac.workflow.calibration.point_index_text",
 }
 
 __all__ = ["__version__", *sorted(_MODULE_OF_NAME)]

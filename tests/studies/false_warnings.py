@@ -60,7 +60,7 @@ COMMON_POINTS = "targets.counted_twice"
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class SurveyOutcome:
     """Error and sigmas of one survey, shape (3,), degrees, and its serious warnings.
 
     ``result`` is None if only these values were kept.
@@ -74,8 +74,8 @@ class Answer:
     @classmethod
     def of(
         cls, result: AdjustmentResult, truth: np.ndarray, warnings: Iterable[Message]
-    ) -> "Answer":
-        """Answer from a result and the true boresight, shape (3,), radians."""
+    ) -> "SurveyOutcome":
+        """Outcome from a result and the true boresight, shape (3,), radians."""
         serious = tuple(each for each in warnings if each.is_serious)
         error = np.degrees(result.boresight - truth)
         return cls(error, np.degrees(result.sigma), serious, result)
@@ -89,7 +89,7 @@ class WarningCodes:
     true: tuple[str, ...] = ()
 
 
-def boards(seed: int, courses: int = 6) -> Answer:
+def boards(seed: int, courses: int = 6) -> SurveyOutcome:
     chance = np.random.default_rng([36, seed])
     chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
     data = add_errors(
@@ -99,26 +99,26 @@ def boards(seed: int, courses: int = 6) -> Answer:
     data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, no_outliers=True)
     result = adjust(data, PRIOR, MODEL)
     warnings = result_warnings(result, cross_checks(data, PRIOR, result))
-    return Answer.of(result, TRUTH.boresight, warnings)
+    return SurveyOutcome.of(result, TRUTH.boresight, warnings)
 
 
-def two_lines(seed: int) -> Answer:
+def two_lines(seed: int) -> SurveyOutcome:
     return boards(seed, 2)
 
 
-def three_lines(seed: int) -> Answer:
+def three_lines(seed: int) -> SurveyOutcome:
     return boards(seed, 3)
 
 
-def four_lines(seed: int) -> Answer:
+def four_lines(seed: int) -> SurveyOutcome:
     return boards(seed, 4)
 
 
-def without_targets(seed: int) -> Answer:
+def without_targets(seed: int) -> SurveyOutcome:
     with TemporaryDirectory() as folder:
         project, survey, mounting = surveyed(Path(folder), seed)
         found = targetless(project, survey, count=16)
-    return Answer.of(found.result, mounting.boresight, result_warnings(found.result, None))
+    return SurveyOutcome.of(found.result, mounting.boresight, result_warnings(found.result, None))
 
 
 def spinning_boresight_deg(seed: int) -> np.ndarray:
@@ -126,7 +126,7 @@ def spinning_boresight_deg(seed: int) -> np.ndarray:
     return np.random.default_rng([37, seed]).normal(0, 1, 3)
 
 
-def spinning(seed: int) -> Answer:
+def spinning(seed: int) -> SurveyOutcome:
     made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
         errors={"boresight_deg": tuple(spinning_boresight_deg(seed))},
@@ -142,10 +142,10 @@ def spinning(seed: int) -> Answer:
         solved = estimate(project, survey)
     assert solved.result is not None
     truth = np.radians(spinning_boresight_deg(seed))
-    return Answer.of(solved.result, truth, all_warnings(solved))
+    return SurveyOutcome.of(solved.result, truth, all_warnings(solved))
 
 
-KINDS: dict[str, Callable[[int], Answer]] = {
+KINDS: dict[str, Callable[[int], SurveyOutcome]] = {
     "boards": boards, "four lines": four_lines, "three lines": three_lines,
     "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
@@ -153,7 +153,7 @@ NATURAL = "natural"
 """Kind of surveys with proposed natural planes in scenes without boards."""
 
 
-def answer(kind: str, seed: int) -> Answer | None:
+def survey_outcome(kind: str, seed: int) -> SurveyOutcome | None:
     """Result of a survey, or None without one."""
     try:
         return replace(KINDS[kind](seed), result=None)
@@ -191,17 +191,17 @@ def separate_warnings(
 def row(kind: str, surveys: int) -> str:
     """Row of the table."""
     bent: list[frozenset[str]] = []
-    known: list[Answer] = []
+    known: list[SurveyOutcome] = []
     if kind == NATURAL:
         scenes = study(surveys)
         print_results(scenes)
         for each in scenes:
             if each.error is not None and each.sigma is not None:
-                known.append(Answer(each.error, each.sigma, each.warnings))
+                known.append(SurveyOutcome(each.error, each.sigma, each.warnings))
                 bent.append(each.bent)
     else:
         with ProcessPoolExecutor(2) as pool:
-            results = pool.map(answer, [kind] * surveys, range(surveys), chunksize=2)
+            results = pool.map(survey_outcome, [kind] * surveys, range(surveys), chunksize=2)
             known = [each for each in results if each is not None]
         bent = [frozenset()] * len(known)
     codes = [
@@ -210,10 +210,10 @@ def row(kind: str, surveys: int) -> str:
     return table_row(kind, known, codes)
 
 
-def table_row(kind: str, known: list[Answer], codes: list[WarningCodes]) -> str:
-    """Row of the table from the answers of one kind and the codes of their warnings."""
+def table_row(kind: str, known: list[SurveyOutcome], codes: list[WarningCodes]) -> str:
+    """Row of the table from the outcomes of one kind and the codes of their warnings."""
 
-    def hits(some: list[Answer]) -> str:
+    def hits(some: list[SurveyOutcome]) -> str:
         if not some:
             return "    -     -     -"
         share = np.mean([np.abs(each.error) < 1.96 * each.sigma for each in some], axis=0)
@@ -229,14 +229,17 @@ def table_row(kind: str, known: list[Answer], codes: list[WarningCodes]) -> str:
     false = shares(code for each in codes for code in each.false)
     true = shares(code for each in codes for code in each.true)
     return (
-        f"{kind:12s} {len(known):4d} answers   {hits(known)}   {serious:5.1f}   {hits(without)}   "
+        f"{kind:12s} {len(known):4d} surveys   {hits(known)}   {serious:5.1f}   {hits(without)}   "
         f"false: {false}   true: {true}"
     )
 
 
 def main() -> None:
     """Print the table."""
-    print("95 % intervals that hold: roll, pitch, yaw; surveys with a serious warning; without one")
+    print(
+        "95 % intervals that contain the truth: roll, pitch, yaw; surveys with a serious warning; "
+        "without one"
+    )
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
     for kind in sys.argv[2:] or [*KINDS, NATURAL]:
         print(row(kind, surveys), flush=True)

@@ -17,7 +17,7 @@ from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.calibration.point_edits import without_points
-from lispac.workflow.calibration.point_numbers import numbers_text, point_numbers
+from lispac.workflow.calibration.point_index_text import numbers_text, point_numbers
 from lispac.workflow.output.script import Script, script_of
 from lispac.workflow.output.script_text import (
     MAX_PIECE_LENGTH,

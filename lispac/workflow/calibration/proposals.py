@@ -302,10 +302,10 @@ def _candidate_planes(
 ) -> CandidatePlanes:
     """Candidate planes for the choice, from the project's targets."""
     linearised = _linearise_planes(project, survey)
-    uneven = _unevenness(project, place_clouds(survey.clouds, linearised.state.mounting))
+    form_errors = _form_errors(project, place_clouds(survey.clouds, linearised.state.mounting))
     named = {name: named[name] for name in linearised.problem.observations.targets}
     return CandidatePlanes(
-        _with_unevenness(linearised, uneven),
+        _with_form_errors(linearised, form_errors),
         linearised,
         {name: plane.centre for name, plane in named.items()},
         _complete_planes(named),
@@ -461,13 +461,13 @@ def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
         return problem.linearised(problem.start(result.mounting, shapes))
 
 
-def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
+def _form_errors(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
     """RMS difference of the planes of different lines on each surface, metres.
 
     A board has the same plane in all lines. Of a tarpaulin or a car bonnet, each line observes a
     different part, or it is not plane, which limits its information for the adjustment.
     """
-    uneven: dict[str, float] = {}
+    form_errors: dict[str, float] = {}
     for target in project.targets:
         placed = [clouds[sighting.line][sighting.indices] for sighting in target.sightings]
         everywhere = np.concatenate([points[:: 1 + len(points) // 1000] for points in placed])
@@ -475,17 +475,20 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
         normals = np.stack([fit_plane(points).normal for points in placed])
         normals *= np.sign(normals @ normals[0])[:, None]
         departed = everywhere @ (normals - normals.mean(axis=0)).T
-        uneven[target.name] = float(np.sqrt((departed**2).mean() * len(placed) / (len(placed) - 1)))
-    return uneven
+        variance = (departed**2).mean() * len(placed) / (len(placed) - 1)
+        form_errors[target.name] = float(np.sqrt(variance))
+    return form_errors
 
 
-def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) -> LinearisedProblem:
-    """Linearised problem with surface sigmas not smaller than the observed unevenness."""
+def _with_form_errors(
+    linearised: LinearisedProblem, form_errors: dict[str, float]
+) -> LinearisedProblem:
+    """Linearised problem with surface sigmas not smaller than the observed form errors."""
     problem = linearised.problem
     if not problem.model.correlated:
         return linearised
     for k, sighting in enumerate(problem.observations.sightings):
-        sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
+        sigma = np.maximum(problem.surface_sigma[k], form_errors[sighting.target])
         problem = problem.with_sighting_surface_sigma([k], sigma)
     return problem.linearised(linearised.state)
 

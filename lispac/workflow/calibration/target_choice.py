@@ -39,7 +39,7 @@ class CandidatePlanes:
     Attributes
     ----------
     linearised : LinearisedProblem
-        Equations of all planes together with the unevenness of each plane, used for the choice,
+        Equations of all planes together with the form error of each plane, used for the choice,
         which is conservative.
     predicted : LinearisedProblem
         The same equations with the surface sigma from the adjustment of all planes, used for the
@@ -81,17 +81,16 @@ class CandidatePlanes:
         removed = np.array([s.target not in kept for s in problem.observations.sightings])
         return sigma * expected_sigma_factors(self.predicted, removed[problem.groups.sighting])
 
-    def sigma_without_one(self, names: Sequence[str]) -> Array:
+    def largest_sigma_without_one_plane(self, names: Sequence[str]) -> Array:
         """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
         return np.max([self.sigma(set(names) - {name}) for name in names], axis=0)
 
     def are_mutually_checked(self, names: Sequence[str]) -> bool:
         """True if the other planes reveal an error of any one of the planes."""
-        return (
-            len(names) >= MIN_TARGETS
-            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
-            and self.are_spread(names)
-        )
+        if len(names) < MIN_TARGETS or not self.are_spread(names):
+            return False
+        largest = self.largest_sigma_without_one_plane(names)
+        return bool((largest <= MAX_SIGMA_RATIO * self.sigma(names)).all())
 
     def are_spread(self, names: Sequence[str]) -> bool:
         """True if no two of the planes are so close together that they act as one."""
@@ -193,7 +192,7 @@ def _best_addition(
         return min(
             others,
             key=lambda name: (
-                float(planes.sigma_without_one([*chosen, name]).max()),
+                float(planes.largest_sigma_without_one_plane([*chosen, name]).max()),
                 float(planes.sigma([*chosen, name]).max()),
             ),
         )

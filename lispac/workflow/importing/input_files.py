@@ -435,7 +435,7 @@ def _require_number(value: object) -> float:
 
 
 def proposed_folder(input_files: InputFiles) -> Path | None:
-    """Folder that a project can be created in, as a proposal; None if there is none.
+    """Folder that a project can be created in, as a suggestion; None if there is none.
 
     It is beside the folders of the data or, if that cannot be written, in the home folder.
     """

@@ -33,7 +33,7 @@ from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.value_conversion import encode_value
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
-from lispac.workflow.calibration.point_numbers import numbers_text
+from lispac.workflow.calibration.point_index_text import numbers_text
 from lispac.workflow.calibration.target_search import TargetSearch
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE, check_absolute
 from lispac.workflow.output.script_text import (

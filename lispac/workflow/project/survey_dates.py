@@ -30,7 +30,7 @@ def survey_dates(project: Project, survey: Survey | None = None) -> str:
         try:
             found = _line_days(project, line, survey)
         except (LispacError, OSError):
-            return ""  # it is a proposal; reading errors are reported elsewhere
+            return ""  # it is a suggestion; reading errors are reported elsewhere
         if not found:
             return ""
         days |= found

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from lispac.gui.features.pick_targets.target_actions import SurveyActions, TargetTools
+from lispac.gui.features.pick_targets.target_actions import SurveyDependentActions, TargetTools
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
 
-class SeedActions(SurveyActions):
+class SeedActions(SurveyDependentActions):
     """Actions that ask for seeds and search for their targets."""
 
     def __init__(self, tools: TargetTools) -> None:

@@ -41,7 +41,7 @@ class TargetTools:
     panel: TargetsPanel
 
 
-class SurveyActions(QObject):
+class SurveyDependentActions(QObject):
     """Actions that need a loaded survey and an idle program, with their buttons.
 
     Parameters
@@ -76,8 +76,8 @@ class SurveyActions(QObject):
             self._actions.set_reason(name, data_reason(self._document, self._runner))
 
 
-class TargetActions(SurveyActions):
-    """Controls proposals, repeated searches and the quality of targets."""
+class TargetActions(SurveyDependentActions):
+    """Controls proposed targets, repeated searches and the quality of targets."""
 
     def __init__(self, tools: TargetTools, table: SightingsTable) -> None:
         super().__init__(tools, [tools.panel.propose], ["propose"])

@@ -35,19 +35,18 @@ DEFAULT_BOARD_SIZE_M = (1.23, 1.22)
 """Default width and height of a board, metres."""
 
 
-class ExpectedFields(QWidget):
-    """Fields for width, height and tilt of the expected target; unused while a side is 0."""
+class ExpectedFields(widgets.TripleField):
+    """Fields for width, height and tilt of the expected plane; unused while a side is 0."""
 
     def __init__(self) -> None:
-        super().__init__()
         width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_BOARD_SIZE_M)
-        self._width = widgets.number(
+        width_field = widgets.number(
             "expected_width", suffix=" m", decimals=2, low=0, high=100, step=0.1,
             tip=gettext(
                 "Expected width of the target, 0 if unknown. Usual board: {width}", width=width
             ),
         )  # fmt: skip
-        self._height = widgets.number(
+        height_field = widgets.number(
             "expected_height", suffix=" m", decimals=2, low=0, high=100, step=0.1,
             tip=gettext(
                 "Expected height of the target along its slope, 0 if unknown. Usual board: "
@@ -55,34 +54,27 @@ class ExpectedFields(QWidget):
                 height=height,
             ),
         )  # fmt: skip
-        self._tilt = widgets.number(
+        tilt_field = widgets.number(
             "expected_tilt", suffix="°", decimals=0, low=0, high=90, step=5,
             tip=gettext("Expected tilt of the target from horizontal: 0 is horizontal, 90 is "
                         "vertical"),
         )  # fmt: skip
-        self._tilt.setValue(90)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(theme.SPACING // 2)
-        for field in (self._width, self._height, self._tilt):
-            field.setMinimumWidth(60)
-            row.addWidget(field, 1)
-        for field in (self._width, self._height):
+        for field in (width_field, height_field):
             field.setSpecialValueText(gettext("any"))
+        titles = (gettext("Width"), gettext("Height"), gettext("Tilt"))
+        super().__init__(titles, (width_field, height_field, tilt_field))
+        self.reset()
 
     def reset(self) -> None:
         """Expect nothing."""
-        for field in (self._width, self._height):
-            field.setValue(0.0)
-        self._tilt.setValue(90)
+        self.set_value((0.0, 0.0, 90.0))
 
-    @property
-    def value(self) -> ExpectedTarget | None:
+    def target(self) -> ExpectedTarget | None:
         """The expected target; None if a side is not given."""
-        width, height = self._width.value(), self._height.value()
+        width, height, tilt = self.value()
         if not (width and height):
             return None
-        return ExpectedTarget(width, height, radians(self._tilt.value()))
+        return ExpectedTarget(width, height, radians(tilt))
 
 
 ALL_LINES_TEXT = N_("All lines")
@@ -164,7 +156,7 @@ class TargetsPanel(QWidget):
     @property
     def expected(self) -> ExpectedTarget | None:
         """Expected size and tilt of the next plane; None if not given."""
-        return self._expected.value if self.shape == "plane" else None
+        return self._expected.target() if self.shape == "plane" else None
 
     @property
     def seed_options(self) -> SeedOptions:
@@ -396,7 +388,7 @@ class TargetsPanel(QWidget):
         form.addRow(gettext("Search in"), self.line_choice)
         form.addRow(gettext("Search radius"), self._radius)
         form.addRow(gettext("Threshold"), self._threshold)
-        form.addRow(gettext("Expected size"), self._expected)
+        form.addRow(gettext("Expected plane"), self._expected)
         return form
 
     def _buttons(self) -> QGridLayout:

@@ -180,8 +180,8 @@ class ReportDialogs(Questions):
         identity: Identity,
         dates: Callable[[], str],
         companies: Mapping[str, Mapping[str, str]],
-        proposals: Mapping[str, str],
+        suggestions: Mapping[str, str],
     ) -> Identity | None:
         """Ask for the details of the report; the parameters are those of `IdentityDialog`."""
-        dialog = IdentityDialog(identity, dates, companies, proposals, self.parent)
+        dialog = IdentityDialog(identity, dates, companies, suggestions, self.parent)
         return dialog.identity if run_dialog(dialog) else None

@@ -65,7 +65,7 @@ class IdentityDialog(QDialog):
     ----------
     dates : function that returns the days of the survey from the times of the lines, or ""
     companies : details last used with each company, which are proposed when its name is entered
-    proposals : texts shown in empty fields; they are not stored
+    suggestions : texts shown in empty fields; they are not stored
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class IdentityDialog(QDialog):
         identity: Identity,
         dates: Callable[[], str],
         companies: Mapping[str, Mapping[str, str]],
-        proposals: Mapping[str, str],
+        suggestions: Mapping[str, str],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -94,7 +94,7 @@ class IdentityDialog(QDialog):
             )
         )
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
-        for name, text in proposals.items():
+        for name, text in suggestions.items():
             field = self.fields[name]
             if isinstance(field, QLineEdit):
                 field.setPlaceholderText(text)
