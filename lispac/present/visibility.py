@@ -312,7 +312,7 @@ CONFIGURATIONS_TABLE = Table[ComparedConfiguration](
             N_("Inclination at which the lines differ most"), unknown=NOT_VISIBLE_TEXT,
         ),
         Column(
-            _thesis_inclination_text, N_("Best inclination, Shahraji (deg)"),
+            _thesis_inclination_text, N_("Best, Shahraji (deg)"),
             tip=N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
             unknown=NOT_VISIBLE_TEXT,
         ),
