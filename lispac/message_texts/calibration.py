@@ -127,9 +127,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "pick.some_not_found": Plural(
         "{file}: no target was found at {count:n} of the {total:n} seeds (reason in the table): "
-        "{seeds:names} (row {rows:names}). The targets found at the other seeds are saved.",
+        "{seeds:names} (row {rows:names}). The targets found at the other seeds are saved; set "
+        "the missing seeds again.",
         "{file}: no target was found at {count:n} of the {total:n} seeds (reasons in the table): "
-        "{seeds:names} (rows {rows:names}). The targets found at the other seeds are saved.",
+        "{seeds:names} (rows {rows:names}). The targets found at the other seeds are saved; set "
+        "the missing seeds again.",
     ),
     "pick.too_many_numbers": N_(
         "The list of point numbers has more than {limit:n} points. Correct it."
@@ -148,7 +150,9 @@ TEXTS: Mapping[str, Template] = {
     "edit.no_surface_left": N_(
         "{target}: the remaining points do not form a plane or a sphere. {reason}"
     ),
-    "edit.no_name": N_("A target must have a name. Target {target} keeps its present name."),
+    "edit.no_name": N_(
+        "A target must have a name, so target {target} keeps its present name. Enter a name."
+    ),
     "edit.name_taken": N_("There is already a target named {name}. Give {target} another name."),
     # -- section -------------------------------------------------------------------------------
     "section.no_points": N_(

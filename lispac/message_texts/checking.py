@@ -49,33 +49,45 @@ TEXTS: Mapping[str, Template] = {
     "validation.cylinder_depth": N_(
         "The depth of the search cylinder is {value:m} m, but it must be above zero. Correct it."
     ),
-    "validation.no_places": N_("There are no core points, so no distances can be computed."),
+    "validation.no_places": N_(
+        "There are no core points, so no distances can be computed. Give at least one core point."
+    ),
     "validation.cylinder_too_narrow": N_(
         "No core point has {needed:n} points of both clouds within a cylinder of {diameter:m.2} m. "
         "Choose a larger diameter."
     ),
     "validation.no_distances": N_(
-        "Statistics need at least one distance, and all distances must be finite."
+        "Statistics need at least one distance, and all distances must be finite. Remove "
+        "distances that are NaN or infinite."
     ),
     # -- lines and references ----------------------------------------------------------------------
     "validation.no_place_in_common": N_(
-        "Lines {line} and {other} do not overlap within {reach:m} m, so they cannot be compared."
+        "Lines {line} and {other} do not overlap within {reach:m} m, so they cannot be compared. "
+        "Choose lines that overlap."
     ),
     "validation.no_flat_place": N_(
-        "Lines {line} and {other} have no flat area in common, so they cannot be compared."
+        "Lines {line} and {other} have no flat area in common, so they cannot be compared. Choose "
+        "lines that cover the same flat area."
     ),
     "validation.plane_few_points": N_(
-        "A plane with a confidence interval needs at least four points of each line."
+        "A plane with a confidence interval needs at least four points of each line. Choose a "
+        "larger plane."
     ),
     "validation.points_in_row": N_(
-        "The points of a line lie on one straight line and do not determine a plane."
+        "The points of a line lie on one straight line and do not determine a plane. Choose a "
+        "larger plane."
     ),
     "validation.line_out_of_reach": N_(
-        "No surface of the line lies within the search distance of the reference."
+        "No surface of the line lies within the search distance of the reference. Increase the "
+        "search distance, or choose a reference that the line covers."
     ),
-    "validation.no_flat_point": N_("No surveyed point lies opposite a flat area of the line."),
+    "validation.no_flat_point": N_(
+        "No surveyed point lies opposite a flat area of the line. Survey points on flat areas "
+        "that the line covers."
+    ),
     "validation.no_place_in_both": N_(
-        "No location of the reference is covered by the line both before and after the calibration."
+        "No location of the reference is covered by the line both before and after the "
+        "calibration. Increase the search distance, or choose a larger reference."
     ),
     # -- validation planes -------------------------------------------------------------------------
     "validation.plane_in_one_line": N_(
@@ -93,38 +105,40 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.other_lines": N_(
         "The validation plane {plane} has points on different lines before and after the "
-        "calibration. Lines with points in one of the two states only: {lines:names}."
+        "calibration (lines in one of the two states only: {lines:names}). Give points of the "
+        "same lines for both states."
     ),
     "validation.shape_before": N_(
         "The array of the points of {plane} on line {line} (before the calibration) has the shape "
-        "{shape}, but (n, 3) is required."
+        "{shape}, but (n, 3) is required. Correct it."
     ),
     "validation.shape_after": N_(
         "The array of the points of {plane} on line {line} (after the calibration) has the shape "
-        "{shape}, but (n, 3) is required."
+        "{shape}, but (n, 3) is required. Correct it."
     ),
     "validation.not_finite_before": N_(
         "Points of {plane} on line {line} (before the calibration) have coordinates that are NaN "
-        "or infinite."
+        "or infinite. Remove these points from both states."
     ),
     "validation.not_finite_after": N_(
-        "Points of {plane} on line {line} (after the calibration) have coordinates that are NaN or "
-        "infinite."
+        "Points of {plane} on line {line} (after the calibration) have coordinates that are NaN "
+        "or infinite. Remove these points from both states."
     ),
     "validation.other_points": N_(
         "Line {line} has {before:n} points on {plane} before the calibration and {after:n} after "
-        "it. Both states must have the same points."
+        "it. Give the same points for both states."
     ),
     "validation.no_heading": N_(
-        "The heading of line {line}, which has points on {plane}, is not given."
+        "The heading of line {line}, which has points on {plane}, is not given. Give the heading."
     ),
     # -- repeatability -----------------------------------------------------------------------------
     "validation.repeatability_values": N_(
-        "{name}: a calibration must have three angles and their covariance matrix to be compared."
+        "{name}: a calibration must have three angles and their covariance matrix to be compared. "
+        "Give all of them."
     ),
     "validation.repeatability_covariance": N_(
-        "{name}: the covariance matrix of the angles is not valid (not positive definite), so this "
-        "calibration cannot be compared."
+        "{name}: the covariance matrix of the angles is not valid (not positive definite), so "
+        "this calibration cannot be compared. Correct the matrix."
     ),
     "validation.repeatability_few": N_(
         "Repeatability is computed from at least two calibrations of the same mounting. Add a "

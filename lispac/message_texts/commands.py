@@ -7,8 +7,8 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- command line --------------------------------------------------------------------------
     "cli.projects_failed": Plural(
-        "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
-        "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",
+        "{count:n} of {total:n} projects failed: {names:names}. See the table for the reason.",
+        "{count:n} of {total:n} projects failed: {names:names}. See the table for the reasons.",
     ),
     "cli.no_memory": N_("There is not enough memory. Use shorter lines."),
     "cli.file_failed": N_("{file}: {reason}."),
@@ -19,7 +19,10 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: this folder does not contain {count:n} of the missing files: {names:names}. "
         "Give the folders of these files as well.",
     ),
-    "cli.not_accepted": N_("{project} does not meet its acceptance criteria, as printed above."),
+    "cli.not_accepted": N_(
+        "{project} does not meet its acceptance criteria. Check the criteria marked as not met "
+        "above."
+    ),
     "cli.acceptance_not_judged": N_(
         "{project} is not judged by acceptance criteria: give criteria, estimate the boresight, "
         "and compare the lines on all validation planes."

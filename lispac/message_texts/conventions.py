@@ -11,7 +11,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "convention.uncorrelated": N_(
         "The POS errors were assumed to be uncorrelated, so these standard deviations are several "
-        "times too small."
+        "times too small. Estimate the boresight again with correlated POS errors."
     ),
     "convention.offsets": N_(
         "The boresight angles are valid only together with {offsets:names}. Apply these "

@@ -20,7 +20,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "times.decreasing_points": N_(
         "{file}: {count:n} of the first {total:n} points have an earlier time than the preceding "
-        "point. The points are read in the order of the file."
+        "point. The points are read in the order of the file; check their times."
     ),
     "times.whole_numbers": N_(
         "{file}: the times are whole numbers. Check whether they are in seconds."
@@ -38,7 +38,8 @@ TEXTS: Mapping[str, Template] = {
         "UTC. Choose the time base (utc-day or gps-day)."
     ),
     "times.utc_assumed": N_(
-        "{file}: the file does not specify whether its times are UTC. UTC is assumed."
+        "{file}: the file does not specify whether its times are UTC. UTC is assumed; if this is "
+        "wrong, choose the time base."
     ),
     "times.base_contradicted": N_(
         "{file}: the time base specified in the file is {base}, but times such as {time:s.3} s fit "
@@ -102,16 +103,16 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- E57 and LAS -------------------------------------------------------------------------
     "e57.large_time_stamps": N_(
-        "{file}: time stamps such as {time:s.3} s are too large to be seconds since the start of a "
-        "scan. They are used unchanged."
+        "{file}: time stamps such as {time:s.3} s are too large to be seconds since the start of "
+        "a scan. They are used unchanged, so choose the time base."
     ),
     "e57.start_not_stated": N_(
         "{file}: the start times of the scans are not specified. The time stamps are used "
-        "unchanged."
+        "unchanged, so choose the time base."
     ),
     "e57.poses": N_(
-        "{file}: the scans have poses. They are applied to georeferenced points, but not to points "
-        "in the scanner frame."
+        "{file}: the scans have poses. They are applied to georeferenced points, but not to "
+        "points in the scanner frame: check the frame of the points."
     ),
     "las.unknown_wkt": N_(
         "{file}: the WKT of the header is not a coordinate system that PROJ knows. Choose the "
@@ -140,9 +141,11 @@ TEXTS: Mapping[str, Template] = {
     # -- motion of a trajectory --------------------------------------------------------------
     "trajectory.gaps": Plural(
         "{file}: the trajectory has {count:n} gap longer than {limit:s.1} s; it lasts "
-        "{longest:s.1} s. Points recorded in the gap cannot be used.",
+        "{longest:s.1} s. Points recorded in the gap cannot be used: interpolate short gaps, or "
+        "export the trajectory again.",
         "{file}: the trajectory has {count:n} gaps longer than {limit:s.1} s; the longest lasts "
-        "{longest:s.1} s. Points recorded in the gaps cannot be used.",
+        "{longest:s.1} s. Points recorded in the gaps cannot be used: interpolate short gaps, or "
+        "export the trajectory again.",
     ),
     "trajectory.impossible_speed": N_(
         "{file}: the positions move at {speed:m.0} m/s, so angles or times may have been read in "
@@ -157,8 +160,9 @@ TEXTS: Mapping[str, Template] = {
         "Check the track and process the trajectory again."
     ),
     "trajectory.too_slow": N_(
-        "{file}: the vessel hardly moves in the part of the file that was checked. The heading and "
-        "the order of latitude and longitude could not be compared with the course."
+        "{file}: the vessel hardly moves in the part of the file that was checked. The heading "
+        "and the order of latitude and longitude could not be compared with the course: check "
+        "them."
     ),
     "trajectory.exchanged": N_(
         "{file}: latitude and longitude seem to be swapped, because the course agrees with the "
@@ -189,7 +193,7 @@ TEXTS: Mapping[str, Template] = {
     # -- trajectories of text ----------------------------------------------------------------
     "trajectory.last_rows": N_(
         "{file}: the last rows do not continue the first ones; the file may be truncated, or its "
-        "times may decrease. Only the first rows are described here."
+        "times may decrease. Only the first rows are described here: check the end of the file."
     ),
     "trajectory.columns_assumed": N_(
         "{file}: the file has no row of column names, so the columns are read as {columns:names}. "
@@ -205,35 +209,40 @@ TEXTS: Mapping[str, Template] = {
     ),
     "trajectory.roll_starboard_down": N_(
         "{file}: the file does not specify the sign of roll. Roll is assumed positive with "
-        "starboard down."
+        "starboard down; if this is wrong, choose the other sign."
     ),
     "trajectory.roll_port_down": N_(
         "{file}: the file does not specify the sign of roll. Roll is assumed positive with port "
-        "down."
+        "down; if this is wrong, choose the other sign."
     ),
     "trajectory.pitch_bow_up": N_(
         "{file}: the file does not specify the sign of pitch. Pitch is assumed positive with bow "
-        "up."
+        "up; if this is wrong, choose the other sign."
     ),
     "trajectory.pitch_bow_down": N_(
         "{file}: the file does not specify the sign of pitch. Pitch is assumed positive with bow "
-        "down."
+        "down; if this is wrong, choose the other sign."
     ),
     "trajectory.seconds_assumed": N_(
-        "{file}: the header does not specify the unit of {column}. Seconds are assumed."
+        "{file}: the header does not specify the unit of {column}. Seconds are assumed; if this "
+        "is wrong, choose the generic text format."
     ),
     "trajectory.dates_assumed": N_(
-        "{file}: the header does not specify the format of {column}. Dates are assumed."
+        "{file}: the header does not specify the format of {column}. Dates are assumed; if this "
+        "is wrong, choose the generic text format."
     ),
     "trajectory.degrees_assumed": N_(
-        "{file}: the header does not specify the unit of {column}. Degrees are assumed."
+        "{file}: the header does not specify the unit of {column}. Degrees are assumed; if this "
+        "is wrong, choose the generic text format."
     ),
     "trajectory.metres_assumed": N_(
-        "{file}: the header does not specify the unit of {column}. Metres are assumed."
+        "{file}: the header does not specify the unit of {column}. Metres are assumed; if this is "
+        "wrong, choose the generic text format."
     ),
     "trajectory.unit_of_system_assumed": N_(
         "{file}: the header does not specify the unit of {column}. The unit of the coordinate "
-        "system is assumed, or metres for heights without a coordinate system."
+        "system is assumed, or metres for heights without a coordinate system; if this is wrong, "
+        "choose the generic text format."
     ),
     "trajectory.feet_not_specified": N_(
         "{file}: column {column} is in feet of an unspecified kind, read as feet of 0.3048 m, and "
@@ -270,26 +279,28 @@ TEXTS: Mapping[str, Template] = {
         "Choose the format of the file."
     ),
     "sbet.degrees_assumed": N_(
-        "{file}: latitude and longitude seem to be in degrees. All angles are read as degrees."
+        "{file}: latitude and longitude seem to be in degrees. All angles are read as degrees; if "
+        "this is wrong, choose radians."
     ),
     "sbet.heading_in_radians": N_(
         "{file}: the heading stays below 6.3 and may be in radians, although the positions are in "
         "degrees. Export the file in radians."
     ),
     "sbet.longitude_first": N_(
-        "{file}: the first coordinate exceeds 90 deg, so longitude is read before latitude."
+        "{file}: the first coordinate exceeds 90 deg, so longitude is read before latitude. Check "
+        "that the positions lie in the survey area."
     ),
     "sbet.longitude_first_by_velocity": N_(
         "{file}: longitude is read before latitude, because the velocities agree with the "
-        "positions only in this order."
+        "positions only in this order. Check that the positions lie in the survey area."
     ),
     "sbet.zero_velocities": N_(
         "{file}: all velocities are zero. Their axes and the wander angle could not be compared "
-        "with the course."
+        "with the course: check the heading."
     ),
     "sbet.too_slow": N_(
         "{file}: the vessel hardly moves in the part of the file that was checked. The velocities "
-        "could not be compared with the course."
+        "could not be compared with the course: check the heading."
     ),
     "sbet.velocities_disagree": N_(
         "{file}: the velocities do not agree with the positions in any known frame (the "
@@ -298,19 +309,22 @@ TEXTS: Mapping[str, Template] = {
     ),
     "sbet.several_axes": N_(
         "{file}: the velocities fit the axes {axes:choices} almost as well as the axes used. The "
-        "motion in the part of the file that was checked is too small to distinguish them."
+        "motion in the part of the file that was checked is too small to distinguish them: check "
+        "the axes."
     ),
     "sbet.wander_assumed": N_(
         "{file}: the true heading is computed as the platform heading minus the wander angle, as "
-        "defined by Applanix. This could not be checked."
+        "defined by Applanix. This could not be checked: ask the producer of the file."
     ),
     "sbet.heading_less_wander": N_(
-        "{file}: the wander angle is subtracted from the heading. The heading then agrees with the "
-        "course within {used:deg.1} deg instead of {other:deg.1} deg."
+        "{file}: the wander angle is subtracted from the heading. The heading then agrees with "
+        "the course within {used:deg.1} deg instead of {other:deg.1} deg; if this is wrong, "
+        "choose as-is."
     ),
     "sbet.heading_as_is": N_(
         "{file}: the heading is read as true heading, without subtracting the wander angle. It "
-        "then agrees with the course within {used:deg.1} deg instead of {other:deg.1} deg."
+        "then agrees with the course within {used:deg.1} deg instead of {other:deg.1} deg; if "
+        "this is wrong, choose minus-wander."
     ),
     "sbet.heading_uncertain": N_(
         "{file}: the wander angle (up to {wander:deg.2} deg) is subtracted from the heading, as "
@@ -319,12 +333,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "sbet.zero_rates": N_(
         "{file}: all angular rates are zero, so the signs of roll and pitch could not be checked. "
-        "The signs of Applanix are assumed: roll positive starboard down, pitch positive bow up."
+        "The signs of Applanix are assumed (roll positive starboard down, pitch positive bow up): "
+        "check them."
     ),
     "sbet.signs_not_checked": N_(
         "{file}: the motion in the part of the file that was checked is too small to check the "
-        "sign of {angles:names} with the angular rates. The signs of Applanix are assumed: roll "
-        "positive starboard down, pitch positive bow up."
+        "sign of {angles:names} with the angular rates. The signs of Applanix are assumed (roll "
+        "positive starboard down, pitch positive bow up): check them."
     ),
     "sbet.other_signs": N_(
         "{file}: if the angular rates refer to the axes of the vessel (x forward), the signs "

@@ -37,7 +37,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "audit.too_far": N_(
         "{line}: {count:n} points ({share:percent.2} %) lie beyond the maximum range of the "
-        "scanner. They are excluded."
+        "scanner. They are excluded: check the maximum range."
     ),
     "audit.duplicates": N_(
         "{line}: {count:n} points ({share:percent.2} %) are exact copies of other points. "

@@ -130,7 +130,8 @@ TEXTS: Mapping[str, Template] = {
         "attribute. Choose one of {known:names}."
     ),
     "import.no_attributes": N_(
-        "{file}: the line cannot be split by {attribute}, because its points have no attributes."
+        "{file}: the line cannot be split by {attribute}, because its points have no attributes. "
+        "Export the file with attributes, or split the line by gaps in time."
     ),
     "import.shift_contradicts_base": N_(
         "{file}: a time shift of {given:s.3+} s is given, but the shift from {base} to the time "
@@ -210,7 +211,9 @@ TEXTS: Mapping[str, Template] = {
     "import.not_examined": N_(
         "{file}: the file cannot be examined ({kind}: {reason}). Copy or export it again."
     ),
-    "import.already_in_project": N_("{file}: this file is already line {line} of the project."),
+    "import.already_in_project": N_(
+        "{file}: this file is already line {line} of the project. Exclude the file."
+    ),
     "import.unlikely_format": N_(
         "{file}: the format is uncertain. If it is {format}, choose a role for the file."
     ),
@@ -244,7 +247,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.accuracy_too_short": N_(
         "{file}: the accuracies cover {first:s.1} to {last:s.1} s, not the whole trajectory "
-        "({start:s.1} to {end:s.1} s). Before and after them, the first and last values are used."
+        "({start:s.1} to {end:s.1} s). Before and after them, the first and last values are used: "
+        "export the accuracies of the whole trajectory."
     ),
     "import.outside_system": N_(
         "{file}: the points lie outside the area of {system}. Choose the coordinate system of the "
@@ -256,19 +260,21 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.points_outside": N_(
         "{file}: {share:percent} % of the points were recorded before or after the trajectory. "
-        "They are excluded."
+        "They are excluded: check the time bases, or export the whole trajectory."
     ),
     "import.points_outside_sampled": N_(
         "{file}: about {share:percent} % of the points were recorded before or after the "
-        "trajectory. They are excluded."
+        "trajectory. They are excluded: check the time bases, or export the whole trajectory."
     ),
     "import.points_in_gaps": N_(
         "{file}: {share:percent} % of the points were recorded in gaps of the trajectory longer "
-        "than {limit:s.1} s. They are excluded."
+        "than {limit:s.1} s. They are excluded: interpolate short gaps, or export the trajectory "
+        "again."
     ),
     "import.points_in_gaps_sampled": N_(
         "{file}: about {share:percent} % of the points were recorded in gaps of the trajectory "
-        "longer than {limit:s.1} s. They are excluded."
+        "longer than {limit:s.1} s. They are excluded: interpolate short gaps, or export the "
+        "trajectory again."
     ),
     "import.shift_offered": N_(
         "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "

@@ -72,7 +72,9 @@ TEXTS: Mapping[str, Template] = {
     "report_template.unknown_key": N_(
         "{file}: {key} is not a key of a report template. Use one of these: {keys:names}."
     ),
-    "report_template.not_text": N_("{file}: {key} must be text in quotation marks."),
+    "report_template.not_text": N_(
+        "{file}: {key} must be text in quotation marks. Correct the value."
+    ),
     "report_template.refused": N_("{file}: the report template cannot be used. {reason}"),
     "report_template.no_page": N_("There is no page size {page}. Choose one of {pages:choices}."),
     "report_template.no_extent": N_(

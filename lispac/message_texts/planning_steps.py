@@ -83,12 +83,12 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: this folder cannot be created ({reason}). Choose another folder."
     ),
     "plan_survey.no_target_measured": N_(
-        "{project} contains no target of this survey plan. Targets are matched by name "
-        "({targets:names}), lines by heading."
+        "{project} contains no target of this survey plan. Rename its targets as in the plan "
+        "({targets:names}), or choose another project."
     ),
     "plan_survey.no_line_measured": N_(
-        "{project} contains no line of this survey plan. Targets are matched by name "
-        "({targets:names}), lines by heading."
+        "{project} contains no line of this survey plan: targets are matched by name "
+        "({targets:names}), lines by heading. Choose another project or another plan."
     ),
     "plan_survey.line_not_surveyed": N_("Line {line:n} ({heading}) was not surveyed."),
     "plan_survey.target_not_used": N_("Target {target} was not used."),
@@ -103,20 +103,24 @@ TEXTS: Mapping[str, Template] = {
     # -- campaign ------------------------------------------------------------------------------
     "campaign.sigma_too_small": N_(
         "The standard deviation of {angle} from the adjustment is too small: its 95 % interval "
-        "contains the truth in {share:percent.0} % of the surveys."
+        "contains the truth in {share:percent.0} % of the surveys. Add targets or lines, or allow "
+        "for larger errors."
     ),
     "campaign.coverage_agrees": N_(
         "The coverage of the 95 % intervals agrees with 95 %, within the accuracy that {count:n} "
         "surveys allow."
     ),
-    "campaign.mean_error": N_("The mean error of {angle} is significant: {mean:deg.4+} deg."),
+    "campaign.mean_error": N_(
+        "The mean error of {angle} is significant: {mean:deg.4+} deg. Add targets or lines, or "
+        "allow for this error."
+    ),
     "campaign.errors_agree": N_(
         "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors agree with the "
         "prediction."
     ),
     "campaign.errors_larger": N_(
         "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are larger than "
-        "predicted."
+        "predicted. Add targets or lines, or allow for larger errors."
     ),
     "campaign.errors_smaller": N_(
         "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are smaller than "

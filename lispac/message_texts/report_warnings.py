@@ -7,8 +7,8 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- calibration -------------------------------------------------------------------------
     "report.not_calibrated": N_(
-        "The boresight has not been estimated, so the system is not calibrated. The angles in this "
-        "report are the prior angles; their uncertainty is unknown."
+        "The boresight has not been estimated, so the angles in this report are the prior angles, "
+        "with unknown uncertainty. Estimate the boresight."
     ),
     "report.simulated": N_(
         "The survey is simulated. Its boresight was chosen by the program and does not describe a "
@@ -20,7 +20,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.no_redundancy": N_(
         "The adjustment has no redundancy (no more points than unknowns), so errors in the data "
-        "cannot be detected."
+        "cannot be detected. Add targets or lines."
     ),
     "report.chi_square_high": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
@@ -64,15 +64,15 @@ TEXTS: Mapping[str, Template] = {
     "report.left_out_plane_on_lines": N_("Validation plane {target} is excluded on {lines:names}."),
     "report.target_on_no_line": N_(
         "Target {target} is not used on any of the {total:n} lines, so it has no effect on the "
-        "boresight."
+        "boresight. Pick it again, or remove it."
     ),
     "report.plane_on_no_line": N_(
         "Validation plane {target} is not used on any of the {total:n} lines, so it cannot be "
-        "compared."
+        "compared. Pick it again, or remove it."
     ),
     "report.plane_on_one_line": N_(
         "Validation plane {target} is used on only one of {total:n} lines ({line}), so it cannot "
-        "be compared."
+        "be compared. Pick it on another line."
     ),
     "report.target_on_few_lines": N_(
         "Target {target} is used on only {count:n} of {total:n} lines ({lines:names})."
@@ -104,7 +104,8 @@ TEXTS: Mapping[str, Template] = {
     "report.not_compared": N_("A validation plane could not be compared. {reason}"),
     "report.validation_worse": N_(
         "On validation plane {target} the distances between the lines are larger after the "
-        "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm)."
+        "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm). Check the targets and "
+        "the lever arm."
     ),
     "validation.directions_shifted": N_(
         "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
@@ -131,16 +132,18 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(
-        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5} deg, the "
-        "limit is {limit:deg.5} deg."
+        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5} deg, "
+        "the limit is {limit:deg.5} deg. Add targets or lines."
     ),
     "acceptance.rms": N_(
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
-        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm."
+        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm. "
+        "Check targets, lever arm and trajectory."
     ),
     "acceptance.offset": N_(
         "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
-        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm."
+        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm. Check "
+        "the trajectory during these lines."
     ),
     "acceptance.not_judged": N_(
         "The acceptance criteria for validation planes could not be judged, because no plane has "
@@ -164,12 +167,14 @@ TEXTS: Mapping[str, Template] = {
     "report.absolute_nearer": N_(
         "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
         "%) nearer to the vessel than the reference. The uncertainties of reference, POS and "
-        "boresight do not explain this difference."
+        "boresight do not explain this difference: check the coordinates of the reference, the "
+        "lever arm and the range offset."
     ),
     "report.absolute_farther": N_(
         "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
         "%) farther from the vessel than the reference. The uncertainties of reference, POS and "
-        "boresight do not explain this difference."
+        "boresight do not explain this difference: check the coordinates of the reference, the "
+        "lever arm and the range offset."
     ),
     "report.absolute_rms": N_(
         "The distances to the reference have an RMS of {rms:mm.1} mm after the calibration, "
@@ -178,9 +183,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.absolute_line_off": Plural(
         "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
-        "than its uncertainty explains (positive towards the vessel): {lines:names}.",
+        "than its uncertainty explains (positive towards the vessel): {lines:names}. Check the "
+        "trajectory.",
         "After the calibration {count:n} of {total:n} lines deviate from the reference by more "
-        "than their uncertainty explains (positive towards the vessel): {lines:names}.",
+        "than their uncertainty explains (positive towards the vessel): {lines:names}. Check the "
+        "trajectory.",
     ),
     "report.absolute_line_off_by_chance": Plural(
         "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
@@ -193,7 +200,7 @@ TEXTS: Mapping[str, Template] = {
     "report.absolute_point_off": N_(
         "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "
         "points or planes by more than the uncertainties of reference, POS and boresight explain "
-        "(positive towards the vessel): {points:names}."
+        "(positive towards the vessel): {points:names}. Check the coordinates of these points."
     ),
     "report.absolute_point_off_by_chance": N_(
         "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "

@@ -138,7 +138,9 @@ TEXTS: Mapping[str, Template] = {
     # -- project_line --------------------------------------------------------------------------
     "project_line.none": N_("A project needs at least one line. Give the point file of a line."),
     "project_line.same_name": N_("Two lines are named {line}. Give their files different names."),
-    "project_line.known": N_("{file}: this file is already line {line} of the project."),
+    "project_line.known": N_(
+        "{file}: this file is already line {line} of the project. Choose another file."
+    ),
     "project_line.not_found": N_(
         "{project}: there is no line {line}. Choose one of {lines:names}."
     ),
@@ -227,7 +229,8 @@ TEXTS: Mapping[str, Template] = {
     "history.first": N_("{name} is the first calibration of the series."),
     "history.moved": N_(
         "{name} differs significantly from the earlier calibrations, most in {difference}: the "
-        "mounting has moved, or one of the calibrations is wrong. A new series begins with {name}."
+        "mounting has moved, or one of the calibrations is wrong. A new series begins with "
+        "{name}: check the mounting and the calibrations."
     ),
     "history.within_limits": N_(
         "{name} is within the control limits of the earlier calibrations. Largest difference: "
@@ -258,11 +261,16 @@ TEXTS: Mapping[str, Template] = {
         "The source of the specifications is missing. Enter it, for example a data sheet with its "
         "date."
     ),
-    "sensor.long_text": N_("A title or a source must be one line of at most {limit:n} characters."),
+    "sensor.long_text": N_(
+        "A title or a source must be one line of at most {limit:n} characters. Shorten it."
+    ),
     "sensor.title_taken": N_(
         "There is already a sensor with the title {title}. Enter another title."
     ),
-    "sensor.supplied": N_("{title} is supplied with the program and cannot be removed."),
+    "sensor.supplied": N_(
+        "{title} is supplied with the program and cannot be removed. Remove only sensors that you "
+        "added."
+    ),
     "sensor.not_removed": N_(
         "{file}: this file cannot be removed ({reason}). Check its permissions."
     ),

@@ -361,7 +361,7 @@ def test_the_clip_box_moves_to_a_hidden_target(picked: Driver) -> None:
     box = view.box
     window._select("T1", picked.project.lines[0].name)
     assert view.box is box  # the sighting is inside the box
-    window._select("T2", "")
+    window._go_to("T2", "")
     points = np.concatenate(list(window.scene.selected_points.values()))
     assert len(view.box.inside(points)) == len(points)
     assert not len(box.inside(points))

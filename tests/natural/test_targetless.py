@@ -84,7 +84,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     off = np.abs(error(clean, thinned[0])) / np.degrees(clean.result.sigma)
     assert (off < 3).all(), off
     assert np.degrees(clean.result.sigma).max() < 0.02
-    assert clean.disagreeing == ()
+    assert clean.disagreeing_lines == ()
     assert len(clean.messages) == 1 + (not clean.converged)
     assert clean.candidates >= len(clean.project.targets)
     assert clean.result.observability is not None
@@ -171,7 +171,7 @@ def test_a_line_with_a_position_jump_is_named(thinned: Opened, clean: Targetless
     found = targetless(*jumped(thinned, true_mounting(project), wrong), count=FEW_SURFACES)
     off, sigma = np.abs(error(found, project)), np.degrees(found.result.sigma)
     assert (off < 3 * sigma).all(), (off, sigma)
-    assert found.disagreeing == (wrong,)
+    assert found.disagreeing_lines == (wrong,)
     assert found.messages[-1] == note("targetless.lines_disagree", lines=(wrong,))
 
 

@@ -179,8 +179,7 @@ def separate_warnings(
         if each.code in OF_GEOMETRY:
             continue
         is_true = each.code == COMMON_POINTS or (
-            each.code == NOT_FLAT
-            and bent.issuperset(cast(tuple[str, ...], each.params["targets"]))
+            each.code == NOT_FLAT and bent.issuperset(cast(tuple[str, ...], each.params["targets"]))
         )
         (true if is_true else false).append(each.code)
         word = "true" if is_true else "false"

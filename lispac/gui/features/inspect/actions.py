@@ -52,7 +52,7 @@ ACTIONS = by_name(
     ActionRecord("back", N_("&Back"), N_("Look towards the vessel"), ("Look from", 1, 4), keys="5"),
     ActionRecord("left", N_("From the &left"),
         N_("Look at the site from its left side, as seen from the vessel"),
-        ("Look from", 1, 5), toolbar=(6, 5), short=N_("Left"), icon="axis-arrow", keys="4"),
+        ("Look from", 1, 5), icon="axis-arrow", keys="4"),
     ActionRecord("right", N_("From the ri&ght"),
         N_("Look at the site from its right side, as seen from the vessel"),
         ("Look from", 1, 6), keys="6"),
