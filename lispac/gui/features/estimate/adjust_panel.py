@@ -333,8 +333,7 @@ class AdjustPanel(QWidget):
         self.distance.committed.connect(self._emit_edit)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
-        row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
-        row.addStretch(1)
+        row.addWidget(widgets.label(gettext("Point spacing"), "heading", wrap=True), 1)
         row.addWidget(self.distance)
         row.addWidget(self.unit)
         return row
