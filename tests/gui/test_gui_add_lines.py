@@ -146,7 +146,7 @@ def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
     short.window.actions_["add_lines"].trigger()
     short.bot.waitUntil(lambda: len(reasons) == 3, timeout=WAIT_MS)
     name = shorter.lines[0].name
-    assert is_shown("project_line.known", reasons[0])
+    assert is_shown("import.already_in_project", reasons[0])
     assert name in reasons[0]
     assert "late.laz" in reasons[1]
     assert "trajectory" in reasons[1]

@@ -117,7 +117,7 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     box.setWindowTitle(dialog_title(ACTIONS["keys"]))
     layout = widgets.vertical_layout(box, 16)
     columns = QHBoxLayout()
-    columns.setSpacing(32)
+    columns.setSpacing(24)
     # The first two headings have about as many rows as the others together.
     for parts in (KEYS[:2], KEYS[2:]):
         column = widgets.label(rich=True)
