@@ -32,6 +32,7 @@ from environment import SetupError, say, script  # noqa: E402
 OLDEST_PYTHON = (3, 11)
 NEWEST_PYTHON = (3, 14)  # newest version for which the locked dependencies have wheels
 TWO_PROCESS_OPTIONS = ["--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder"]
+PRECOMPILE_MODULE = "lispac.workflow.planning.precompile"
 HANG_OPTIONS = [
     "--max-worker-restart=0", "-o", "faulthandler_timeout=330",
     "-o", "faulthandler_exit_on_timeout=true",
@@ -162,7 +163,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     cache = environment.user_cache(sys.platform, os.environ, environment.home_folder())
     try:
         ensure_system(kind)
-        environment.ensure_installed(kind, cache)
+        is_new = environment.ensure_installed(kind, cache)
         variables = environment.child_variables(os.environ, cache, testing=kind == "test")
         if kind == "test":
             return run_checks(check_commands(options.command, rest), variables)
@@ -178,6 +179,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise SetupError(
                 "No display was found, so the window cannot open. `demo` runs without a display."
             )
+        if is_new:
+            say("Compiling functions (once, one to two minutes)")
+            subprocess.call([script("python"), "-m", PRECOMPILE_MODULE], env=variables)
         project = [options.project] if options.project else []
         return subprocess.call([script("python"), "-m", "lispac.gui", *project], env=variables)
     except (SetupError, system_packages.PackagesMissingError) as error:

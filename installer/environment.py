@@ -259,13 +259,19 @@ def requirement_count(lock: Path) -> int:
     return len(re.findall(r"^[A-Za-z0-9][^\s=]*==", lock.read_text(encoding="utf-8"), re.MULTILINE))
 
 
-def ensure_installed(kind: str, cache: Path) -> None:
-    """Installs or updates the environment for a kind of `LOCK_FILES`, if it is not up to date."""
+def ensure_installed(kind: str, cache: Path) -> bool:
+    """Installs or updates the environment for a kind of `LOCK_FILES`, if it is not up to date.
+
+    Returns
+    -------
+    bool
+        Whether anything was installed.
+    """
     wanted = wanted_state()
     installed = read_stamp(STAMP)
     steps = steps_needed(installed, wanted, kind)
     if not steps:
-        return
+        return False
     started = time.monotonic()
     if "environment" in steps:
         make_environment()
@@ -286,3 +292,4 @@ def ensure_installed(kind: str, cache: Path) -> None:
     run_pip(project, variables, 1)
     write_stamp({**wanted, "locks": locks}, STAMP)
     say(f"Installed in {time.monotonic() - started:.0f} s")
+    return True

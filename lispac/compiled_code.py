@@ -1,9 +1,13 @@
-"""Numba's decorator ``njit``, with a cache that never contains code of an earlier version.
+"""Numba's decorator ``njit``, with a cache that can be copied between computers.
 
 Numba recompiles a function if the source file of this function changes, but not if a function or
 constant that it uses changes in another file [1]_. After an update of the program, the cache could
 therefore contain outdated machine code. To prevent this, the cache has a separate folder for each
 state of the source files. Folders that have not been used for a month are removed.
+
+Functions are compiled for a group of processors instead of this one (`portable_processor`), and the
+cache does not depend on the path of the program. A cache made when the program is packaged is
+therefore valid on other computers, and results are the same on all processors of the group.
 
 References
 ----------
@@ -12,13 +16,20 @@ References
 
 import hashlib
 import os
+import platform
 import shutil
+import sys
+import tempfile
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from typing import Any
 
+from llvmlite import binding as llvm
 from numba import config, njit
+from numba.core.caching import UserProvidedCacheLocator
 
 from lispac import __version__
 
@@ -35,10 +46,18 @@ COMPILED_PACKAGES = (
     "adjustment", "geometry", "io", "natural", "simulation", "survey", "targets", "validation",
 )  # fmt: skip
 """Packages with compiled functions."""
-IMPORT_TEXT = b"lispac.compiled_code"
+IMPORT_TEXT = b"from lispac.compiled_code import"
 """Text that the import statement of every file with compiled functions contains."""
 FOLDER_PREFIX = "sources-"
 """Beginning of the name of each cache folder, before the digest of the sources."""
+PACKAGED_CODE = "resources/compiled"
+"""Cache folders that were made when the program was packaged, relative to the package's parent."""
+LOCATORS = (
+    "lispac.compiled_code.SourceStateLocator", "UserProvidedCacheLocator", "InTreeCacheLocator",
+    "UserWideCacheLocator", "IPythonCacheLocator",
+)  # fmt: skip
+"""Classes that find the place of a function in the cache, the first suitable one is used: for the
+functions of this program, then those of Numba for functions of others."""
 MAX_UNUSED_TIME_S = 30 * 86_400.0
 """Time without use after which a cache folder is removed, seconds: 30 days."""
 
@@ -64,10 +83,15 @@ def source_state(folder: Path) -> str:
 
 
 def cache_folder(parent: Path, state: str) -> Path:
-    """Cache folder for one state of the sources, marked as used; old folders are removed."""
+    """Cache folder for one state of the sources, marked as used; old folders are removed.
+
+    A new folder starts with the code that was compiled when the program was packaged.
+    """
     folder = parent / f"{FOLDER_PREFIX}{state}"
     is_new = not folder.is_dir()
     with suppress(OSError):  # without the cache, Numba compiles all functions again
+        if is_new:
+            _copy_packaged_code(folder)
         folder.mkdir(parents=True, exist_ok=True)
         os.utime(folder)
     if is_new:
@@ -81,6 +105,64 @@ def cache_folder(parent: Path, state: str) -> Path:
     return folder
 
 
+def current_cache_folder() -> Path:
+    """Cache folder of this process."""
+    return Path(config.CACHE_DIR)
+
+
+def _copy_packaged_code(folder: Path) -> None:
+    packaged = Path(__file__).parents[1] / PACKAGED_CODE / folder.name
+    if not packaged.is_dir():
+        return
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent) as draft:
+        copy = Path(draft) / "copy"
+        shutil.copytree(packaged, copy)
+        copy.rename(folder)  # fails if another process has been faster
+
+
+def portable_processor(machine: str, system: str, features: dict[str, bool]) -> str | None:
+    """LLVM name of the processors for which functions are compiled; None for this one alone.
+
+    Parameters
+    ----------
+    machine, system : str
+        Architecture, as from `platform.machine`, and ``sys.platform``.
+    features : dict of str to bool
+        Instruction sets of this processor by their LLVM names.
+    """
+    if machine.lower() in {"x86_64", "amd64"} and features.get("avx2") and features.get("fma"):
+        return "x86-64-v3"  # Intel since 2013, AMD since 2015
+    if machine.lower() == "arm64" and system == "darwin":
+        return "apple-m1"
+    return None
+
+
+class SourceStateLocator(UserProvidedCacheLocator):  # type: ignore[misc]
+    """Place of a function in the cache: depends on its module, not on the path of the program.
+
+    Numba creates it by its name, which is in ``config.CACHE_LOCATOR_CLASSES``.
+    """
+
+    @classmethod
+    def from_function(
+        cls, py_func: Callable[..., Any], py_file: str
+    ) -> UserProvidedCacheLocator | None:
+        """Locator for a function of this program; None for functions of other packages."""
+        if py_func.__module__.partition(".")[0] != "lispac":
+            return None
+        return super().from_function(py_func, py_file)
+
+    @classmethod
+    def get_suitable_cache_subpath(cls, py_file: str) -> str:
+        """Subfolder for the functions of a source file."""
+        return "_".join(Path(py_file).parent.relative_to(Path(__file__).parent).parts)
+
+    def get_source_stamp(self) -> str:
+        """Constant, since the whole cache folder is for one state of the sources."""
+        return ""
+
+
 def _set_cache_folder() -> None:
     """Set the cache folder in Numba and in the environment, which Numba may read again later."""
     # The entry points set the folder. If a module is imported without them, the cache is in the
@@ -90,6 +172,19 @@ def _set_cache_folder() -> None:
         parent = parent.parent
     folder = str(cache_folder(parent, source_state(Path(__file__).parent)))
     os.environ["NUMBA_CACHE_DIR"] = config.CACHE_DIR = folder
+    locators = ",".join(LOCATORS)
+    os.environ["NUMBA_CACHE_LOCATOR_CLASSES"] = config.CACHE_LOCATOR_CLASSES = locators
 
 
+def _set_processor() -> None:
+    """Set the processor in the same way, unless the user has set one."""
+    processor = portable_processor(
+        platform.machine(), sys.platform, dict(llvm.get_host_cpu_features())
+    )
+    if config.CPU_NAME is None and processor is not None:
+        os.environ["NUMBA_CPU_NAME"] = config.CPU_NAME = processor
+        os.environ["NUMBA_CPU_FEATURES"] = config.CPU_FEATURES = ""
+
+
+_set_processor()
 _set_cache_folder()

@@ -86,6 +86,21 @@ def build_manual() -> None:
         raise BundleError(str(error)) from error
 
 
+def compile_functions() -> None:
+    """Compile the program's functions into build/bundle/compiled, for the cache of a new user.
+
+    Raises
+    ------
+    BundleError
+        If a function cannot be compiled.
+    """
+    shutil.rmtree(BUILD_FOLDER / "compiled", ignore_errors=True)
+    variables = {**os.environ, "NUMBA_CACHE_DIR": str(BUILD_FOLDER / "compiled")}
+    command = [sys.executable, "-m", "lispac.workflow.planning.precompile"]
+    if subprocess.call(command, cwd=names.CHECKOUT, env=variables) != 0:
+        raise BundleError("The functions cannot be compiled; the reason is above.")
+
+
 def contents() -> list[Path]:
     """Source paths of the files that PyInstaller put into the bundle."""
     return sources_of(
@@ -122,7 +137,7 @@ def strip_symbols(folder: Path) -> None:
 
 
 def share_one_file(programs: Sequence[Path]) -> None:
-    """Replace identical programs by hard links to one file, so that they share Numba's cache.
+    """Replace identical programs by hard links to one file, which saves space.
 
     Raises
     ------
@@ -133,7 +148,7 @@ def share_one_file(programs: Sequence[Path]) -> None:
     for other in others:
         if other.read_bytes() != first.read_bytes():
             raise BundleError(
-                f"{other.name} and {first.name} differ, so they cannot share a cache."
+                f"{other.name} and {first.name} differ, but both come from one start script."
             )
         other.unlink()
         os.link(first, other)
@@ -225,6 +240,8 @@ def build(*, packed: bool) -> Path:
     """
     say("Building the manual")
     build_manual()
+    say("Compiling functions (about two minutes)")
+    compile_functions()
     say("Collecting the files (about a minute)")
     run_pyinstaller()
     made = BUILD_FOLDER / "dist" / names.COMMAND_LINE_PROGRAM

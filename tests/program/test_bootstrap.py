@@ -137,10 +137,10 @@ def test_finished_install_is_not_repeated(
 ) -> None:
     monkeypatch.setattr(environment, "make_environment", scratch_environment.mkdir)
     monkeypatch.setattr(environment, "pip_command", lambda: [sys.executable, "-c", "pass"])
-    environment.ensure_installed("test", scratch_environment / "cache")
+    assert environment.ensure_installed("test", scratch_environment / "cache")
     monkeypatch.setattr(environment, "run_pip", lambda *_: pytest.fail("installed again"))
-    environment.ensure_installed("test", scratch_environment / "cache")
-    environment.ensure_installed("run", scratch_environment / "cache")
+    assert not environment.ensure_installed("test", scratch_environment / "cache")
+    assert not environment.ensure_installed("run", scratch_environment / "cache")
 
 
 def test_pip_output_becomes_a_few_lines() -> None:

@@ -16,6 +16,7 @@ from lispac.compiled_code import (
     IMPORT_TEXT,
     MAX_UNUSED_TIME_S,
     cache_folder,
+    portable_processor,
     source_state,
 )
 
@@ -136,3 +137,55 @@ def test_numba_uses_the_cache_folder_of_the_source_state() -> None:
         [sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=True
     )
     assert done.stdout.strip() == expected
+
+
+def test_a_program_in_another_folder_uses_code_that_was_compiled_before(tmp_path: Path) -> None:
+    """The bundle contains code that was compiled in the checkout."""
+    program = (
+        "from lispac.geometry.called import used; used(1.0); "
+        "print(sum(used.stats.cache_hits.values()), sum(used.stats.cache_misses.values()))"
+    )
+
+    def run(folder: Path, cache: Path) -> list[int]:
+        copy = folder / "lispac"
+        for name in ("__init__.py", "compiled_code.py", "geometry/__init__.py"):
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            (copy / name).write_bytes((CHECKOUT / "lispac" / name).read_bytes())
+        (copy / "geometry" / "called.py").write_text(
+            "from lispac.compiled_code import njit\n"
+            "@njit(cache=True)\ndef used(x):\n    return 2.0 * x\n"
+        )
+        variables = os.environ | {"PYTHONPATH": str(folder), "NUMBA_CACHE_DIR": str(cache)}
+        done = subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=folder, capture_output=True, text=True, check=True, env=variables,
+        )  # fmt: skip
+        return [int(word) for word in done.stdout.split()]
+
+    first, second = tmp_path / "first", tmp_path / "second"
+    packaged = second / "resources" / "compiled"
+    assert run(first, tmp_path / "cache") == [0, 1]
+    assert run(second, tmp_path / "cache") == [1, 0]
+    (tmp_path / "cache").rename(packaged.parent.mkdir() or packaged)
+    assert run(second, tmp_path / "new") == [1, 0]
+    assert run(second, tmp_path / "new") == [1, 0]
+    assert [path.name for path in (tmp_path / "new").iterdir()] == [
+        path.name for path in packaged.iterdir()
+    ]
+
+
+@pytest.mark.parametrize(
+    ("machine", "system", "features", "expected"),
+    [
+        ("x86_64", "linux", {"avx2": True, "fma": True, "avx512f": True}, "x86-64-v3"),
+        ("AMD64", "win32", {"avx2": True, "fma": True}, "x86-64-v3"),
+        ("x86_64", "linux", {"avx2": False, "fma": False}, None),
+        ("x86_64", "darwin", {}, None),
+        ("arm64", "darwin", {"neon": True}, "apple-m1"),
+        ("aarch64", "linux", {"neon": True}, None),
+    ],
+)
+def test_functions_are_compiled_for_a_group_of_processors(
+    machine: str, system: str, features: dict[str, bool], expected: str | None
+) -> None:
+    assert portable_processor(machine, system, features) == expected

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from lispac.gui.viewport.base import Viewport
 
 IMPORT_DELAY_MS = 300
-"""Delay before the 3D library is imported, so that the window is drawn first."""
+"""Delay before packages are imported in the background, so that the window is drawn first."""
 
 
 class Application(QApplication):
@@ -69,8 +69,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
-    # The 3D library is imported in the background, while the user opens the first project
-    importing = threading.Thread(target=_import_viewport, name="lispac-import")
+    importing = threading.Thread(target=_prepare_in_background, name="lispac-import")
     QTimer.singleShot(IMPORT_DELAY_MS, importing.start)
     if isinstance(application, Application):
         application.document_requested.connect(lambda path: session.window.open_project(path))
@@ -96,6 +95,15 @@ def _import_viewport() -> "type[Viewport]":
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     return VtkViewport
+
+
+def _prepare_in_background() -> None:
+    """Import what the first project and the first pick need, and compile functions if necessary."""
+    _import_viewport()
+    from lispac.workflow.calibration import estimation, picking  # noqa: F401
+    from lispac.workflow.planning.precompile import start_precompilation
+
+    start_precompilation()
 
 
 def _create_viewport() -> "Viewport":
