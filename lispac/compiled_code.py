@@ -1,4 +1,7 @@
-"""Numba's decorator ``njit``, with a cache that can be copied between computers.
+"""Numba's decorator ``njit``, imported at the first call, with a cache that can be copied.
+
+The import of Numba takes longer than that of most of the program, so that a module with compiled
+functions imports it only when one of them is called.
 
 Numba recompiles a function if the source file of this function changes, but not if a function or
 constant that it uses changes in another file [1]_. After an update of the program, the cache could
@@ -20,20 +23,63 @@ import platform
 import shutil
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
+from functools import cache, partial, update_wrapper
 from pathlib import Path
+from types import ModuleType
 from typing import Any
-
-from llvmlite import binding as llvm
-from numba import config, njit
-from numba.core.caching import UserProvidedCacheLocator
 
 from lispac import __version__
 
 __all__ = ["kernel", "njit"]
+
+
+class CompiledFunction:
+    """Function that is compiled by Numba when it is called, or read from the cache.
+
+    Other compiled functions can call it. It has the attributes of Numba's dispatcher.
+
+    Parameters
+    ----------
+    function : callable
+    options : dict
+        Options of ``numba.njit``.
+    """
+
+    def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        update_wrapper(self, function)
+        self._options = options
+        self._dispatcher: Any = None
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call the compiled function."""
+        return (self._dispatcher or self.dispatcher)(*arguments)
+
+    def __getattr__(self, name: str) -> Any:
+        """Attribute of Numba's dispatcher."""
+        return getattr(self.dispatcher, name)
+
+    @property
+    def dispatcher(self) -> Any:
+        """Numba's dispatcher of this function."""
+        with _dispatcher_lock:
+            if self._dispatcher is None:
+                self._dispatcher = _numba().njit(**self._options)(self.__wrapped__)  # type: ignore[attr-defined]
+        return self._dispatcher
+
+
+_dispatcher_lock = threading.RLock()
+
+
+def njit(function: Callable[..., Any] | None = None, **options: Any) -> Any:
+    """Decorator of compiled functions, with the options of ``numba.njit``."""
+    if function is None:
+        return partial(CompiledFunction, options=options)
+    return CompiledFunction(function, options)
+
 
 kernel = partial(
     njit, nogil=True, cache=True, error_model="numpy",
@@ -53,8 +99,8 @@ FOLDER_PREFIX = "sources-"
 PACKAGED_CODE = "resources/compiled"
 """Cache folders that were made when the program was packaged, relative to the package's parent."""
 LOCATORS = (
-    "lispac.compiled_code.SourceStateLocator", "UserProvidedCacheLocator", "InTreeCacheLocator",
-    "UserWideCacheLocator", "IPythonCacheLocator",
+    "lispac.compiled_code_locator.SourceStateLocator", "UserProvidedCacheLocator",
+    "InTreeCacheLocator", "UserWideCacheLocator", "IPythonCacheLocator",
 )  # fmt: skip
 """Classes that find the place of a function in the cache, the first suitable one is used: for the
 functions of this program, then those of Numba for functions of others."""
@@ -107,7 +153,7 @@ def cache_folder(parent: Path, state: str) -> Path:
 
 def current_cache_folder() -> Path:
     """Cache folder of this process."""
-    return Path(config.CACHE_DIR)
+    return Path(_numba().config.CACHE_DIR)
 
 
 def _copy_packaged_code(folder: Path) -> None:
@@ -138,33 +184,21 @@ def portable_processor(machine: str, system: str, features: dict[str, bool]) -> 
     return None
 
 
-class SourceStateLocator(UserProvidedCacheLocator):  # type: ignore[misc]
-    """Place of a function in the cache: depends on its module, not on the path of the program.
+@cache
+def _numba() -> ModuleType:
+    """Numba with the settings of this program."""
+    import numba
+    from llvmlite import binding as llvm
+    from numba import config
+    from numba.extending import typeof_impl
 
-    Numba creates it by its name, which is in ``config.CACHE_LOCATOR_CLASSES``.
-    """
-
-    @classmethod
-    def from_function(
-        cls, py_func: Callable[..., Any], py_file: str
-    ) -> UserProvidedCacheLocator | None:
-        """Locator for a function of this program; None for functions of other packages."""
-        if py_func.__module__.partition(".")[0] != "lispac":
-            return None
-        return super().from_function(py_func, py_file)
-
-    @classmethod
-    def get_suitable_cache_subpath(cls, py_file: str) -> str:
-        """Subfolder for the functions of a source file."""
-        return "_".join(Path(py_file).parent.relative_to(Path(__file__).parent).parts)
-
-    def get_source_stamp(self) -> str:
-        """Constant, since the whole cache folder is for one state of the sources."""
-        return ""
-
-
-def _set_cache_folder() -> None:
-    """Set the cache folder in Numba and in the environment, which Numba may read again later."""
+    # Both are set in the environment too, which Numba reads again after changes
+    processor = portable_processor(
+        platform.machine(), sys.platform, dict(llvm.get_host_cpu_features())
+    )
+    if config.CPU_NAME is None and processor is not None:
+        os.environ["NUMBA_CPU_NAME"] = config.CPU_NAME = processor
+        os.environ["NUMBA_CPU_FEATURES"] = config.CPU_FEATURES = ""
     # The entry points set the folder. If a module is imported without them, the cache is in the
     # folder of the byte code.
     parent = Path(config.CACHE_DIR or Path(__file__).with_name("__pycache__"))
@@ -175,16 +209,8 @@ def _set_cache_folder() -> None:
     locators = ",".join(LOCATORS)
     os.environ["NUMBA_CACHE_LOCATOR_CLASSES"] = config.CACHE_LOCATOR_CLASSES = locators
 
+    @typeof_impl.register(CompiledFunction)
+    def _type_of_function(function: CompiledFunction, _context: Any) -> Any:
+        return numba.types.Dispatcher(function.dispatcher)
 
-def _set_processor() -> None:
-    """Set the processor in the same way, unless the user has set one."""
-    processor = portable_processor(
-        platform.machine(), sys.platform, dict(llvm.get_host_cpu_features())
-    )
-    if config.CPU_NAME is None and processor is not None:
-        os.environ["NUMBA_CPU_NAME"] = config.CPU_NAME = processor
-        os.environ["NUMBA_CPU_FEATURES"] = config.CPU_FEATURES = ""
-
-
-_set_processor()
-_set_cache_folder()
+    return numba

@@ -1,14 +1,16 @@
 """Dialogues of the survey design."""
 
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.design.system import PlanSensorsDialog, Sensors
 from lispac.language import N_, gettext
+
+if TYPE_CHECKING:
+    from lispac.gui.features.design.system import Sensors
 
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILE_DIALOGS: dict[DesignFile, tuple[str, str, bool]] = {
@@ -34,7 +36,9 @@ class DesignDialogs(Questions):
         ending = start.suffix if writes else ""
         return path if path.suffix or not ending else path.with_name(path.name + ending)
 
-    def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
+    def sensors_of_plan(self, settings: AppSettings) -> "Sensors | None":
         """Sensors of the library for a plan; None if the dialogue is cancelled."""
+        from lispac.gui.features.design.system import PlanSensorsDialog
+
         dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
         return dialog.sensors if run_dialog(dialog) else None

@@ -12,15 +12,14 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.appearance import theme
 from lispac.gui.features.export.actions import ACTIONS
-from lispac.gui.features.export.export_dialog import ExportDialog
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
-from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.output.export_request import ExportContent, ExportRequest
-from lispac.workflow.output.georeferencing import BoresightChoice
 
 if TYPE_CHECKING:
+    from lispac.survey.trajectory import LocalTrajectory
+    from lispac.workflow.output.export_request import ExportContent, ExportRequest
+    from lispac.workflow.output.georeferencing import BoresightChoice
     from lispac.workflow.output.script import Script
 
 SCRIPT_INTRODUCTION = N_(
@@ -89,12 +88,14 @@ class ExportDialogs(Questions):
 
     def export(
         self,
-        what: ExportContent,
-        which: BoresightChoice,
+        what: "ExportContent",
+        which: "BoresightChoice",
         project: Project,
-        trajectory: LocalTrajectory,
-    ) -> ExportRequest | None:
+        trajectory: "LocalTrajectory",
+    ) -> "ExportRequest | None":
         """Ask for the options of an export; None if cancelled."""
+        from lispac.gui.features.export.export_dialog import ExportDialog
+
         dialog = ExportDialog(what, which, project, trajectory, self.parent)
         return dialog.request() if run_dialog(dialog) else None
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFileDialog
 
@@ -9,13 +10,11 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.open_project.actions import ACTIONS
-from lispac.gui.features.open_project.import_survey.import_dialog import (
-    AddLinesDialog,
-    ImportDialog,
-)
 from lispac.language import gettext
 from lispac.project import LineSource, Project
-from lispac.workflow.importing.input_files import ImportRequest
+
+if TYPE_CHECKING:
+    from lispac.workflow.importing.input_files import ImportRequest
 
 
 class ProjectDialogs(Questions):
@@ -23,7 +22,7 @@ class ProjectDialogs(Questions):
 
     def new_project(
         self, settings: AppSettings, paths: Sequence[Path] = ()
-    ) -> ImportRequest | Path | None:
+    ) -> "ImportRequest | Path | None":
         """Ask for the import of a new project; return it, or an existing project that was dropped.
 
         Parameters
@@ -31,6 +30,8 @@ class ProjectDialogs(Questions):
         paths : sequence of Path
             Files and folders that are added initially.
         """
+        from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+
         dialog = ImportDialog(settings, self.parent)
         dialog.add(paths)
         return dialog.request() if run_dialog(dialog) else dialog.project
@@ -45,6 +46,8 @@ class ProjectDialogs(Questions):
         paths : sequence of Path
             Files and folders that are added initially.
         """
+        from lispac.gui.features.open_project.import_survey.import_dialog import AddLinesDialog
+
         dialog = AddLinesDialog(settings, project, self.parent)
         dialog.add(paths)
         return dialog.sources() if run_dialog(dialog) else dialog.project

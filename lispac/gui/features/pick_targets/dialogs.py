@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFileDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
@@ -9,18 +10,17 @@ from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.features.pick_targets.actions import ACTIONS
-from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
 from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFields
-from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
-from lispac.gui.features.pick_targets.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.widgets.number_input import NumberDialog
 from lispac.language import gettext
 from lispac.project import Project, Target, Triple
-from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.finder_settings import FinderChoices
-from lispac.workflow.calibration.proposals import Proposal
-from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
+
+if TYPE_CHECKING:
+    from lispac.survey.trajectory import LocalTrajectory
+    from lispac.workflow.calibration.proposals import Proposal
+    from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 
 
 class FindAgainDialog(NumberDialog):
@@ -78,8 +78,10 @@ class FindAgainDialog(NumberDialog):
 class TargetDialogs(Questions):
     """Dialogues about seeds and targets."""
 
-    def proposal(self, proposal: Proposal) -> tuple[str, ...]:
+    def proposal(self, proposal: "Proposal") -> tuple[str, ...]:
         """Show proposed targets; return the names of the accepted ones."""
+        from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
+
         dialog = ProposedTargetsDialog(proposal, self.parent)
         return dialog.ticked_entries if run_dialog(dialog) else ()
 
@@ -89,9 +91,11 @@ class TargetDialogs(Questions):
         return dialog.settings if run_dialog(dialog) else None
 
     def seed_coordinates(
-        self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
+        self, project: Project, trajectory: "LocalTrajectory", seed_options: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
         """Ask for the name and coordinates of a seed; ``name`` is proposed."""
+        from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
+
         dialog = SeedCoordinatesDialog(project, trajectory, seed_options, name, self.parent)
         return dialog.seed if run_dialog(dialog) else None
 
@@ -112,12 +116,16 @@ class TargetDialogs(Questions):
         return Path(name) if name else None
 
     def seed_list(
-        self, path: Path, project: Project, trajectory: LocalTrajectory, search_text: str
-    ) -> tuple[ListedSeed, ...]:
+        self, path: Path, project: Project, trajectory: "LocalTrajectory", search_text: str
+    ) -> "tuple[ListedSeed, ...]":
         """Ask which seeds of a list are used; ``search_text`` describes the search."""
+        from lispac.gui.features.pick_targets.seed_list import SeedListDialog
+
         dialog = SeedListDialog(path, project, trajectory, search_text, self.parent)
         return dialog.ticked_entries if run_dialog(dialog) else ()
 
-    def seeds_found(self, outcomes: Sequence[SeedOutcome], lines: int) -> None:
+    def seeds_found(self, outcomes: "Sequence[SeedOutcome]", lines: int) -> None:
         """Show which seeds of a list led to a target."""
+        from lispac.gui.features.pick_targets.seed_list import SeedsFoundDialog
+
         run_dialog(SeedsFoundDialog(outcomes, lines, self.parent))

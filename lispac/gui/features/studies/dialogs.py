@@ -2,31 +2,26 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFileDialog
 
 from lispac.alternative_methods import Method
 from lispac.gui.app.questions import Questions, run_dialog
-from lispac.gui.features.studies.check_dialog import CheckDialog, CheckRequest, CheckResultDialog
-from lispac.gui.features.studies.methods_dialog import MethodsDialog
-from lispac.gui.features.studies.study_dialog import (
-    BudgetDialog,
-    HistoryDialog,
-    LineQualityDialog,
-    SubsamplingDialog,
-)
-from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.language import gettext
 from lispac.messages import Message
-from lispac.method_comparison import MethodResult
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.subsampling import SubsamplingValues
 from lispac.project import Project
-from lispac.simulation.visibility_study import VisibilityStudy
-from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.checking.calibration_history import CalibrationHistory
-from lispac.workflow.checking.line_quality import LineQuality
+
+if TYPE_CHECKING:
+    from lispac.gui.features.studies.check_dialog import CheckRequest
+    from lispac.method_comparison import MethodResult
+    from lispac.present.absolute import AbsoluteCheckValues
+    from lispac.present.error_budget import ErrorBudgetValues
+    from lispac.present.subsampling import SubsamplingValues
+    from lispac.simulation.visibility_study import VisibilityStudy
+    from lispac.survey.trajectory import LocalTrajectory
+    from lispac.workflow.checking.calibration_history import CalibrationHistory
+    from lispac.workflow.checking.line_quality import LineQuality
 
 
 class StudyDialogs(Questions):
@@ -39,42 +34,60 @@ class StudyDialogs(Questions):
         )
         return Path(name) if name else None
 
-    def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
+    def check(self, project: Project, trajectory: "LocalTrajectory") -> "CheckRequest | None":
         """Ask for the reference of a check of the lines; None if cancelled."""
+        from lispac.gui.features.studies.check_dialog import CheckDialog
+
         dialog = CheckDialog(project, trajectory, self.parent)
         return dialog.request if run_dialog(dialog) else None
 
-    def show_check_result(self, values: AbsoluteCheckValues) -> None:
+    def show_check_result(self, values: "AbsoluteCheckValues") -> None:
         """Show the result of a check: distances of the lines from the reference."""
+        from lispac.gui.features.studies.check_dialog import CheckResultDialog
+
         run_dialog(CheckResultDialog(values, self.parent))
 
-    def budget(self, budget: ErrorBudgetValues) -> None:
+    def budget(self, budget: "ErrorBudgetValues") -> None:
         """Show the error budget."""
+        from lispac.gui.features.studies.study_dialog import BudgetDialog
+
         run_dialog(BudgetDialog(budget, self.parent))
 
-    def history(self, histories: Sequence[CalibrationHistory], messages: Sequence[Message]) -> None:
+    def history(
+        self, histories: "Sequence[CalibrationHistory]", messages: Sequence[Message]
+    ) -> None:
         """Show the calibrations of each system."""
+        from lispac.gui.features.studies.study_dialog import HistoryDialog
+
         run_dialog(HistoryDialog(histories, messages, self.parent))
 
-    def subsampling(self, results: Sequence[SubsamplingValues], used: float) -> None:
+    def subsampling(self, results: "Sequence[SubsamplingValues]", used: float) -> None:
         """Show the results at several point spacings; ``used`` is the spacing of the project."""
+        from lispac.gui.features.studies.study_dialog import SubsamplingDialog
+
         run_dialog(SubsamplingDialog(results, used, self.parent))
 
-    def line_quality(self, quality: LineQuality) -> None:
+    def line_quality(self, quality: "LineQuality") -> None:
         """Show the differences between the lines."""
+        from lispac.gui.features.studies.study_dialog import LineQualityDialog
+
         run_dialog(LineQualityDialog(quality, self.parent))
 
     def methods(
         self,
-        results: Sequence[MethodResult],
+        results: "Sequence[MethodResult]",
         absent: Sequence[Method],
         refused: Mapping[str, Message],
     ) -> bool:
         """Show the results of all methods; return whether to run the missing ones."""
+        from lispac.gui.features.studies.methods_dialog import MethodsDialog
+
         dialog = MethodsDialog(results, absent, refused, self.parent)
         run_dialog(dialog)
         return dialog.runs_missing
 
-    def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
+    def visibility(self, studies: "Sequence[VisibilityStudy]") -> None:
         """Show the visibility of errors on each site."""
+        from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
+
         run_dialog(VisibilityDialog(studies, self.parent))
