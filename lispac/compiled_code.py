@@ -67,7 +67,7 @@ class CompiledFunction:
         """Numba's dispatcher of this function."""
         with _dispatcher_lock:
             if self._dispatcher is None:
-                self._dispatcher = _numba().njit(**self._options)(self.__wrapped__)  # type: ignore[attr-defined]
+                self._dispatcher = _numba().njit(**self._options)(self.__wrapped__)
         return self._dispatcher
 
 

@@ -8,7 +8,7 @@ is about ten times faster, and the GIL is released, so that the window stays res
 from collections.abc import Callable
 
 import numpy as np
-import scipy.linalg
+import scipy
 from numpy.typing import NDArray
 
 from lispac.compiled_code import kernel

@@ -3,9 +3,8 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import laspy
 import numpy as np
 from numpy.typing import NDArray
 
@@ -48,6 +47,9 @@ from lispac.survey.kernels import coordinates_from_integers
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import MAX_COORDINATE
 
+if TYPE_CHECKING:
+    import laspy
+
 MAX_CHUNK_BYTES = 1 << 28
 """Largest number of bytes of point records read at once, whatever record size a header states."""
 FOOT_CONVERSION_FACTORS = (0.3048, 1 / 0.3048)
@@ -72,7 +74,7 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
         overwritten when the points are written elsewhere; the chunk has its own coordinates.
     """
 
-    def __init__(self, record: laspy.PackedPointRecord, names: list[str]) -> None:
+    def __init__(self, record: "laspy.PackedPointRecord", names: list[str]) -> None:
         self.record = record
         self._known: dict[str, NDArray[Any] | None] = dict.fromkeys(names)
 
@@ -269,7 +271,7 @@ def point_count(path: Path) -> int:
         return int(reader.header.point_count)
 
 
-def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
+def opened_las(path: Path, *, timed: bool = True) -> "laspy.LasReader":
     """Open a file to read all points in it, even if its header states another number.
 
     Parameters
@@ -282,6 +284,8 @@ def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     InputError
         If the file is damaged, empty, or has no GPS time although ``timed``.
     """
+    import laspy
+
     counts = require_sound_header(path)
     reader = laspy.open(path)
     header = reader.header
@@ -295,7 +299,9 @@ def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     return reader
 
 
-def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePointRecord]:
+def _record_chunks(
+    reader: "laspy.LasReader", path: Path
+) -> Iterator["laspy.ScaleAwarePointRecord"]:
     """Points in chunks; raises an error if the file is truncated while it is read."""
     chunks = reader.chunk_iterator(_chunk_size(reader.header))
     while True:
@@ -310,17 +316,19 @@ def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleA
         yield points
 
 
-def _chunk_size(header: laspy.LasHeader) -> int:
+def _chunk_size(header: "laspy.LasHeader") -> int:
     return max(1, min(POINTS_PER_CHUNK, MAX_CHUNK_BYTES // header.point_format.size))
 
 
-def _time_base(header: laspy.LasHeader) -> str:
+def _time_base(header: "laspy.LasHeader") -> str:
+    import laspy
+
     if header.global_encoding.gps_time_type == laspy.header.GpsTimeType.STANDARD:
         return "gps-adjusted"
     return "gps-week"
 
 
-def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
+def _waveform_notes(header: "laspy.LasHeader") -> Iterator[Message]:
     if header.point_format.id in WAVEFORM_POINT_FORMATS:
         yield note("assumed.waveforms")
         if header.are_points_compressed and header.point_format.id in MIXED_WAVEFORM_FORMATS:
@@ -328,7 +336,7 @@ def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
 
 
 def _header_warnings(
-    header: laspy.LasHeader, crs: str, xyz: np.ndarray, file: str
+    header: "laspy.LasHeader", crs: str, xyz: np.ndarray, file: str
 ) -> Iterator[Message]:
     """Warnings about coordinate scales that are too coarse or converted from feet."""
     geographic = bool(crs) and np.abs(xyz[:, :2]).max() <= 360

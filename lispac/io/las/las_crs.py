@@ -8,15 +8,17 @@ units, earth-centred coordinates or systems that are named without a code (for e
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from laspy import LasHeader
-from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinateSystemVlr
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
 from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.messages import Action, Level, Message, warning
+
+if TYPE_CHECKING:
+    from laspy import LasHeader
+    from laspy.vlrs.known import GeoKeyDirectoryVlr
 
 CHECK_SYSTEM_ACTION = Action("check_system", {"name": "crs"})
 CHOOSE_VERTICAL_REFERENCE_ACTION = Action("choose_vertical_reference", {"name": "height"})
@@ -58,7 +60,7 @@ class HeaderCrs:
         return f"{self.name} ({self.text})" if self.text.startswith("EPSG:") else self.name
 
 
-def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
+def read_header_crs(header: "LasHeader", file: str = "") -> HeaderCrs:
     """Read the coordinate system of a LAS header.
 
     Parameters
@@ -67,6 +69,8 @@ def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
     file : str
         Name of the file, for messages.
     """
+    from laspy.vlrs.known import GeoKeyDirectoryVlr, WktCoordinateSystemVlr
+
     records = list(header.vlrs) + list(header.evlrs or ())
     by_wkt = by_keys = None
     with warnings.catch_warnings():
@@ -129,9 +133,11 @@ def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
 
 
 def _geotiff_keys(
-    directory: GeoKeyDirectoryVlr, records: list[Any]
+    directory: "GeoKeyDirectoryVlr", records: list[Any]
 ) -> tuple[Mapping[int, int], Mapping[int, str]]:
     """Read the GeoTIFF keys with numbers and those with texts."""
+    from laspy.vlrs.known import GeoAsciiParamsVlr
+
     ascii_text = "".join(
         "\0".join(record.strings) for record in records if isinstance(record, GeoAsciiParamsVlr)
     )

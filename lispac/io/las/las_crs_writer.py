@@ -6,14 +6,8 @@ because laspy writes keys without heights and units.
 """
 
 import warnings
+from typing import TYPE_CHECKING
 
-import laspy
-from laspy.vlrs.known import (
-    GeoAsciiParamsVlr,
-    GeoKeyDirectoryVlr,
-    GeoKeyEntryStruct,
-    WktCoordinateSystemVlr,
-)
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
@@ -30,6 +24,9 @@ from lispac.io.las.las_crs import (
     VERTICAL_UNIT_KEY,
 )
 
+if TYPE_CHECKING:
+    import laspy
+
 VALUE_IN_KEY, VALUE_IN_TEXTS = 0, 34737
 """Location of a key's value: in the key itself, or among the texts."""
 PROJECTED_MODEL, GEOGRAPHIC_MODEL = 1, 2
@@ -39,7 +36,7 @@ OWN_USER_ID, LOCAL_FRAME_RECORD_ID = "LISPAC", 1
 """User and record ID of the record that marks a cloud in the local frame of a project."""
 
 
-def is_in_local_frame(header: laspy.LasHeader) -> bool:
+def is_in_local_frame(header: "laspy.LasHeader") -> bool:
     """True if a cloud was written in the local frame of a project."""
     return any(
         each.user_id == OWN_USER_ID and each.record_id == LOCAL_FRAME_RECORD_ID
@@ -47,11 +44,19 @@ def is_in_local_frame(header: laspy.LasHeader) -> bool:
     )
 
 
-def write_crs(header: laspy.LasHeader, crs: CRS | None) -> None:
+def write_crs(header: "laspy.LasHeader", crs: CRS | None) -> None:
     """Write a coordinate system (None for the local frame) into a header, replacing any other.
 
     If the version of the header allows neither WKT nor keys for the system, it is changed to 1.4.
     """
+    import laspy
+    from laspy.vlrs.known import (
+        GeoAsciiParamsVlr,
+        GeoKeyDirectoryVlr,
+        GeoKeyEntryStruct,
+        WktCoordinateSystemVlr,
+    )
+
     for name in CRS_RECORD_NAMES:
         header.vlrs.extract(name)
         if header.evlrs is not None:

@@ -10,11 +10,9 @@ from copy import deepcopy
 from dataclasses import dataclass, field
 from datetime import date
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import laspy
 import numpy as np
-from laspy.errors import LaspyException
 from lazrs import LazrsError
 from numpy.typing import NDArray
 
@@ -32,6 +30,9 @@ from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import integers_from_coordinates
 from lispac.survey.line_source import printable
+
+if TYPE_CHECKING:
+    import laspy
 
 COORDINATE_STEP_M = 1e-4
 """Resolution of stored coordinates, metres; the scanner's points can be recovered to 0.1 mm."""
@@ -72,7 +73,7 @@ class RecordLayout:
         Dimensions with one value for all points.
     """
 
-    header: laspy.LasHeader
+    header: "laspy.LasHeader"
     columns: Mapping[str, tuple[str, int | None]]
     notes: tuple[Message, ...] = ()
     constants: Mapping[str, int] = field(default_factory=dict)
@@ -86,6 +87,9 @@ def write_header_copy(path: Path, to: Path) -> None:
     InputError
         If the file cannot be read.
     """  # noqa: DOC501 - `damaged_file_error` makes an InputError
+    import laspy
+    from laspy.errors import LaspyException
+
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
@@ -103,7 +107,7 @@ def write_header_copy(path: Path, to: Path) -> None:
         raise damaged_file_error(path, "LAS or LAZ", failure) from failure
 
 
-def _extra_bytes_record(header: laspy.LasHeader) -> bytes:
+def _extra_bytes_record(header: "laspy.LasHeader") -> bytes:
     """Record that describes the extra bytes; empty if there are none."""
     return b"".join(record.record_data_bytes() for record in header.vlrs.get("ExtraBytesVlr"))
 
@@ -121,6 +125,9 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
     InputError
         If the file cannot be read.
     """  # noqa: DOC501 - `damaged_file_error` makes an InputError
+    import laspy
+    from laspy.errors import LaspyException
+
     path = Path(path)
     try:
         require_sound_header(path)
@@ -166,6 +173,8 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     standard_time : bool
         Whether times are adjusted standard GPS time; otherwise GPS time of the week.
     """
+    import laspy
+
     columns: dict[str, tuple[str, int | None]] = {}
     extra: list[laspy.ExtraBytesParams] = []
     notes: list[Message] = []
@@ -225,8 +234,8 @@ class CloudWriter:
     """A LAS or LAZ file being written; made by `open_cloud_writer`."""
 
     def __init__(
-        self, writer: laspy.LasWriter, pattern: RecordLayout, header: laspy.LasHeader, path: Path,
-        *, one_channel: bool,
+        self, writer: "laspy.LasWriter", pattern: RecordLayout, header: "laspy.LasHeader",
+        path: Path, *, one_channel: bool,
     ) -> None:  # fmt: skip
         self._writer = writer
         self._pattern = pattern
@@ -238,7 +247,7 @@ class CloudWriter:
     def records(
         self, points: NDArray[np.float64], time: NDArray[np.float64],
         extra: Mapping[str, NDArray[Any]], chosen: NDArray[np.bool_] | None = None,
-    ) -> laspy.ScaleAwarePointRecord:  # fmt: skip
+    ) -> "laspy.ScaleAwarePointRecord":  # fmt: skip
         """Make records; may be called by several threads at once.
 
         Parameters
@@ -255,6 +264,8 @@ class CloudWriter:
         InputError
             If a point lies too far from the others to be stored.
         """
+        import laspy
+
         header = self._header
         packed = isinstance(extra, PackedColumns) and (
             extra.record.point_format == header.point_format
@@ -298,7 +309,7 @@ class CloudWriter:
         return record
 
     def _add_bits(
-        self, bits: dict[str, NDArray[np.uint8]], record: laspy.ScaleAwarePointRecord,
+        self, bits: dict[str, NDArray[np.uint8]], record: "laspy.ScaleAwarePointRecord",
         dimension: str, values: NDArray[Any],
     ) -> None:  # fmt: skip
         """Write values into their bits of the byte that several dimensions share.
@@ -323,7 +334,7 @@ class CloudWriter:
         moved = values.astype(np.uint8) << np.uint8(shift)
         bits[byte] = bits[byte] | moved if byte in bits else moved
 
-    def write(self, record: laspy.ScaleAwarePointRecord) -> None:
+    def write(self, record: "laspy.ScaleAwarePointRecord") -> None:
         """Append records.
 
         Raises
@@ -382,6 +393,9 @@ def open_cloud_writer(
     InputError
         If the disk is full, or LAZ cannot store the waveform data of the points.
     """
+    import laspy
+    from laspy.errors import LaspyException
+
     shown = shown or path
     header = deepcopy(pattern.header)
     header.scales = coordinate_resolution(system)

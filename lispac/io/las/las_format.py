@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import laspy
 import numpy as np
 from numpy.typing import NDArray
 
@@ -72,6 +71,8 @@ def write_points(
     scale : float, metres
         Resolution of the stored coordinates.
     """
+    import laspy
+
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, scale)
     header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)

@@ -8,11 +8,9 @@ line again.
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
-import laspy
 import numpy as np
-from laspy.errors import LaspyException
 
 from lispac import __version__
 from lispac.geometry.frames import LocalFrame
@@ -20,6 +18,9 @@ from lispac.io.las.las_crs_writer import LOCAL_FRAME_RECORD_ID, OWN_USER_ID
 from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import json_values
 from lispac.value_conversion import decode_value, encode_value
+
+if TYPE_CHECKING:
+    import laspy
 
 RECORD_ID, CONTENT_VERSION = 2, 1
 """Record ID, and version of the record's content."""
@@ -70,8 +71,10 @@ class MountingRecord:
     mounting: Mounting
     frame: LocalFrame | None = None
 
-    def vlrs(self) -> list[laspy.VLR]:
+    def vlrs(self) -> "list[laspy.VLR]":
         """Variable length records for the header."""
+        import laspy
+
         mounting, frame = self.mounting, self.frame
         content = RecordContent(
             CONTENT_VERSION,
@@ -94,7 +97,7 @@ class MountingRecord:
         return records
 
     @classmethod
-    def of(cls, header: laspy.LasHeader) -> Self | None:
+    def of(cls, header: "laspy.LasHeader") -> Self | None:
         """Get the record in a header; None if there is none or its content is not valid."""
         for each in header.vlrs:
             if each.user_id == OWN_USER_ID and each.record_id == RECORD_ID:
@@ -108,6 +111,9 @@ class MountingRecord:
     @classmethod
     def read(cls, path: Path) -> Self | None:
         """Read the record in a LAS or LAZ file; None for other files and files without it."""
+        import laspy
+        from laspy.errors import LaspyException
+
         try:
             with path.open("rb") as file:
                 if file.read(4) != b"LASF":

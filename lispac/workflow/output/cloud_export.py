@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from laspy import ScaleAwarePointRecord
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
@@ -25,6 +25,9 @@ from lispac.survey.line_source import DEFAULT_READING, Reading, printable
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.point_screening import MAX_RANGE_M, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
+
+if TYPE_CHECKING:
+    from laspy import ScaleAwarePointRecord
 
 Array = NDArray[np.float64]
 
@@ -77,7 +80,7 @@ class WrittenLine:
 class _GeoreferencedChunk:
     """Records of a chunk for the writer, and numbers of excluded points as in `WrittenLine`."""
 
-    records: ScaleAwarePointRecord
+    records: "ScaleAwarePointRecord"
     outside: int
     in_gaps: int
     excluded: int
