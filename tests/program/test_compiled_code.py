@@ -10,17 +10,20 @@ from pathlib import Path
 
 import pytest
 
-from lispac import compiled_code
 from lispac.compiled_code import (
     COMPILED_PACKAGES,
     IMPORT_TEXT,
     MAX_UNUSED_TIME_S,
     cache_folder,
+    current_cache_folder,
     portable_processor,
     source_state,
 )
 
 CHECKOUT = Path(__file__).resolve().parents[2]
+COPIED_FILES = (
+    "__init__.py", "compiled_code.py", "compiled_code_locator.py", "geometry/__init__.py",
+)  # fmt: skip
 
 
 def compiled_files() -> dict[Path, ast.Module]:
@@ -41,7 +44,7 @@ def test_all_compiled_functions_are_in_watched_files() -> None:
         path for path in (CHECKOUT / "lispac").rglob("*.py")
         if re.search(r"^\s*(from|import) numba\b", path.read_text(encoding="utf-8"), re.MULTILINE)
     ]  # fmt: skip
-    assert [path.stem for path in others] == ["compiled_code"]
+    assert {path.stem for path in others} == {"compiled_code", "compiled_code_locator"}
 
 
 def test_compiled_functions_use_only_names_of_watched_files() -> None:
@@ -69,7 +72,7 @@ def test_compiled_functions_use_only_names_of_watched_files() -> None:
 def test_code_is_compiled_again_after_a_change_in_another_file(tmp_path: Path, what: str) -> None:
     """Numba checks only the file of the caller, which does not change."""
     copy = tmp_path / "lispac"
-    for name in ("__init__.py", "compiled_code.py", "geometry/__init__.py"):
+    for name in COPIED_FILES:
         (copy / name).parent.mkdir(exist_ok=True)
         (copy / name).write_bytes((CHECKOUT / "lispac" / name).read_bytes())
     called = copy / "geometry" / "called.py"
@@ -128,10 +131,11 @@ def test_the_source_state_depends_on_compiled_files_only(tmp_path: Path) -> None
 def test_numba_uses_the_cache_folder_of_the_source_state() -> None:
     """Numba reads its variables again after a change, and child processes inherit them."""
     program = (
-        "import os; from lispac.compiled_code import config; "
+        "import os; from lispac.compiled_code import current_cache_folder; "
+        "current_cache_folder(); from numba import config; "
         "os.environ['NUMBA_NUM_THREADS'] = '1'; config.reload_config(); print(config.CACHE_DIR)"
     )
-    expected = compiled_code.config.CACHE_DIR
+    expected = str(current_cache_folder())
     assert Path(expected).name == f"sources-{source_state(CHECKOUT / 'lispac')}"
     done = subprocess.run(
         [sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=True
@@ -148,7 +152,7 @@ def test_a_program_in_another_folder_uses_code_that_was_compiled_before(tmp_path
 
     def run(folder: Path, cache: Path) -> list[int]:
         copy = folder / "lispac"
-        for name in ("__init__.py", "compiled_code.py", "geometry/__init__.py"):
+        for name in COPIED_FILES:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             (copy / name).write_bytes((CHECKOUT / "lispac" / name).read_bytes())
         (copy / "geometry" / "called.py").write_text(
@@ -189,3 +193,15 @@ def test_functions_are_compiled_for_a_group_of_processors(
     machine: str, system: str, features: dict[str, bool], expected: str | None
 ) -> None:
     assert portable_processor(machine, system, features) == expected
+
+
+def test_numba_is_imported_at_the_first_call() -> None:
+    program = (
+        "import sys; from lispac.geometry.radius_search import finite_bounds; import numpy as np; "
+        "print('numba' in sys.modules); finite_bounds(np.ones((2, 3))); "
+        "print('numba' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["False", "True"]

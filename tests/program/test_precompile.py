@@ -7,8 +7,8 @@ import threading
 from pathlib import Path
 
 import pytest
-from numba import config
 
+from lispac import compiled_code
 from lispac.locks import file_lock
 from lispac.project import Project
 from lispac.workflow.planning import precompile
@@ -64,7 +64,7 @@ def test_a_calibration_compiles_nothing_after_precompilation(tmp_path: Path, cop
 
 @pytest.fixture
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(compiled_code, "current_cache_folder", lambda: tmp_path)
     return tmp_path
 
 
