@@ -1,7 +1,8 @@
 """Start time of the program, alone and with a project, and its memory while idle.
 
 Each figure is from a separate process, started as by a user; bytecode and compiled kernels exist
-from an earlier start. Aim: a usable window within 2.5 s on two cores.
+from an earlier start. Aims on two cores: a splash screen within 0.5 s and
+a usable window within 1.5 s.
 """
 
 import json
@@ -14,14 +15,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QIcon
 
 from lispac.project import Project
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 ROUNDS = 5
 UNITS = {
-    "window_s": "s", "window_cpu_s": "s of processor", "project_s": "s",
+    "splash_s": "s", "window_s": "s", "window_cpu_s": "s of processor", "project_s": "s",
     "project_cpu_s": "s of processor", "memory_mb": "MB",
 }  # fmt: skip
 """Units of the measurements; the processor time does not depend on other programs."""
@@ -77,11 +78,19 @@ def processor_s() -> float:
 def start(began: float, words: list[str]) -> None:
     """Run the program until its window is usable, and close it."""
     from PySide6.QtCore import QTimer
-    from PySide6.QtWidgets import QApplication
+    from PySide6.QtWidgets import QApplication, QSplashScreen
 
     from lispac.gui.window import program
 
     run, found = QApplication.exec, {}
+    show_splash_screen = program.show_splash_screen
+
+    def show_and_note(icon: QIcon) -> QSplashScreen:
+        splash = show_splash_screen(icon)
+        found["splash_s"] = time.time() - began
+        return splash
+
+    program.show_splash_screen = show_and_note
 
     def inspect_window() -> None:
         from lispac.gui.window.main_window import MainWindow

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QFileOpenEvent, QIcon
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QSplashScreen
 
 import lispac
 from lispac import caches
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 IMPORT_DELAY_MS = 300
 """Delay before packages are imported in the background, so that the window is drawn first."""
+
+SPLASH_SIZE = 256
+"""Width and height of the splash screen, pixels."""
 
 
 class Application(QApplication):
@@ -55,7 +58,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
-    application.setWindowIcon(QIcon(str(resource_path("icons/lispac.png"))))
+    icon = QIcon(str(resource_path("icons/lispac.png")))
+    application.setWindowIcon(icon)
+    splash = show_splash_screen(icon)
     # Wayland takes the icon from the desktop entry of this name
     application.setDesktopFileName("lispac")
 
@@ -69,6 +74,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
+    splash.finish(session.window)
     importing = threading.Thread(target=_prepare_in_background, name="lispac-import")
     QTimer.singleShot(IMPORT_DELAY_MS, importing.start)
     if isinstance(application, Application):
@@ -95,6 +101,14 @@ def _import_viewport() -> "type[Viewport]":
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     return VtkViewport
+
+
+def show_splash_screen(icon: QIcon) -> QSplashScreen:
+    """Show the icon while the modules of the window are imported."""
+    splash = QSplashScreen(icon.pixmap(SPLASH_SIZE))
+    splash.show()
+    QApplication.processEvents()
+    return splash
 
 
 def _prepare_in_background() -> None:
