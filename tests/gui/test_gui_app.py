@@ -55,7 +55,11 @@ from lispac.gui.window import program
 from lispac.gui.window.main_window import MainWindow
 
 def inspect_window():
-    (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)]
+    windows = [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)]
+    if not windows:  # the splash screen processes events
+        QTimer.singleShot(10, inspect_window)
+        return
+    (window,) = windows
     print(window.log.toPlainText())
     window.settings.units = ("degrees", "millimetres")
     window.settings.sync()

@@ -60,6 +60,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setApplicationVersion(lispac.__version__)
     icon = QIcon(str(resource_path("icons/lispac.png")))
     application.setWindowIcon(icon)
+    requested: list[Path] = []  # before the window exists
+    if isinstance(application, Application):
+        application.document_requested.connect(requested.append)
     splash = show_splash_screen(icon)
     # Wayland takes the icon from the desktop entry of this name
     application.setDesktopFileName("lispac")
@@ -78,13 +81,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     importing = threading.Thread(target=_prepare_in_background, name="lispac-import")
     QTimer.singleShot(IMPORT_DELAY_MS, importing.start)
     if isinstance(application, Application):
+        application.document_requested.disconnect(requested.append)
         application.document_requested.connect(lambda path: session.window.open_project(path))
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     if message is not None:
         session.window.controller.logged.emit(message_text(message))
-    if arguments.project is not None:
-        QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
+    if (project := arguments.project or next(iter(requested), None)) is not None:
+        QTimer.singleShot(0, lambda: session.window.open_project(project))
     elif (crashed := session.crashed_project()) is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(crashed))
     elif arguments.demo:
