@@ -50,6 +50,8 @@ def exaggerated_rotation(boresight: np.ndarray) -> tuple[int, np.ndarray]:
     factor : int
     rotation : ndarray of shape (3, 3)
     """
+    if not boresight.any():
+        return 1, np.eye(3)  # without the import of SciPy, which would delay the first window
     from scipy.spatial.transform import Rotation
 
     factor = exaggeration_factor(boresight)
