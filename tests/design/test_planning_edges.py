@@ -90,7 +90,9 @@ def test_failed_adjustments_are_counted() -> None:
     found = run_monte_carlo(PLAN, 3, mapper=made)
     assert found.failed == 1
     np.testing.assert_array_equal(found.errors, [[1.0] * 3, [-1.0] * 3])
-    assert "1 survey could not be adjusted and is excluded." in map(str, found.messages)
+    assert {each.code: each.params for each in found.messages}["campaign.not_adjusted"] == {
+        "count": 1
+    }
 
 
 def test_seeds_lie_on_boards_and_spheres() -> None:

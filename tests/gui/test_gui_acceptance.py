@@ -126,9 +126,12 @@ def test_a_wrong_text_and_an_impossible_limit_change_nothing(judged: Driver) -> 
     assert field.text() == ""
     type_into(judged, field, "99999")
     judged.bot.keyClick(field, Key.Key_Return)
-    (refusal,) = judged.window.dialogs.errors
-    assert refusal.code == "settings.length_out_of_range"
+    assert field.input_error is not None
+    assert field.input_error.code == "window.out_of_range"
     assert judged.project.acceptance.is_empty
+    assert field.property("wrong") is True
+    assert field.text() == "99999"
+    judged.bot.keyClick(field, Qt.Key.Key_Escape)
     assert field.text() == ""
 
 

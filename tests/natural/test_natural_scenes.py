@@ -90,8 +90,8 @@ def test_missing_validation_planes_are_reported() -> None:
 
 
 def test_form_factors_of_simulated_surfaces() -> None:
-    """In scene 37 all proposed surfaces are flat, in scene 36 T3 is rough."""
-    for scene, rough in ((37, set()), (36, {"T3"})):
+    """In scene 37 all proposed surfaces are flat, in scene 41 T1 and T3 are rough."""
+    for scene, rough in ((37, set()), (41, {"T1", "T3"})):
         site = natural_site(scene)
         project, survey = opened(site, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
         targets = propose_targets(project, survey).targets
