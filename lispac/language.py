@@ -29,7 +29,7 @@ from dataclasses import dataclass, field
 from datetime import date, datetime
 from decimal import Decimal
 from functools import lru_cache
-from math import degrees, floor, isfinite, log10
+from math import copysign, degrees, floor, isfinite, log10
 from pathlib import Path
 from string import Formatter
 from typing import Any
@@ -210,8 +210,6 @@ def format_text(template: Template, params: Mapping[str, Any]) -> str:
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
     """Number formatted for the current language; three significant digits by default."""
-    from babel.numbers import format_decimal
-
     value = value if isinstance(value, int) else float(value)
     if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
@@ -222,7 +220,15 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
     pattern = f"+{places};-{places}" if sign else places
-    return str(format_decimal(value, pattern, locale=_LOCALES[current_language()]))
+    return _formatted_number(value, copysign(1, value), pattern, _LOCALES[current_language()])
+
+
+@lru_cache(maxsize=8192)
+def _formatted_number(value: float, _sign: float, pattern: str, locale: str) -> str:
+    """Number formatted by a pattern of Babel; the sign distinguishes 0.0 from -0.0 in the cache."""
+    from babel.numbers import format_decimal
+
+    return str(format_decimal(value, pattern, locale=locale))
 
 
 def join_names(names: Sequence[str], *, choice: bool = False) -> str:

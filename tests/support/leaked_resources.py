@@ -27,15 +27,15 @@ def find_leaks() -> list[str]:
 def _leaked() -> list[str]:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
-    made = gc.get_objects()
+    # Windows deleted by Qt count too: their Python objects still hold points and graphics
+    kinds = (QTimer, QMainWindow, QDialog, *_graphics())
+    found = [each for each in gc.get_objects() if isinstance(each, kinds)]
     shown = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     return [
         *(f"thread {each.name}" for each in threading.enumerate() if _is_ours(each)),
-        *(f"timer {each.objectName()}" for each in made if _is_running_timer(each)),
+        *(f"timer {each.objectName()}" for each in found if _is_running_timer(each)),
         *(f"shown {type(each).__name__}" for each in shown),
-        # Windows deleted by Qt count too: their Python objects still hold points and graphics
-        *(type(each).__name__ for each in made if isinstance(each, (QMainWindow, QDialog))),
-        *(type(each).__name__ for each in made if isinstance(each, _graphics())),
+        *(type(each).__name__ for each in found if not isinstance(each, QTimer)),
     ]
 
 
