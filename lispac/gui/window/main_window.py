@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, QSize, Qt, QUrl, Signal
-from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
+from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
 from lispac.gui.app import docks
@@ -316,6 +316,7 @@ class MainWindow(QMainWindow):
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)
+        self.controller.seed_refused.connect(self._on_seed_refused)
 
     def _note_cancelled(self, task: str) -> None:
         self._note(gettext("{task}: cancelled", task=task))
@@ -356,6 +357,10 @@ class MainWindow(QMainWindow):
         QToolTip.showText(place, gettext(NO_POINT_TEXT), self.viewport.widget)
         if not self.tools.mouse_tool.tool:
             self._note(gettext("No point under the cursor. Ctrl+click on a target."))
+
+    def _on_seed_refused(self, reason: str) -> None:
+        QToolTip.showText(QCursor.pos(), reason, self.viewport.widget)
+        self._note(reason)
 
     def _estimate(self) -> None:
         settings = self.adjust.settings()
