@@ -123,6 +123,36 @@ def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver)
     opened.bot.waitUntil(lambda: is_in_front(opened, "Histograms"), timeout=SOON_MS)
 
 
+def test_the_scene_stays_in_place_when_the_table_opens(opened: Driver) -> None:
+    calls = opened.viewport.calls
+    seed(opened, "T1")
+    calls.clear()
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert is_in_front(opened, "Targets by line")
+    moves = {"keep_picture", "fit", "view", "view_along", "step_view"}
+    assert [name for name, _ in calls if name in moves] == ["keep_picture"]
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_tables_show_several_rows(
+    driver: Driver, demo: Demo, validated: Project, size: tuple[int, int]
+) -> None:
+    window = driver.window
+    window.resize(*size)
+    driver.rest()
+    window.document.open(validated, demo.survey)
+    driver.rest()
+    show_panel(window, "Targets by line")
+    driver.rest()
+    table = window.table.sightings
+    assert table.viewport().height() >= 5 * table.rowHeight(0)
+    show_panel(window, "Histograms")
+    driver.rest()
+    planes = window.histograms.table
+    assert planes.viewport().height() >= 3 * planes.rowHeight(0)
+
+
 def test_a_panel_that_the_user_closed_stays_closed(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:

@@ -278,6 +278,7 @@ class MainWindow(QMainWindow):
 
     def _connect_actions(self) -> None:
         actions = self.actions_
+        self.dock_layout.opens_by_itself.connect(self.viewport.keep_picture)
         self.dock_layout.maximised_changed.connect(actions["maximise"].setChecked)
         for each in self.panel_windows.values():
             each.share_actions(actions.all)
