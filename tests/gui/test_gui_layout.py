@@ -145,7 +145,7 @@ def test_tables_show_several_rows(
     driver.rest()
     show_panel(window, "Targets by line")
     driver.rest()
-    table = window.table.sightings
+    table = window.table
     assert table.viewport().height() >= 5 * table.rowHeight(0)
     show_panel(window, "Histograms")
     driver.rest()
@@ -247,9 +247,9 @@ def test_a_panel_that_is_opened_ends_the_maximised_view(
     driver.rest()
     press(driver, Key.Key_F11)
     press(driver, Key.Key_F12)
-    docks = {"Workflow", "Results", "Targets by line", "Histograms", "Warnings"}
+    docks = {"Workflow", "Results", "Targets by line", "Histograms", "Messages"}
     driver.bot.waitUntil(lambda: shown_docks(driver) == docks, timeout=SOON_MS)
-    driver.bot.waitUntil(lambda: is_in_front(driver, "Warnings"), timeout=SOON_MS)
+    driver.bot.waitUntil(lambda: is_in_front(driver, "Messages"), timeout=SOON_MS)
     assert not window.actions_["maximise"].isChecked()
 
 

@@ -278,7 +278,7 @@ def test_an_empty_list_reports_no_warnings(picked: Driver) -> None:
     picked.window.warnings_button.show_warnings(())
     press(picked, Key.Key_F12)
     assert picked.window.warnings.empty.text() == NO_WARNINGS_TEXT
-    assert picked.window.warnings_button.text() == "No warnings"
+    assert picked.window.warnings_button.text() == "No messages"
 
 
 def test_the_window_is_not_blocked_by_the_list(adjusted: Driver, monkeypatch) -> None:

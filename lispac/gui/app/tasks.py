@@ -23,6 +23,12 @@ from lispac.language import gettext
 from lispac.progress import Progress, Step
 
 REFRESH_INTERVAL_MS = 50
+REPORT_INTERVAL_S = 0.5
+"""Shortest time between two stored reports of the progress."""
+MIN_ESTIMATE_TIME_S, MIN_ESTIMATE_FRACTION = 3.0, 0.05
+"""Time and fraction of a task before which no time left is estimated."""
+MAX_DURATION_RATIO = 1.5
+"""Largest ratio of two estimated durations that agree."""
 
 
 @dataclass(eq=False)
@@ -52,6 +58,8 @@ class Task:
     fraction: float = 0.0
     step: Step | None = None
     started: float = 0.0
+    reports: list[tuple[float, float]] = field(default_factory=list)
+    """Seconds since the start and fraction of some reports."""
     value: Any = None
     error: BaseException | None = None
 
@@ -60,6 +68,9 @@ class Task:
         if self.cancel.is_set():
             raise Cancelled
         self.fraction = min(max(fraction, 0.0), 1.0)
+        elapsed = time.monotonic() - self.started
+        if not self.reports or elapsed - self.reports[-1][0] >= REPORT_INTERVAL_S:
+            self.reports.append((elapsed, self.fraction))
         if step is not None:
             self.step = step
 
@@ -70,11 +81,23 @@ class Task:
             self.error.__traceback__ = None  # its traceback refers to the data as well
 
     def seconds_left(self) -> float | None:
-        """Estimated seconds left at the mean rate; None while too little is known."""
+        """Estimated seconds left at the mean rate; None while the rate is not dependable.
+
+        It is dependable if the durations that were estimated now and after half of the elapsed
+        time agree.
+        """
         elapsed = time.monotonic() - self.started
-        if elapsed < 0.5 or self.fraction < 0.02:
+        if elapsed < MIN_ESTIMATE_TIME_S or self.fraction < MIN_ESTIMATE_FRACTION:
             return None
-        return elapsed * (1 - self.fraction) / self.fraction
+        duration = elapsed / self.fraction
+        former = next((each for each in reversed(self.reports) if each[0] <= 0.5 * elapsed), None)
+        if former is not None:
+            time_then, fraction_then = former
+            if fraction_then <= 0 or not (
+                1 / MAX_DURATION_RATIO < time_then / fraction_then / duration < MAX_DURATION_RATIO
+            ):
+                return None
+        return duration - elapsed
 
 
 class TaskRunner(QObject):

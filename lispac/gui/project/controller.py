@@ -27,6 +27,8 @@ from lispac.workflow.project.survey import Survey, load_survey
 OpenedProject = tuple[Project, Survey]
 GEOREFERENCING_KEY = "survey"
 """Key of the task that georeferences the lines again after an edit."""
+ESTIMATE_KEY = "estimate"
+"""Key of the task that estimates the boresight."""
 SETTINGS_EDIT_NAMES = {
     "lever_arm": N_("change of lever arm"),
     "boresight_deg": N_("change of prior boresight"),
@@ -83,9 +85,7 @@ class Controller(QObject):
         runner.stopped.connect(lambda _title: self._discard_queued_seeds())
         runner.idle.connect(self._search_next_seed)
         # Queued, since the accepted candidate is added to the project after this signal
-        self.candidate_changed.connect(
-            self._search_next_seed, Qt.ConnectionType.QueuedConnection
-        )
+        self.candidate_changed.connect(self._search_next_seed, Qt.ConnectionType.QueuedConnection)
         document.about_to_open.connect(self._discard_queued_seeds)
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True

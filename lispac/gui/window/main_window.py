@@ -53,7 +53,8 @@ from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
-from lispac.messages import Message
+from lispac.messages import Action, Message
+from lispac.workflow.checking.warnings import NOISE_ACTIONS
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -195,6 +196,7 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.warnings.action_requested.connect(self._run_message_action)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
@@ -313,6 +315,7 @@ class MainWindow(QMainWindow):
         self.runner.cancelled_too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.logged.connect(self._note)
+        self.actions_.stepped.connect(self._note)
         self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
@@ -404,6 +407,16 @@ class MainWindow(QMainWindow):
     def _preview_settings(self) -> HoverPreviewSettings:
         targets = self.targets
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+
+    def _run_message_action(self, action: Action) -> None:
+        """Carry out the action of a message: use the LiDAR noise found in the residuals."""
+        project = self.document.project
+        if project is None or project.result is None:
+            return
+        ratio = project.result.lidar_noise_ratio
+        if action.code in NOISE_ACTIONS.values() and ratio is not None:
+            self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
+            self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
 
     def _set_title(self) -> None:
         project = self.document.project
