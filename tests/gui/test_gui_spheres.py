@@ -87,8 +87,6 @@ def test_a_seed_on_a_single_line_keeps_the_shape_of_the_target(opened, balls):
 def test_spheres_are_mentioned_where_there_are_some(opened, balls):
     panel = opened.window.targets
     open_step(opened, TARGETS)
-    seed(opened, balls, "T1")
-    accept_candidate(opened)
     assert panel.table.isColumnHidden(2)
     panel.shape_choice.setCurrentIndex(1)
     seed(opened, balls, "S1")
