@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QMessageBox,
     QPushButton,
+    QScrollArea,
     QSpinBox,
     QStyle,
     QStyleOptionDockWidget,
@@ -268,8 +269,12 @@ def cut_choices(window: QWidget) -> list[str]:
 
 def _is_cut(box: QComboBox) -> bool:
     """Whether an item is wider than its box, or the box than the area that scrolls it."""
-    seen = box.visibleRegion().boundingRect()
-    return (isinstance(box, ChoiceBox) and box.is_cut) or 0 < seen.width() < box.width()
+    area = box.parentWidget()
+    while area is not None and not isinstance(area, QScrollArea):
+        area = area.parentWidget()
+    right = 0 if area is None else box.mapTo(area.viewport(), QPoint(box.width(), 0)).x()
+    is_beyond = area is not None and right > area.viewport().width()
+    return is_beyond or (isinstance(box, ChoiceBox) and box.is_cut)
 
 
 def test_no_chosen_item_is_cut_in_the_window(
