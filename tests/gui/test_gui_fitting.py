@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPolygonF
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -289,6 +290,7 @@ def test_no_chosen_item_is_cut_in_the_window(
         for group in window.workflow.findChildren(FoldableGroup):
             group.open()
         driver.rest()
+        QTest.qWait(50)  # the panel becomes as wide as its content
         assert cut_choices(window.workflow) == [], (language, step)
     for title in ("Histograms", "Section"):
         show_panel(window, title)
