@@ -323,7 +323,7 @@ def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:
     task = Task("Import", lambda progress: None, lambda value: None)
     for elapsed, fraction, is_shown in (
         (0.0, 0.0, False), (1.0, 0.1, False), (6.0, 0.01, False), (8.0, 0.4, False),
-        (20.0, 0.6, False), (40.0, 0.9, True),
+        (20.0, 0.6, False), (40.0, 0.9, True), (80.0, 0.91, True),
     ):  # fmt: skip
         task.started = time.monotonic() - elapsed
         task.report(fraction)

@@ -60,6 +60,7 @@ class Task:
     started: float = 0.0
     reports: list[tuple[float, float]] = field(default_factory=list)
     """Seconds since the start and fraction of some reports."""
+    _has_dependable_rate: bool = field(default=False, init=False)
     value: Any = None
     error: BaseException | None = None
 
@@ -90,6 +91,8 @@ class Task:
         if elapsed < MIN_ESTIMATE_TIME_S or self.fraction < MIN_ESTIMATE_FRACTION:
             return None
         duration = elapsed / self.fraction
+        if self._has_dependable_rate:  # the text does not come and go
+            return duration - elapsed
         former = next((each for each in reversed(self.reports) if each[0] <= 0.5 * elapsed), None)
         if former is not None:
             time_then, fraction_then = former
@@ -97,6 +100,7 @@ class Task:
                 1 / MAX_DURATION_RATIO < time_then / fraction_then / duration < MAX_DURATION_RATIO
             ):
                 return None
+        self._has_dependable_rate = True
         return duration - elapsed
 
 

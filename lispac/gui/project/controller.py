@@ -318,7 +318,8 @@ class Controller(QObject):
         """Search for the target at a clicked point and show it as the candidate.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
-        with its role and shape. While another task runs, the seed is marked and queued.
+        with its role and shape. While another task runs or other seeds wait, the seed is marked
+        and queued.
         """
         if self._document.project is None:
             return
@@ -328,7 +329,7 @@ class Controller(QObject):
             )
             return
         seed = _QueuedSeed(point, self._scene.prior_position_finder(point), seed_options)
-        if self._runner.busy:
+        if self._runner.busy or self._queued_seeds:
             self._queued_seeds.append(seed)
             self._show_search()
             self.logged.emit(
