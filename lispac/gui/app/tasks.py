@@ -27,6 +27,8 @@ REPORT_INTERVAL_S = 0.5
 """Shortest time between two stored reports of the progress."""
 MIN_ESTIMATE_TIME_S, MIN_ESTIMATE_FRACTION = 3.0, 0.05
 """Time and fraction of a task before which no time left is estimated."""
+MAX_SILENCE_SHARE = 0.2
+"""Share of the elapsed time without a report after which no time left is estimated."""
 MAX_DURATION_RATIO = 1.5
 """Largest ratio of two estimated durations that agree."""
 
@@ -61,6 +63,7 @@ class Task:
     reports: list[tuple[float, float]] = field(default_factory=list)
     """Seconds since the start and fraction of some reports."""
     _has_dependable_rate: bool = field(default=False, init=False)
+    _last_report: float = field(default=0.0, init=False)
     value: Any = None
     error: BaseException | None = None
 
@@ -69,7 +72,7 @@ class Task:
         if self.cancel.is_set():
             raise Cancelled
         self.fraction = min(max(fraction, 0.0), 1.0)
-        elapsed = time.monotonic() - self.started
+        self._last_report = elapsed = time.monotonic() - self.started
         if not self.reports or elapsed - self.reports[-1][0] >= REPORT_INTERVAL_S:
             self.reports.append((elapsed, self.fraction))
         if step is not None:
@@ -90,9 +93,12 @@ class Task:
         elapsed = time.monotonic() - self.started
         if elapsed < MIN_ESTIMATE_TIME_S or self.fraction < MIN_ESTIMATE_FRACTION:
             return None
-        duration = elapsed / self.fraction
+        if elapsed - self._last_report > max(MAX_SILENCE_SHARE * elapsed, MIN_ESTIMATE_TIME_S):
+            return None  # the mean rate is that of other steps
+        duration = self._last_report / self.fraction
+        left = max(duration - elapsed, 0.0)
         if self._has_dependable_rate:  # the text does not come and go
-            return duration - elapsed
+            return left
         former = next((each for each in reversed(self.reports) if each[0] <= 0.5 * elapsed), None)
         if former is not None:
             time_then, fraction_then = former
@@ -101,7 +107,7 @@ class Task:
             ):
                 return None
         self._has_dependable_rate = True
-        return duration - elapsed
+        return left
 
 
 class TaskRunner(QObject):
