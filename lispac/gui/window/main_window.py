@@ -54,6 +54,7 @@ from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 from lispac.messages import Action, Message
+from lispac.project import Project
 from lispac.workflow.checking.warnings import NOISE_ACTIONS
 
 NOTE_DURATION_MS = 6000
@@ -96,6 +97,7 @@ class MainWindow(QMainWindow):
         self.viewport = viewport
         self.document = document or Document()
         self.document.setParent(self)
+        self._noted_project: Project | None = None
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
@@ -305,8 +307,7 @@ class MainWindow(QMainWindow):
         )
 
     def _connect_tasks(self) -> None:
-        # The note in the status bar referred to the former state
-        self.document.changed.connect(self.task_bar.clearMessage)
+        self.document.changed.connect(self._clear_outdated_note)
         for bar in self._task_bars:
             bar.cancel_requested.connect(self.runner.cancel)
             self.runner.progress_changed.connect(lambda bar=bar: bar.show_task(self.runner.current))
@@ -325,7 +326,13 @@ class MainWindow(QMainWindow):
     def _note_cancelled(self, task: str) -> None:
         self._note(gettext("{task}: cancelled", task=task))
 
+    def _clear_outdated_note(self) -> None:
+        """Clear the note in the status bar if it referred to another state of the project."""
+        if self.document.project is not self._noted_project:
+            self.task_bar.clearMessage()
+
     def _note(self, text: str) -> None:
+        self._noted_project = self.document.project
         LOGGER.info(text)
         self.log.note(text)
         for bar in self._task_bars:

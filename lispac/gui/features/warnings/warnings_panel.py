@@ -36,8 +36,8 @@ LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
 
 ACTION_LINE = "\N{NO-BREAK SPACE}"
 """Last line of a message with actions: the place of its buttons."""
-BUTTON_INDENT_PX = 26
-"""Left edge of the buttons of a message, below its text."""
+BUTTON_INDENT_PX, BUTTON_HEIGHT_PX = 4, 18
+"""Left edge and height of the buttons of a message, in the last line of its text."""
 MAX_SLICE_S = 0.015
 """Time for which texts are added before events are processed; a text takes a millisecond."""
 
@@ -151,10 +151,11 @@ class WarningsPanel(QWidget):
         """Buttons of a message, below its text."""
         made = QWidget()
         row = QHBoxLayout(made)
-        row.setContentsMargins(BUTTON_INDENT_PX, 0, 4, 3)
+        row.setContentsMargins(BUTTON_INDENT_PX, 0, 4, 2)
         for action in actions:
             button = widgets.button(action_text(action), f"message_{action.code}")
             button.setStyleSheet("padding: 0px 8px;")
+            button.setFixedHeight(BUTTON_HEIGHT_PX)
             button.clicked.connect(lambda _=False, action=action: self._emit_action(action))
             row.addWidget(button, 0, Qt.AlignmentFlag.AlignBottom)
         row.addStretch(1)
