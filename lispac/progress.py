@@ -14,6 +14,9 @@ from lispac.language import LazyText, duration_text, gettext, number
 MIN_RATE_TIME_S = 1.0
 """Smallest duration of a measurement, seconds, for which a rate is given."""
 
+MIN_RATE = 5000.0
+"""Smallest rate that is given, points per second: 0.01 million when rounded."""
+
 
 @dataclass(frozen=True)
 class PointProgress:
@@ -102,9 +105,10 @@ class PointRate:
     def step(self, done: int) -> PointProgress:
         """Progress after ``done`` points, with the rate once it is known."""
         elapsed = time.monotonic() - self._started
-        if elapsed < MIN_RATE_TIME_S or done <= self._before:
+        rate = (done - self._before) / elapsed if elapsed >= MIN_RATE_TIME_S else 0.0
+        if rate < MIN_RATE:
             return PointProgress(self._step, done, self._total)
-        return PointProgress(self._step, done, self._total, (done - self._before) / elapsed)
+        return PointProgress(self._step, done, self._total, rate)
 
 
 def count_text(count: int) -> str:

@@ -150,7 +150,10 @@ def test_pick_undo_redo_rename_estimate_cancel_estimate(
 
 @pytest.mark.parametrize(
     "button",
-    ["Save", *(pytest.param(b, marks=pytest.mark.long) for b in ("Cancel", "Do not save"))],
+    [
+        "Save the changes",
+        *(pytest.param(b, marks=pytest.mark.long) for b in ("Cancel", "Discard the changes")),
+    ],
 )
 def test_closing_with_unsaved_changes(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
@@ -164,7 +167,7 @@ def test_closing_with_unsaved_changes(
     press(hands, Key.Key_Q, Control)
     hands.until_dialogs_used()
     assert hands.window.isVisible() == (button == "Cancel")
-    after = ["North wall", *before[1:]] if button == "Save" else before
+    after = ["North wall", *before[1:]] if button == "Save the changes" else before
     assert names(picked_folder) == after
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
 

@@ -114,14 +114,14 @@ def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(calibrated: Driv
             bot.keyClick(panels, Qt.Key.Key_Down)
         bot.keyClick(panels, Qt.Key.Key_Return)
 
-    assert not is_in_front(window, "Warnings")
-    pick("Warnings")
-    bot.waitUntil(lambda: is_in_front(window, "Warnings"), timeout=SOON_MS)
+    assert not is_in_front(window, "Messages")
+    pick("Messages")
+    bot.waitUntil(lambda: is_in_front(window, "Messages"), timeout=SOON_MS)
     pick("Section")
     dock = window.docks["Section"]
     bot.waitUntil(lambda: dock.isAncestorOf(QApplication.focusWidget()), timeout=SOON_MS)
     assert is_in_front(window, "Section")
-    assert window.docks["Warnings"].isVisible()
+    assert window.docks["Messages"].isVisible()
     pick("Section")
     bot.waitUntil(lambda: not dock.isVisible(), timeout=SOON_MS)
     pick("Section")

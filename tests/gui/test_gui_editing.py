@@ -103,9 +103,24 @@ def test_the_status_bar_clears_its_text_when_the_project_changes(picked: Driver)
     seed(picked, "T2")
     press(picked, Key.Key_Return)
     assert bar.currentMessage() == "T3: found in 6 of 6 lines"
-    press(picked, Key.Key_Z, Control)
+    picked.window.controller.use_target("T1", False)
     wait_until_idle(picked)
     assert bar.currentMessage() == ""
+
+
+def test_the_status_bar_and_the_log_name_the_undone_edit(picked: Driver) -> None:
+    bar, log = picked.window.task_bar, picked.window.log
+    picked.window.controller.rename("T1", "Quay")
+    edit = picked.window.document.undo_stack.undoText()
+    press(picked, Key.Key_Z, Control)
+    wait_until_idle(picked)
+    undone = bar.currentMessage()
+    assert edit in undone
+    assert undone in log.toPlainText()
+    press(picked, Key.Key_Z, Control | Qt.KeyboardModifier.ShiftModifier)
+    wait_until_idle(picked)
+    assert edit in bar.currentMessage()
+    assert bar.currentMessage() != undone
 
 
 def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:

@@ -5,38 +5,49 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPolygonF
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPolygonF
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
+    QComboBox,
     QDialogButtonBox,
     QMessageBox,
     QPushButton,
+    QScrollArea,
     QSpinBox,
     QStyle,
     QStyleOptionDockWidget,
     QTableWidget,
+    QToolTip,
+    QWidget,
 )
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import widgets
 from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.number_table import NumberTable
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.inspect.clipping_panel import ClippingPanel
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.patch_test.panel import PatchTestPanel
 from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.overlay import free_label_place, has_right_neighbour
+from lispac.gui.widgets import ChoiceBox
 from lispac.gui.widgets.error_box import error_box
+from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.widgets.mounting_sketch import MountingSketch
 from lispac.identity import Identity
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from tests.gui.import_support import drop, raw
+from tests.gui.import_support import rest as import_rest
 from tests.gui.support import WAIT_MS, Demo, Driver, show_panel
 
 SMALL_WINDOW = (1366, 740)
@@ -248,3 +259,73 @@ def test_headings_of_the_design_tables_are_aligned_with_their_numbers(
             if table.rowCount():
                 assert side == table.item(0, column).textAlignment()
             assert side & (Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignRight)
+
+
+def cut_choices(window: QWidget) -> list[str]:
+    """Names of the visible combo boxes that do not show the whole chosen item."""
+    boxes = [each for each in window.findChildren(QComboBox) if each.isVisible()]
+    assert boxes
+    return [each.objectName() for each in boxes if _is_cut(each)]
+
+
+def _is_cut(box: QComboBox) -> bool:
+    """Whether an item is wider than its box, or the box than the area that scrolls it."""
+    area = box.parentWidget()
+    while area is not None and not isinstance(area, QScrollArea):
+        area = area.parentWidget()
+    right = 0 if area is None else box.mapTo(area.viewport(), QPoint(box.width(), 0)).x()
+    is_beyond = area is not None and right > area.viewport().width()
+    return is_beyond or (isinstance(box, ChoiceBox) and box.is_cut)
+
+
+def test_no_chosen_item_is_cut_in_the_window(
+    language: str, driver: Driver, demo: Demo, validated: Project
+) -> None:
+    window = driver.window
+    window.resize(*SMALL_WINDOW)
+    window.document.open(validated, demo.survey)
+    driver.rest()
+    for step in (1, 2, 3, 4):
+        window.workflow.open(step)
+        for group in window.workflow.findChildren(FoldableGroup):
+            group.open()
+        driver.rest()
+        QTest.qWait(50)  # the panel becomes as wide as its content
+        assert cut_choices(window.workflow) == [], (language, step)
+    for title in ("Histograms", "Section"):
+        show_panel(window, title)
+        driver.rest()
+        assert cut_choices(window.docks[title]) == [], (language, title)
+
+
+def test_no_chosen_item_is_cut_in_the_import(
+    language: str, qtbot: QtBot, demo: Demo, tmp_path: Path
+) -> None:
+    dialog = ImportDialog(AppSettings(tmp_path / "settings.ini"))
+    qtbot.addWidget(dialog)
+    dialog.resize(LOW_SCREEN)
+    dialog.show()
+    drop(dialog, raw(demo))
+    import_rest(qtbot, dialog)
+    for row in range(dialog.table.rowCount()):
+        dialog.table.selectRow(row)
+        QApplication.processEvents()
+        assert cut_choices(dialog) == [], (language, row)
+    dialog.done(0)
+
+
+def test_the_list_of_a_narrow_box_shows_whole_items(qtbot: QtBot) -> None:
+    box = ChoiceBox("narrow", ["short", "an item that is much wider than its combo box"], "Tip")
+    qtbot.addWidget(box)
+    box.setFixedWidth(80)
+    box.show()
+    assert not box.is_cut
+    box.setCurrentIndex(1)
+    assert box.is_cut
+    help_event = QHelpEvent(QEvent.Type.ToolTip, QPoint(5, 5), box.mapToGlobal(QPoint(5, 5)))
+    QApplication.sendEvent(box, help_event)
+    assert box.currentText() in QToolTip.text()
+    qtbot.mouseClick(box, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(box.view().isVisible, timeout=WAIT_MS)
+    assert box.view().viewport().width() >= box.view().sizeHintForColumn(0)
+    box.hidePopup()

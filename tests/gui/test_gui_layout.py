@@ -12,11 +12,24 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
 from lispac.gui.app.unavailable import Unavailable
+from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.widgets import Button
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Control, Demo, Driver, Key, Left, click, press, seed, show_panel
+from tests.gui.support import (
+    Control,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    press,
+    seed,
+    sentence,
+    show_panel,
+)
 
 SIZES = {(1600, 1000): 0.55, (1366, 768): 0.45}
 """Smallest share of the view by the size of the window, pixels."""
@@ -123,6 +136,36 @@ def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver)
     opened.bot.waitUntil(lambda: is_in_front(opened, "Histograms"), timeout=SOON_MS)
 
 
+def test_the_scene_stays_in_place_when_the_table_opens(opened: Driver) -> None:
+    calls = opened.viewport.calls
+    seed(opened, "T1")
+    calls.clear()
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert is_in_front(opened, "Targets by line")
+    moves = {"keep_picture", "fit", "view", "view_along", "step_view"}
+    assert [name for name, _ in calls if name in moves] == ["keep_picture"]
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_tables_show_several_rows(
+    driver: Driver, demo: Demo, validated: Project, size: tuple[int, int]
+) -> None:
+    window = driver.window
+    window.resize(*size)
+    driver.rest()
+    window.document.open(validated, demo.survey)
+    driver.rest()
+    show_panel(window, "Targets by line")
+    driver.rest()
+    table = window.table
+    assert table.viewport().height() >= 5 * table.rowHeight(0)
+    show_panel(window, "Histograms")
+    driver.rest()
+    planes = window.histograms.table
+    assert planes.viewport().height() >= 3 * planes.rowHeight(0)
+
+
 def test_a_panel_that_the_user_closed_stays_closed(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -217,9 +260,9 @@ def test_a_panel_that_is_opened_ends_the_maximised_view(
     driver.rest()
     press(driver, Key.Key_F11)
     press(driver, Key.Key_F12)
-    docks = {"Workflow", "Results", "Targets by line", "Histograms", "Warnings"}
+    docks = {"Workflow", "Results", "Targets by line", "Histograms", "Messages"}
     driver.bot.waitUntil(lambda: shown_docks(driver) == docks, timeout=SOON_MS)
-    driver.bot.waitUntil(lambda: is_in_front(driver, "Warnings"), timeout=SOON_MS)
+    driver.bot.waitUntil(lambda: is_in_front(driver, "Messages"), timeout=SOON_MS)
     assert not window.actions_["maximise"].isChecked()
 
 
@@ -334,6 +377,61 @@ def test_every_disabled_entry_gives_its_reason(
     document.open(estimated, demo.survey)
     driver.rest()
     assert actions.reason("validate") is None
+
+
+def test_every_disabled_button_of_the_steps_gives_its_reason(
+    driver: Driver, demo: Demo, estimated: Project
+) -> None:
+    texts = [each.text for each in Unavailable]
+    window = driver.window
+    for state, project in states(demo, estimated).items():
+        window.document.open(project, None if project is None else demo.survey)
+        driver.rest()
+        buttons = [
+            each
+            for panel in (window.targets, window.adjust, window.validate, window.report)
+            for each in panel.findChildren(Button)
+            if each.tip and not each.isEnabled()
+        ]
+        assert buttons or state == "estimated"
+        for button in buttons:
+            if button.objectName() not in ("cancel_estimate", "show_after"):
+                assert any(text in button.toolTip() for text in texts), (state, button.text())
+
+
+def test_commands_that_open_a_project_are_disabled_while_one_is_opened(
+    driver: Driver, picked_folder: Path
+) -> None:
+    window = driver.window
+    window.open_project(picked_folder)
+    for name in ("new", "open", "demo"):
+        assert window.actions_.reason(name) is Unavailable.BUSY
+        link = window.central_widget.start.links[name]
+        assert not link.isEnabled()
+        assert Unavailable.BUSY.text in link.toolTip()
+    (new,) = window.data.findChildren(Button, "empty_new")
+    assert not new.isEnabled()
+    assert Unavailable.BUSY.text in new.toolTip()
+    driver.rest()
+    assert window.document.project is not None
+    assert window.actions_["new"].isEnabled()
+
+
+def test_the_steps_say_that_the_validation_is_running(
+    driver: Driver, demo: Demo, estimated: Project
+) -> None:
+    window = driver.window
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    before = window.report.advice.text()
+    press(driver, Key.Key_F10)
+    assert window.runner.current.key == "validate"
+    running = window.report.advice.text(), sentence(driver, VALIDATE)
+    assert running[0] != before
+    driver.rest()
+    assert driver.project.validation
+    assert window.report.advice.text() not in (before, running[0])
+    assert sentence(driver, VALIDATE) != running[1]
 
 
 def tip_at(bot: QtBot, widget: QWidget, place: QPoint) -> str:

@@ -300,11 +300,11 @@ READING = gettext_lazy("Reading {line}", line="L1")
 @pytest.mark.parametrize(
     ("step", "shown"),
     [
-        (gettext_lazy("Aligning the lines"), "Aligning the lines  ·  5 %/s, 10 s left"),
+        (gettext_lazy("Aligning the lines"), "Aligning the lines  ·  10 s left"),
         (PointProgress(READING, 4_900_000, 20_000_000, 2.1e6),
          "Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s  ·  10 s left"),
         (PointProgress(READING, 4_900_000, 20_000_000),
-         "Reading L1: 4.9 M of 20.0 M points  ·  5 %/s, 10 s left"),
+         "Reading L1: 4.9 M of 20.0 M points  ·  10 s left"),
     ],
 )  # fmt: skip
 def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, step, shown):
@@ -315,6 +315,23 @@ def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, ste
     task.report(0.5, step)
     bar.show_task(task)
     assert bar.text.text() == shown
+
+
+def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:
+    bar = TaskStatusBar()
+    qtbot.addWidget(bar)
+    task = Task("Import", lambda progress: None, lambda value: None)
+    for elapsed, fraction, is_shown in (
+        (0.0, 0.0, False), (1.0, 0.1, False), (6.0, 0.01, False), (8.0, 0.4, False),
+        (20.0, 0.6, False), (42.0, 0.9, True), (80.0, 0.91, True),
+    ):  # fmt: skip
+        task.started = time.monotonic() - elapsed
+        task.report(fraction)
+        bar.show_task(task)
+        assert ("left" in bar.text.text()) == is_shown, elapsed
+    task.started -= 40  # without a report
+    bar.show_task(task)
+    assert "left" not in bar.text.text()
 
 
 def test_time_left_is_french_after_an_untranslated_name(qtbot: QtBot) -> None:
@@ -328,5 +345,5 @@ def test_time_left_is_french_after_an_untranslated_name(qtbot: QtBot) -> None:
         bar.show_task(task)
     finally:
         set_language("en")
-    shown = "Lecture de Sud  ·  5 %/s, encore 10 s"
+    shown = "Lecture de Sud  ·  encore 10 s"
     assert bar.text.text().replace("\u202f", " ").replace("\u00a0", " ") == shown

@@ -1,6 +1,7 @@
 """Tests of the values of the point under the mouse, and of the answers to a click in the view."""
 
 from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -226,3 +227,61 @@ def test_the_help_on_the_mouse_fades_after_its_first_use(board: Driver) -> None:
     finally:
         made.window.close()
         made.window.deleteLater()
+
+
+def _click(driver: Driver, name: str) -> None:
+    """Ctrl+click on a target without waiting for its search."""
+    line = driver.window.document.survey.lines[0]
+    driver.viewport.signals.seed_clicked.emit(PickedPoint(line, demo_seeds()[name][1]))
+
+
+def _marks(driver: Driver) -> list[tuple]:
+    return [marker.position for marker in driver.viewport.markers]
+
+
+def test_seeds_clicked_during_a_search_are_marked_and_searched_in_turn(opened: Driver) -> None:
+    seeds = demo_seeds()
+    for name in ("T1", "T2"):
+        _click(opened, name)
+    assert _marks(opened) == [seeds["T1"][1], seeds["T2"][1]], "marked at once"
+    assert opened.window.task_bar.currentMessage()
+    opened.rest()
+    assert opened.window.controller.candidate.name == "T1"
+    assert seeds["T2"][1] in _marks(opened), "waits for the answer of the user"
+    press(opened, Key.Key_Return)
+    opened.bot.waitUntil(lambda: opened.window.controller.candidate is not None, timeout=WAIT_MS)
+    opened.rest()
+    candidate = opened.window.controller.candidate
+    assert candidate.name == "T2"
+    assert np.linalg.norm(np.subtract(candidate.seed, seeds["T2"][1])) < 0.1
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert [target.name for target in opened.project.targets] == ["T1", "T2"]
+    assert opened.window.controller.candidate is None
+
+
+def test_a_cancelled_or_failed_search_and_its_waiting_seeds(opened: Driver) -> None:
+    _click(opened, "T1")
+    _click(opened, "T2")
+    press(opened, Key.Key_Period, Control)
+    opened.rest()
+    assert _marks(opened) == [], "cancelled with the search"
+    line = opened.window.document.survey.lines[0]
+    opened.viewport.signals.seed_clicked.emit(PickedPoint(line, (0.0, 0.0, 500.0)))
+    _click(opened, "T2")
+    opened.rest()
+    assert len(opened.dialogs.errors) == 1
+    opened.bot.waitUntil(lambda: opened.window.controller.candidate is not None, timeout=WAIT_MS)
+    assert opened.window.controller.candidate.name == "T1", "the next free name"
+
+
+def test_a_seed_clicked_while_lines_are_georeferenced_is_refused_visibly(
+    opened: Driver,
+) -> None:
+    settings = replace(opened.project.settings, boresight_deg=(0.1, 0.0, 0.0))
+    opened.window.controller.change_settings(settings)
+    _click(opened, "T1")
+    assert QToolTip.text()
+    assert _marks(opened) == []
+    opened.rest()
+    assert opened.window.controller.candidate is None

@@ -4,9 +4,10 @@ import pytest
 from PySide6.QtWidgets import QLabel
 
 from lispac.gui.appearance import units
+from lispac.gui.project.status import TARGETS
 from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
-from tests.gui.support import Driver, click
+from tests.gui.support import Driver, click, open_step
 from tests.support.ball_survey import BallSurvey, make_ball_survey
 
 
@@ -83,10 +84,22 @@ def test_a_seed_on_a_single_line_keeps_the_shape_of_the_target(opened, balls):
     assert len(target.sightings) == 6
 
 
+def test_spheres_are_mentioned_where_there_are_some(opened, balls):
+    panel = opened.window.targets
+    open_step(opened, TARGETS)
+    assert panel.table.isColumnHidden(2)
+    panel.shape_choice.setCurrentIndex(1)
+    seed(opened, balls, "S1")
+    accept_candidate(opened)
+    assert not panel.table.isColumnHidden(2)
+
+
 def test_only_a_target_can_be_a_sphere(opened, balls):
     panel = opened.window.targets
-    assert not panel._sphere_radius.isEnabled()
+    open_step(opened, TARGETS)
+    assert not panel._sphere_radius.isVisible()
     panel.shape_choice.setCurrentIndex(1)
+    assert panel._sphere_radius.isVisible()
     assert panel._sphere_radius.isEnabled()
     assert "click a sphere" in panel.hint.text()
     panel.set_role("validation")

@@ -6,10 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.warnings.warnings_panel import (
+    ACTION_LINE,
     NO_PROJECT_TEXT,
     NO_WARNINGS_TEXT,
     TITLE,
@@ -20,7 +21,17 @@ from lispac.message_texts import message_text
 from lispac.messages import Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.warning_causes import Cause
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wait_until_idle
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    press,
+    wait_until_idle,
+)
 
 Role = Qt.ItemDataRole
 
@@ -34,7 +45,10 @@ def listed(driver: Driver) -> tuple[Message, ...]:
     driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
     panel = driver.window.warnings
     driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
-    texts = [panel.list.item(row).text() for row in range(panel.list.count())]
+    texts = [
+        panel.list.item(row).text().removesuffix(f"\n{ACTION_LINE}")
+        for row in range(panel.list.count())
+    ]
     assert texts == [message_text(each) for each in panel.messages]
     return panel.messages
 
@@ -278,7 +292,7 @@ def test_an_empty_list_reports_no_warnings(picked: Driver) -> None:
     picked.window.warnings_button.show_warnings(())
     press(picked, Key.Key_F12)
     assert picked.window.warnings.empty.text() == NO_WARNINGS_TEXT
-    assert picked.window.warnings_button.text() == "No warnings"
+    assert picked.window.warnings_button.text() == "No messages"
 
 
 def test_the_window_is_not_blocked_by_the_list(adjusted: Driver, monkeypatch) -> None:
@@ -302,3 +316,27 @@ def test_the_window_is_not_blocked_by_the_list(adjusted: Driver, monkeypatch) ->
         time.sleep(0.001)
     assert time.perf_counter() - started > 1.0
     assert longest < 0.5
+
+
+def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
+    driver: Driver, demo: Demo, estimated: Project
+) -> None:
+    noisy = replace(estimated, result=replace(estimated.result, lidar_noise_ratio=0.5))
+    driver.window.document.open(noisy, demo.survey)
+    row = row_with_code(driver, "report.lidar_noise")
+    open_list(driver)
+    panel = driver.window.warnings
+    panel.list.scrollToItem(panel.list.item(row))
+    driver.rest()
+    button = panel.findChild(QPushButton, "message_use_lidar_noise")
+    place = button.mapTo(panel.list.viewport(), button.rect().center())
+    assert panel.list.visualItemRect(panel.list.item(row)).contains(place)
+    click(driver, button)
+    assert driver.project.settings.lidar_sigma == pytest.approx(0.5 * noisy.settings.lidar_sigma)
+    press(driver, Key.Key_Z, Control)
+    assert driver.project.settings == noisy.settings
+
+
+def row_with_code(driver: Driver, code: str) -> int:
+    (row,) = (k for k, each in enumerate(listed(driver)) if each.code == code)
+    return row

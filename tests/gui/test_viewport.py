@@ -335,6 +335,18 @@ def test_resizing_keeps_all_points_in_view(viewport, qtbot):
     assert clicked.args[0].line == "red"
 
 
+def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    height = viewport.canvas.height()
+    middle = viewport._navigator._surface_at(*viewport._navigator._middle_of_view())
+    before = viewport.to_pixels(middle[None])[0]
+    viewport.keep_picture()
+    viewport.widget.resize(viewport.widget.width(), height - 60)
+    qtbot.waitUntil(lambda: viewport.canvas.height() == height - 60)
+    np.testing.assert_allclose(viewport.to_pixels(middle[None])[0], before, atol=1.0)
+
+
 def test_a_cross_shows_where_a_seed_would_be_set(viewport):
     viewport.show_clouds(*scene())
     viewport.canvas.setFocus()

@@ -218,3 +218,14 @@ def test_fitted_points_touch_the_edges_of_the_picture(parallel):
     # The points touch both opposite edges.
     tight = int(np.argmin(np.minimum(low, whole - high)))
     assert low[tight] == pytest.approx(whole[tight] - high[tight], abs=1.0)
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_points_at_the_focal_depth_keep_their_pixels_when_the_picture_becomes_lower(parallel):
+    camera, low = random_camera(3, parallel=parallel), ViewportSize(SIZE.width, 0.7 * SIZE.height)
+    points = [camera.point_at(x, y, camera.focal_depth, SIZE) for x, y in ((10, 20), (300, 250))]
+    resized = camera.resized(SIZE, low)
+    np.testing.assert_allclose(
+        resized.project(np.array(points), low)[:, :2], [(10, 20), (300, 250)], atol=1e-6
+    )
+    assert (resized.azimuth, resized.elevation) == (camera.azimuth, camera.elevation)

@@ -104,6 +104,8 @@ class Actions(QObject):
 
     refused = Signal(object)
     """The error because of which an action was not started."""
+    stepped = Signal(str)
+    """Text on the edit that was undone or redone."""
 
     def __init__(
         self,
@@ -193,12 +195,22 @@ class Actions(QObject):
         stack.canRedoChanged.connect(self._enable_redo)
         stack.undoTextChanged.connect(self._set_undo_text)
         stack.redoTextChanged.connect(self._set_redo_text)
-        self.connect_slots({"undo": stack.undo, "redo": stack.redo})
+        self.connect_slots({"undo": lambda: self._undo(stack), "redo": lambda: self._redo(stack)})
         # A rebuilt window keeps the undo steps of the former one
         self._enable_undo(stack.canUndo())
         self._enable_redo(stack.canRedo())
         self._set_undo_text(stack.undoText())
         self._set_redo_text(stack.redoText())
+
+    def _undo(self, stack: QUndoStack) -> None:
+        edit = stack.undoText()
+        stack.undo()
+        self.stepped.emit(gettext("Undone: {edit}", edit=edit))
+
+    def _redo(self, stack: QUndoStack) -> None:
+        edit = stack.redoText()
+        stack.redo()
+        self.stepped.emit(gettext("Redone: {edit}", edit=edit))
 
     def _enable_undo(self, enabled: bool) -> None:
         self.set_reason("undo", first_reason((not enabled, Unavailable.NO_EDIT)))

@@ -2,9 +2,10 @@
 
 from collections.abc import Collection, Mapping
 
+import numpy as np
 from PySide6.QtCore import QByteArray, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QToolBar, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QStyle, QTabWidget, QToolBar, QWidget
 
 from lispac.gui.app.panel_window import PanelWindow
 from lispac.gui.widgets.tab_order import focus_dock_content
@@ -15,10 +16,13 @@ Area = Qt.DockWidgetArea
 WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
 """English titles of docks: keys of `Docks`; the object names in a saved layout come from them."""
-SIDE_WIDTH_PX, STRIP_HEIGHT_PX = 336, 174
-"""Initial width of the panel at the left, and height of the panels at the bottom, pixels.
-
-With them, the 3D view has 55 % of a window of 1600 x 1000 and 45 % of one of 1366 x 768 pixels."""
+SIDE_WIDTH_PX = 336
+"""Initial width of the panel at the left, pixels."""
+MIN_STRIP_HEIGHT_PX, MAX_STRIP_SHARE = 150, 0.3
+"""Limits of the initial height of the panels at the bottom: pixels, and share of the window."""
+VIEW_SHARES = {768: 0.455, 1000: 0.555}
+"""Share of the window that the panels at the bottom initially leave to the 3D view, by the height
+of the window in pixels; interpolated between, constant beyond."""
 
 
 class Dock(QDockWidget):
@@ -109,6 +113,8 @@ class DockLayout(QObject):
     """
 
     maximised_changed = Signal(bool)
+    opens_by_itself = Signal()
+    """A panel opens because it has something to show; the user did not ask for it."""
 
     def __init__(self, window: QMainWindow, docks: Docks, automatic: Collection[str]) -> None:
         super().__init__(window)
@@ -144,6 +150,8 @@ class DockLayout(QObject):
         if self.is_maximised:
             return
         self._close_empty()
+        if not is_new_project and self._closed_docks(self._filled - former):
+            self.opens_by_itself.emit()
         self._open(self._filled - former)
 
     def _close_empty(self) -> None:
@@ -160,12 +168,16 @@ class DockLayout(QObject):
             self._docks[title].show()
             self._docks[title].raise_()
 
-    def _open(self, titles: Collection[str]) -> None:
-        opened = [
+    def _closed_docks(self, titles: Collection[str]) -> list[Dock]:
+        """Docks of these titles that the user wants and that are not open."""
+        return [
             dock
             for title, dock in self._docks.items()
             if title in titles and title in self._wanted and dock.isHidden()
         ]
+
+    def _open(self, titles: Collection[str]) -> None:
+        opened = self._closed_docks(titles)
         for dock in opened:
             dock.show()
         if opened:
@@ -179,7 +191,8 @@ class DockLayout(QObject):
 
     def _set_strip_height(self, dock: QDockWidget) -> None:
         if self._window.dockWidgetArea(dock) == Area.BottomDockWidgetArea:
-            self._window.resizeDocks([dock], [STRIP_HEIGHT_PX], Qt.Orientation.Vertical)
+            height = _initial_strip_height(self._window)
+            self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
     # -- maximised view ----------------------------------------------------------------------
 
@@ -242,6 +255,16 @@ class DockLayout(QObject):
         self._window.restoreState(layout)
         self._wanted = set(self._automatic if wanted is None else wanted)
         self._has_strip_height = True
+
+
+def _initial_strip_height(window: QMainWindow) -> int:
+    """Height of the panels at the bottom that leaves the share of `VIEW_SHARES` to the view."""
+    view = window.centralWidget()
+    share = float(np.interp(window.height(), list(VIEW_SHARES), list(VIEW_SHARES.values())))
+    view_height = share * window.width() * window.height() / max(view.width(), 1)
+    separator = window.style().pixelMetric(QStyle.PixelMetric.PM_DockWidgetSeparatorExtent)
+    height = round(window.statusBar().y() - view.y() - view_height) - separator
+    return min(max(height, MIN_STRIP_HEIGHT_PX), round(MAX_STRIP_SHARE * window.height()))
 
 
 def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:

@@ -66,13 +66,20 @@ class Questions:
         box = widgets.MessageBox(
             QMessageBox.Icon.Question,
             "LISPAC",
-            gettext("Save the changes to {project}?", project=name),
+            gettext("{project} has changes that are not saved.", project=name),
             buttons.Save | buttons.Discard | buttons.Cancel,
             self.parent,
         )
-        box.setInformativeText(gettext("Unsaved changes will be lost."))
-        # Qt's own label differs between systems, and its French one is poor
-        box.button(buttons.Discard).setText(gettext("Do not save"))
+        box.setInformativeText(
+            gettext(
+                "If you discard them, {project} stays as it was last saved. Cancel keeps the "
+                "project open with its changes.",
+                project=name,
+            )
+        )
+        # Qt's own labels differ between systems, and its French ones are poor
+        box.button(buttons.Save).setText(gettext("Save the changes"))
+        box.button(buttons.Discard).setText(gettext("Discard the changes"))
         box.setDefaultButton(buttons.Save)
         chosen = box.exec()
         box.deleteLater()

@@ -79,16 +79,10 @@ class _ElidedLabel(QLabel):
 
 
 def _progress_text(task: Task) -> str:
-    """Text of a task: its step, rate and time left."""
+    """Text of a task: its step, and the time left once it is known."""
     step = task.title if task.step is None else task.step
-    elapsed = time.monotonic() - task.started
+    text = step.without_time_left() if isinstance(step, PointProgress) else str(step)
     left = task.seconds_left()
-    if left is None or elapsed <= 1.0:
-        return str(step)
-    time_left = duration_text(left)
-    if isinstance(step, PointProgress) and step.rate is not None:
-        return "  ·  ".join((step.without_time_left(), gettext("{time} left", time=time_left)))
-    pace = gettext(
-        "{rate:percent.0} %/s, {time} left", rate=task.fraction / elapsed, time=time_left
-    )
-    return f"{step}  ·  {pace}"
+    if left is None:
+        return text
+    return "  ·  ".join((text, gettext("{time} left", time=duration_text(left))))

@@ -23,6 +23,14 @@ from lispac.language import gettext
 from lispac.progress import Progress, Step
 
 REFRESH_INTERVAL_MS = 50
+REPORT_INTERVAL_S = 0.5
+"""Shortest time between two stored reports of the progress."""
+MIN_ESTIMATE_TIME_S, MIN_ESTIMATE_FRACTION = 3.0, 0.05
+"""Time and fraction of a task before which no time left is estimated."""
+MAX_SILENCE_SHARE = 0.2
+"""Share of the elapsed time without a report after which no time left is estimated."""
+MAX_DURATION_RATIO = 1.5
+"""Largest ratio of two estimated durations that agree."""
 
 
 @dataclass(eq=False)
@@ -52,6 +60,10 @@ class Task:
     fraction: float = 0.0
     step: Step | None = None
     started: float = 0.0
+    reports: list[tuple[float, float]] = field(default_factory=list)
+    """Seconds since the start and fraction of some reports."""
+    _has_dependable_rate: bool = field(default=False, init=False)
+    _last_report: float = field(default=0.0, init=False)
     value: Any = None
     error: BaseException | None = None
 
@@ -60,6 +72,9 @@ class Task:
         if self.cancel.is_set():
             raise Cancelled
         self.fraction = min(max(fraction, 0.0), 1.0)
+        self._last_report = elapsed = time.monotonic() - self.started
+        if not self.reports or elapsed - self.reports[-1][0] >= REPORT_INTERVAL_S:
+            self.reports.append((elapsed, self.fraction))
         if step is not None:
             self.step = step
 
@@ -70,11 +85,29 @@ class Task:
             self.error.__traceback__ = None  # its traceback refers to the data as well
 
     def seconds_left(self) -> float | None:
-        """Estimated seconds left at the mean rate; None while too little is known."""
+        """Estimated seconds left at the mean rate; None while the rate is not dependable.
+
+        It is dependable if the durations that were estimated now and after half of the elapsed
+        time agree.
+        """
         elapsed = time.monotonic() - self.started
-        if elapsed < 0.5 or self.fraction < 0.02:
+        if elapsed < MIN_ESTIMATE_TIME_S or self.fraction < MIN_ESTIMATE_FRACTION:
             return None
-        return elapsed * (1 - self.fraction) / self.fraction
+        if elapsed - self._last_report > max(MAX_SILENCE_SHARE * elapsed, MIN_ESTIMATE_TIME_S):
+            return None  # the mean rate is that of other steps
+        duration = self._last_report / self.fraction
+        left = max(duration - elapsed, 0.0)
+        if self._has_dependable_rate:  # the text does not come and go
+            return left
+        former = next((each for each in reversed(self.reports) if each[0] <= 0.5 * elapsed), None)
+        if former is not None:
+            time_then, fraction_then = former
+            if fraction_then <= 0 or not (
+                1 / MAX_DURATION_RATIO < time_then / fraction_then / duration < MAX_DURATION_RATIO
+            ):
+                return None
+        self._has_dependable_rate = True
+        return left
 
 
 class TaskRunner(QObject):

@@ -37,6 +37,11 @@ Reason = Unavailable | None
 """Reason why an action cannot be used; None if it can be used."""
 
 
+def reason_text(reason: Reason) -> str:
+    """Text of a reason; empty if there is none."""
+    return "" if reason is None else reason.text
+
+
 def first_reason(*reasons: tuple[bool, Unavailable]) -> Reason:
     """The first reason whose condition holds."""
     return next((reason for holds, reason in reasons if holds), None)

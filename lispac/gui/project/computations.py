@@ -18,6 +18,8 @@ from lispac.survey.cloud import Cloud
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.project.survey import Survey
 
+VALIDATION_KEY = "validate"
+"""Key of the task that validates."""
 LOCAL_PLANES_EDIT_NAME = Plural(
     "validation with local planes through {count:n} point",
     "validation with local planes through {count:n} points",
@@ -136,7 +138,7 @@ class Computations(QObject):
                 )
                 self._controller.logged.emit(gettext(compared, count=len(validated.validation)))
 
-        task = self._runner.run(gettext("Validating"), work, done, key="validate")
+        task = self._runner.run(gettext("Validating"), work, done, key=VALIDATION_KEY)
         self._controller.cancel_on_edit(task)
 
     def show(self, which: PriorOrEstimated) -> None:

@@ -1,10 +1,10 @@
 """Controller of the project: opening, saving, seeds and edits of the targets."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
@@ -27,12 +27,28 @@ from lispac.workflow.project.survey import Survey, load_survey
 OpenedProject = tuple[Project, Survey]
 GEOREFERENCING_KEY = "survey"
 """Key of the task that georeferences the lines again after an edit."""
+ESTIMATE_KEY = "estimate"
+"""Key of the task that estimates the boresight."""
 SETTINGS_EDIT_NAMES = {
     "lever_arm": N_("change of lever arm"),
     "boresight_deg": N_("change of prior boresight"),
     "lidar_sigma": N_("change of LiDAR noise"),
 }
 """Names of the undo steps of changed settings, by the name of the setting."""
+
+
+@dataclass(frozen=True, eq=False)
+class _QueuedSeed:
+    """A clicked seed whose search waits for the running task.
+
+    Attributes
+    ----------
+    find_position : function that returns the prior position of the point, when it was clicked
+    """
+
+    point: PickedPoint
+    find_position: Callable[[], Triple]
+    options: SeedOptions
 
 
 class Controller(QObject):
@@ -45,6 +61,8 @@ class Controller(QObject):
     """A message for the log and the status bar."""
     refused = Signal(object)
     """An error to show to the user."""
+    seed_refused = Signal(str)
+    """Reason why a click was not taken as a seed."""
     files_missing = Signal(object)
     """A project that cannot be opened before its files are found."""
 
@@ -62,7 +80,13 @@ class Controller(QObject):
         self._task_of_project: tuple[Task, Project] | None = None
         self._search: tuple[Task, Triple, str] | None = None
         """Running search for a target: task, displayed seed and name of the target."""
+        self._queued_seeds: list[_QueuedSeed] = []
         runner.progress_changed.connect(self._show_search)
+        runner.stopped.connect(lambda _title: self._discard_queued_seeds())
+        runner.idle.connect(self._search_next_seed)
+        # Queued, since the accepted candidate is added to the project after this signal
+        self.candidate_changed.connect(self._search_next_seed, Qt.ConnectionType.QueuedConnection)
+        document.about_to_open.connect(self._discard_queued_seeds)
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
@@ -270,6 +294,7 @@ class Controller(QObject):
         if project is None or self._document.is_survey_current:
             return
         self._discard_candidate()
+        self._discard_queued_seeds()  # their positions are those of the former lines
 
         def done(survey: Survey) -> None:
             if self._document.project is not None:
@@ -293,13 +318,50 @@ class Controller(QObject):
         """Search for the target at a clicked point and show it as the candidate.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
-        with its role and shape.
+        with its role and shape. While another task runs or other seeds wait, the seed is marked
+        and queued.
         """
-        if self._can_seed():
-            self._search_target(
-                self._scene.prior_position_finder(point), point.position, seed_options,
-                first_line=point.line,
-            )  # fmt: skip
+        if self._document.project is None:
+            return
+        if not self._document.is_survey_current:
+            self.seed_refused.emit(
+                gettext("The lines are being georeferenced. Pick the target again afterwards.")
+            )
+            return
+        seed = _QueuedSeed(point, self._scene.prior_position_finder(point), seed_options)
+        if self._runner.busy or self._queued_seeds:
+            self._queued_seeds.append(seed)
+            self._show_search()
+            self.logged.emit(
+                gettext(
+                    Plural(
+                        "{count:n} seed is waiting. Its search starts after the running task, "
+                        "when the detected target is accepted or rejected.",
+                        "{count:n} seeds are waiting. Their searches start after the running "
+                        "task, when the detected target is accepted or rejected.",
+                    ),
+                    count=len(self._queued_seeds),
+                )
+            )
+            return
+        self._search_at_seed(seed)
+
+    def _search_at_seed(self, seed: "_QueuedSeed") -> None:
+        self._search_target(
+            seed.find_position, seed.point.position, seed.options, first_line=seed.point.line
+        )
+
+    def _search_next_seed(self) -> None:
+        """Search at the first queued seed, unless a task runs or a candidate waits."""
+        if not self._queued_seeds or self._runner.busy or self.candidate is not None:
+            return
+        if self._document.project is None or not self._document.is_survey_current:
+            return
+        self._search_at_seed(self._queued_seeds.pop(0))
+
+    def _discard_queued_seeds(self) -> None:
+        self._queued_seeds = []
+        self._show_search()
 
     def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
         """Search for the target at a position.
@@ -323,13 +385,14 @@ class Controller(QObject):
         first_line: str | None = None,
     ) -> None:
         project, survey = self._document.project, self._document.survey
-        if project is None or survey is None or not self._can_seed():
+        if project is None or survey is None or not self._document.is_survey_current:
             return
         from lispac.workflow.calibration import picking
 
         role, line = seed_options.role, seed_options.line
         arguments = seed_options.finder_arguments
-        if line is not None and seed_options.selected is not None and not name:
+        is_selected = any(each.name == seed_options.selected for each in project.targets)
+        if line is not None and is_selected and not name:
             selected = project.target(seed_options.selected)
             name, role = selected.name, selected.role
             arguments |= {"shape": selected.shape, "sphere_radius": selected.sphere_radius}
@@ -351,27 +414,19 @@ class Controller(QObject):
         self._show_search()
 
     def _show_search(self) -> None:
-        """Mark the seed of the running search, with its progress."""
-        if self._search is None:
-            return
-        task, seed, name = self._search
-        if self._runner.is_unfinished(task):
-            label = gettext("{target}: searching, {share:percent.0} %", target=name,
-                            share=task.fraction)  # fmt: skip
-            self._scene.show_search(seed, label)
-        else:
-            self._search = None
-            self._scene.show_search(None)
-
-    def _can_seed(self) -> bool:
-        if self._document.project is None:
-            return False
-        if self._runner.busy or not self._document.is_survey_current:
-            self.logged.emit(
-                gettext("A task is running. Wait until it has ended, then pick the target again.")
-            )
-            return False
-        return True
+        """Mark the seed of the running search, with its progress, and the queued seeds."""
+        marks: list[tuple[str, Triple]] = []
+        if self._search is not None:
+            task, seed, name = self._search
+            if self._runner.is_unfinished(task):
+                label = gettext("{target}: searching, {share:percent.0} %", target=name,
+                                share=task.fraction)  # fmt: skip
+                marks.append((label, seed))
+            else:
+                self._search = None
+        waiting = gettext("waiting")
+        marks += [(waiting, each.point.position) for each in self._queued_seeds]
+        self._scene.show_searches(marks)
 
     def accept(self) -> None:
         """Add the candidate to the project as one undo step."""

@@ -1,6 +1,6 @@
 """Content of the viewport: lines before or after the adjustment, sightings and labels."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -51,7 +51,7 @@ class Scene(QObject):
         self._residuals: ResidualColours = {}
         self._markers: list[Marker] = []
         self._searched: tuple[Marker, ...] = ()
-        """Seed of the running search."""
+        """Seeds of the running and queued searches."""
         self._shaded: ColouredPoints | None = None
         """Colours that were computed but not yet drawn; None if there are none."""
         # One task for several changes in a row, as when a project is opened.
@@ -123,9 +123,9 @@ class Scene(QObject):
         rows = rows[(sample[rows] == place).all(axis=1)]
         return int(rows[0]) if len(rows) else None
 
-    def show_search(self, position: Triple | None, label: str = "") -> None:
-        """Mark the seed of a running search, or remove the mark."""
-        searched = () if position is None else (Marker(label, position, theme.CANDIDATE_COLOUR),)
+    def show_searches(self, marks: Sequence[tuple[str, Triple]]) -> None:
+        """Mark the seeds of running and queued searches by labels and positions."""
+        searched = tuple(Marker(label, at, theme.CANDIDATE_COLOUR) for label, at in marks)
         if searched != self._searched:
             self._searched = searched
             self._viewport.show_markers([*self._markers, *searched])

@@ -69,8 +69,8 @@ class ProjectState:
         Reason why this computation gave no result; empty if there is none.
     refused_since : Message or str
         Reason why an estimate after the present result failed; empty if there is none.
-    can_estimate : bool
-        Whether an estimate can be requested; it starts when the lines are georeferenced.
+    estimate_reason : Unavailable or None
+        Why no estimate can be requested; it starts when the lines are georeferenced.
     is_outdated : bool
         Whether an edit has removed the result.
     """
@@ -82,7 +82,7 @@ class ProjectState:
     is_waiting: bool = False
     refusal: str = ""
     refused_since: Message | str = ""
-    can_estimate: bool = False
+    estimate_reason: Reason = Unavailable.NO_PROJECT
     is_outdated: bool = False
 
 
@@ -105,6 +105,7 @@ def step_statuses(
     waiting: bool = False,
     refusal: Message | str = "",
     reported: str = "",
+    running: int | None = None,
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
 
@@ -118,6 +119,8 @@ def step_statuses(
         Reason why the automatic computation gave no result.
     reported : str
         Name of the report file of the current project; empty if there is none.
+    running : int or None
+        Step whose task is running: `ADJUST` or `VALIDATE`.
     """
     if project is None:
         nothing = StepStatus(
@@ -136,9 +139,11 @@ def step_statuses(
     return (
         _data_status(project, survey),
         _targets_status(project, survey),
-        _adjust_status(project, survey, waiting, refusal),
-        _validation_status(project, survey),
-        _report_status(project, survey, reported),
+        _estimating_status()
+        if running == ADJUST
+        else _adjust_status(project, survey, waiting, refusal),
+        _validating_status() if running == VALIDATE else _validation_status(project, survey),
+        _report_status(project, survey, reported, is_validating=running == VALIDATE),
     )
 
 
@@ -350,7 +355,24 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
     )
 
 
-def _report_status(project: Project, survey: Survey | None, reported: str) -> StepStatus:
+def _estimating_status() -> StepStatus:
+    return StepStatus(
+        "todo", gettext("estimating …"), gettext("The adjustment is running."), Unavailable.BUSY
+    )
+
+
+def _validating_status() -> StepStatus:
+    return StepStatus(
+        "todo",
+        gettext("validating …"),
+        gettext("The lines are being compared on the validation planes."),
+        Unavailable.BUSY,
+    )
+
+
+def _report_status(
+    project: Project, survey: Survey | None, reported: str, *, is_validating: bool
+) -> StepStatus:
     reason = first_reason(
         (project.result is None, Unavailable.NO_RESULT), (survey is None, Unavailable.READING)
     )
@@ -360,6 +382,13 @@ def _report_status(project: Project, survey: Survey | None, reported: str) -> St
             gettext("estimate first"),
             gettext("The report needs an estimated boresight."),
             reason,
+        )
+    if is_validating:
+        return StepStatus(
+            "todo",
+            gettext("waiting for the validation"),
+            gettext("The validation is running. Export the report when it has ended."),
+            Unavailable.BUSY,
         )
     if reported:
         return StepStatus(

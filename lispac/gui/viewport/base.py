@@ -269,6 +269,9 @@ class Viewport(Protocol):
     def fit(self, points: Array | None = None) -> None:
         """Bring everything, or the given points of shape (n, 3), into view."""
 
+    def keep_picture(self) -> None:
+        """Keep the scene in place while a panel that opens takes a part of the view."""
+
     def view(self, name: str) -> None:
         """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""
 

@@ -169,6 +169,15 @@ class Camera:
             distance=factor * self.distance,
         )
 
+    def resized(self, former: ViewportSize, size: ViewportSize) -> "Camera":
+        """Camera for another size of the picture, whose upper left corner stays in place.
+
+        All points at the focal depth keep their distance in pixels from this corner.
+        """
+        focal = self.point_at(0.5 * size.width, 0.5 * size.height, self.focal_depth, former)
+        distance = max(self.distance * size.height / former.height, MIN_DISTANCE_M)
+        return replace(self, focal=focal, distance=distance)
+
     def fitted(self, points: Array, size: ViewportSize, margin: float = 1.06) -> "Camera":
         """Camera with the same direction that shows all of the points (n, 3)."""
         aspect = max(size.width, 1.0) / max(size.height, 1.0)

@@ -1,10 +1,12 @@
 """Camera movements: rotate, pan, zoom, fit, standard views; picking of points by the mouse."""
 
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QObject, QPoint, Signal
+from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import Array, PickedPoint
@@ -23,6 +25,9 @@ SNAP_RADII_PX = (3.0, 8.0, 20.0)
 
 MAX_FIT_POINTS = 60_000
 """Largest number of points that determine the extent: the first coarse points, in random order."""
+
+KEPT_TIME_S = 0.5
+"""Time after `Navigator.keep_picture` in which the layout of the window settles."""
 
 VIEWS_DEG = {
     "front": (0.0, 0.0),
@@ -63,6 +68,7 @@ class Navigator(QObject):
         self._dragged = self.pictures[0]
         self._pivot: Array = np.zeros(3)
         self._fitted_points: Array | None = None
+        self._kept_size, self._kept_until = self.widget_size, 0.0
         self._extent_sample: tuple[Mapping[str, Array], Array] | None = None
         self.history = ViewHistory(lambda: StoredView(self.camera, self._fitted_points), self)
         self.move_ended.connect(self.history.store_later)
@@ -134,6 +140,27 @@ class Navigator(QObject):
         """Bring the fitted points into view again after a change of size."""
         if self._fitted_points is not None:
             self.camera = self.camera.fitted(self._fitted_points, self.size)
+
+    def keep_picture(self) -> None:
+        """Keep the scene in place while a panel that opens takes a part of the widget.
+
+        Exactly in place are the points as far away as the surface under the mouse, or as the one in
+        the middle of the picture.
+        """
+        place = self._widget.mapFromGlobal(QCursor.pos())
+        inside = self._widget.rect().contains(place)
+        x, y = (place.x(), place.y()) if inside else self._middle_of_view()
+        depth = float(self.camera.project(self._surface_at(x, y), self.size)[0, 2])
+        self.camera = self.camera.with_focal_depth(depth)
+        self._kept_size, self._kept_until = self.size, time.monotonic() + KEPT_TIME_S
+
+    def on_resized(self) -> None:
+        """Bring the fitted points into view again, unless the scene stays in place."""
+        if time.monotonic() > self._kept_until:
+            self.refit()
+        elif self.size != self._kept_size:
+            self.camera = self.camera.resized(self._kept_size, self.size)
+            self._kept_size, self._fitted_points = self.size, None
 
     def clear_fit(self) -> None:
         """Stop keeping the fitted points in view, and discard the former views."""

@@ -138,6 +138,10 @@ class RecordingViewport:
         """Remember the call."""
         self._record("fit", points)
 
+    def keep_picture(self) -> None:
+        """Remember the call."""
+        self._record("keep_picture")
+
     def view(self, name: str) -> None:
         """Remember the call."""
         self._record("view", name)

@@ -306,6 +306,10 @@ class VtkViewport:
         self._navigator.fit(points)
         self._refine_later()
 
+    def keep_picture(self) -> None:
+        """Keep the scene in place while a panel that opens takes a part of the view."""
+        self._navigator.keep_picture()
+
     def view(self, name: str) -> None:
         """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""
         self._navigator.view(name)
@@ -515,7 +519,7 @@ class VtkViewport:
 
     def _on_resized(self) -> None:
         if not self._closed:
-            self._navigator.refit()
+            self._navigator.on_resized()
             self._refine_later()
 
     def _refine_later(self) -> None:

@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSizePolicy,
     QStyle,
+    QStyleOptionComboBox,
+    QToolTip,
     QVBoxLayout,
     QWidget,
 )
@@ -77,6 +79,13 @@ class Button(QPushButton):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self._focus_went_to: QWidget | None = None
+        self.tip = ""
+        """Tip of the enabled button."""
+
+    def set_reason(self, reason: str) -> None:
+        """Disable the button, with the reason in its tip; an empty text enables it."""
+        self.update_enabled(not reason)
+        self.setToolTip("\n".join(text for text in (self.tip, reason) if text))
 
     def update_enabled(self, enabled: bool) -> None:
         """Enable or disable the button."""
@@ -102,6 +111,7 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
     """Create a push button."""
     widget = Button(text)
     widget.setObjectName(name)
+    widget.tip = tip
     widget.setToolTip(tip)
     if primary:
         widget.setProperty("primary", True)
@@ -177,7 +187,11 @@ def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | N
 
 
 class ChoiceBox(QComboBox):
-    """Combo box; the mouse wheel changes it only if it has the focus."""
+    """Combo box; the mouse wheel changes it only if it has the focus.
+
+    Its list is as wide as its longest item. Where the box is too narrow for the chosen item, the
+    tip contains the item.
+    """
 
     def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
         super().__init__()
@@ -189,6 +203,34 @@ class ChoiceBox(QComboBox):
         if max(len(item) for item in items) > 12:
             self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             self.setMinimumContentsLength(12)
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether the box is too narrow for the chosen item."""
+        option = QStyleOptionComboBox()
+        self.initStyleOption(option)
+        field = self.style().subControlRect(
+            QStyle.ComplexControl.CC_ComboBox, option,
+            QStyle.SubControl.SC_ComboBoxEditField, self,
+        )  # fmt: skip
+        icon = 0 if option.currentIcon.isNull() else self.iconSize().width() + 4
+        return self.fontMetrics().horizontalAdvance(self.currentText()) + icon > field.width()
+
+    def showPopup(self) -> None:
+        """Show the list with the whole text of its items."""
+        view = self.view()
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        needed = view.sizeHintForColumn(0) + 2 * view.frameWidth() + bar
+        view.setMinimumWidth(min(needed, self.screen().availableGeometry().width()))
+        super().showPopup()
+
+    def event(self, event: QEvent) -> bool:
+        """Add the chosen item to the tip if it is cut off."""
+        if event.type() == QEvent.Type.ToolTip and self.is_cut:
+            tip = "\n".join(text for text in (self.currentText(), self.toolTip()) if text)
+            QToolTip.showText(event.globalPos(), plain_tip(tip), self)
+            return True
+        return super().event(event)
 
     def wheelEvent(self, event) -> None:
         """Change the value only with the focus; otherwise scroll the page."""

@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, QSize, Qt, QUrl, Signal
-from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
+from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
 from lispac.gui.app import docks
@@ -53,7 +53,9 @@ from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
-from lispac.messages import Message
+from lispac.messages import Action, Message
+from lispac.project import Project
+from lispac.workflow.checking.warnings import NOISE_ACTIONS
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -95,6 +97,7 @@ class MainWindow(QMainWindow):
         self.viewport = viewport
         self.document = document or Document()
         self.document.setParent(self)
+        self._noted_project: Project | None = None
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
@@ -195,6 +198,7 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.warnings.action_requested.connect(self._run_message_action)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
@@ -278,6 +282,7 @@ class MainWindow(QMainWindow):
 
     def _connect_actions(self) -> None:
         actions = self.actions_
+        self.dock_layout.opens_by_itself.connect(self.viewport.keep_picture)
         self.dock_layout.maximised_changed.connect(actions["maximise"].setChecked)
         for each in self.panel_windows.values():
             each.share_actions(actions.all)
@@ -302,8 +307,7 @@ class MainWindow(QMainWindow):
         )
 
     def _connect_tasks(self) -> None:
-        # The note in the status bar referred to the former state
-        self.document.changed.connect(self.task_bar.clearMessage)
+        self.document.changed.connect(self._clear_outdated_note)
         for bar in self._task_bars:
             bar.cancel_requested.connect(self.runner.cancel)
             self.runner.progress_changed.connect(lambda bar=bar: bar.show_task(self.runner.current))
@@ -312,15 +316,23 @@ class MainWindow(QMainWindow):
         self.runner.cancelled_too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.logged.connect(self._note)
+        self.actions_.stepped.connect(self._note)
         self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)
+        self.controller.seed_refused.connect(self._on_seed_refused)
 
     def _note_cancelled(self, task: str) -> None:
         self._note(gettext("{task}: cancelled", task=task))
 
+    def _clear_outdated_note(self) -> None:
+        """Clear the note in the status bar if it referred to another state of the project."""
+        if self.document.project is not self._noted_project:
+            self.task_bar.clearMessage()
+
     def _note(self, text: str) -> None:
+        self._noted_project = self.document.project
         LOGGER.info(text)
         self.log.note(text)
         for bar in self._task_bars:
@@ -356,6 +368,10 @@ class MainWindow(QMainWindow):
         QToolTip.showText(place, gettext(NO_POINT_TEXT), self.viewport.widget)
         if not self.tools.mouse_tool.tool:
             self._note(gettext("No point under the cursor. Ctrl+click on a target."))
+
+    def _on_seed_refused(self, reason: str) -> None:
+        QToolTip.showText(QCursor.pos(), reason, self.viewport.widget)
+        self._note(reason)
 
     def _estimate(self) -> None:
         settings = self.adjust.settings()
@@ -398,6 +414,16 @@ class MainWindow(QMainWindow):
     def _preview_settings(self) -> HoverPreviewSettings:
         targets = self.targets
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+
+    def _run_message_action(self, action: Action) -> None:
+        """Carry out the action of a message: use the LiDAR noise found in the residuals."""
+        project = self.document.project
+        if project is None or project.result is None:
+            return
+        ratio = project.result.lidar_noise_ratio
+        if action.code in NOISE_ACTIONS.values() and ratio is not None:
+            self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
+            self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
 
     def _set_title(self) -> None:
         project = self.document.project

@@ -8,9 +8,10 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.docks import DockLayout
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
-from lispac.gui.project.computations import Computations, PointCount
-from lispac.gui.project.controller import GEOREFERENCING_KEY, Controller
+from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
+from lispac.gui.project.computations import VALIDATION_KEY, Computations, PointCount
+from lispac.gui.project.controller import ESTIMATE_KEY, GEOREFERENCING_KEY, Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import (
@@ -26,6 +27,17 @@ from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels, filled_docks
 from lispac.message_texts import message_text
 from lispac.messages import Message
+
+TASK_STEPS = {ESTIMATE_KEY: ADJUST, VALIDATION_KEY: VALIDATE}
+"""Step of the workflow by the key of its task."""
+PROJECT_ACTIONS = (
+    "before", "wipe", "seed_target", "seed_validation", "hover", "change_role", "fit",
+    "fit_selection", *VIEWS, "normal", "orthographic", "larger", "smaller",
+    *COLOUR_ACTIONS.values(), "colour_next", "picture", "copy_picture", "section",
+    "section_points", "section_forward", "section_backward", "section_picture", "copy_section",
+    "measure_distance", "measure_angle", "clip",
+)  # fmt: skip
+"""Actions that need an open project and nothing else."""
 
 
 class PanelRefresh(QObject):
@@ -92,12 +104,22 @@ class PanelRefresh(QObject):
         project, waiting = document.project, document.awaits_result
         survey = document.survey if document.is_survey_current else None
         steps = step_statuses(
-            project, survey, waiting=waiting, refusal=document.refusal, reported=document.reported
+            project,
+            survey,
+            waiting=waiting,
+            refusal=document.refusal,
+            reported=document.reported,
+            running=self._running_step(),
         )
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
-            document.refused_since, self._estimate_reason() is None, document.is_result_outdated,
+            document.refused_since, self._estimate_reason(), document.is_result_outdated,
         )  # fmt: skip
+
+    def _running_step(self) -> int | None:
+        """Step whose task is running; None for none."""
+        task = self._runner.current
+        return None if task is None else TASK_STEPS.get(task.key)
 
     def _estimate_reason(self) -> Reason:
         """Reason why no estimate can be requested; it can while lines are georeferenced again."""
@@ -134,11 +156,13 @@ class PanelRefresh(QObject):
             "estimate": self._estimate_reason(),
             "validate": steps[VALIDATE].reason or busy,
             "cancel": first_reason((not self._runner.active, Unavailable.NO_TASK)),
-            "before": no_project,
+            **dict.fromkeys(PROJECT_ACTIONS, no_project),
             "after": no_result,
             "toggle": no_result,
         }.items():
             self._actions.set_reason(name, reason)
+        self._central_widget.start.set_reason(reason_text(busy))
+        self._panels.data.set_reason(reason_text(busy))
         self._enable_save()
         self._enable_candidate()
 
@@ -149,11 +173,13 @@ class PanelRefresh(QObject):
 
     def _show_progress(self) -> None:
         task = self._runner.current
-        self._panels.adjust.show_task(task if task is not None and task.key == "estimate" else None)
+        self._panels.adjust.show_task(
+            task if task is not None and task.key == ESTIMATE_KEY else None
+        )
 
     def _show_task(self) -> None:
         panels, state = self._panels, self._project_state()
-        for panel in (panels.adjust, panels.validate, panels.report):
+        for panel in (panels.workflow, panels.adjust, panels.validate, panels.report):
             panel.show_state(state)
         self._enable_controls(state)
 

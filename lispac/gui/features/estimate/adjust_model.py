@@ -30,7 +30,7 @@ LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
     ("none", N_("Full weight"), N_("Every point keeps its full weight")),
     (
         "huber",
-        N_("Reduced weight (Huber)"),
+        N_("Less weight (Huber)"),
         N_("The weight of a point decreases if its residual exceeds 1.3 σ, but never reaches zero"),
     ),
     ("tukey", N_("No weight (Tukey)"), N_("Points with a residual above 4.7 σ have zero weight")),
@@ -41,7 +41,7 @@ LOSS_SUMMARIES: dict[LossName, str] = {
     "huber": N_("Huber"),
     "tukey": N_("Tukey"),
 }
-NOISE_TITLES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
+NOISE_TITLES = (N_("One value"), N_("One value per axis"), N_("Range and angle"))
 NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
 _MM_PER_M = 1e3
 

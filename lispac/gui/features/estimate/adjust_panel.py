@@ -19,6 +19,7 @@ from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.app.tasks import Task
+from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
@@ -68,7 +69,7 @@ class AdjustPanel(QWidget):
         self._spacing = 0.10
         self._settings: Settings | None = None
         self._showing = False
-        self._ready = False
+        self._reason = Unavailable.NO_PROJECT.text
         self._project: Project | None = None
         self._counted: tuple[int | None, int, int, str] = (None, 0, 0, "")
         layout = widgets.vertical_layout(self)
@@ -185,7 +186,7 @@ class AdjustPanel(QWidget):
     def show_state(self, state: ProjectState) -> None:
         """Fill in the settings of the project if they have changed."""
         project, status = state.project, state.steps[ADJUST]
-        self._ready, self._project = state.can_estimate, project
+        self._reason, self._project = reason_text(state.estimate_reason), project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
@@ -217,7 +218,7 @@ class AdjustPanel(QWidget):
         else:
             self.problem.setText("")
             self.problem.hide()
-        self.estimate.update_enabled(self._ready and self.is_valid)
+        self.estimate.set_reason(self._reason or self.problem.text())
         self._update_count()
 
     def _show_problem(self, text: str) -> None:

@@ -10,7 +10,7 @@ from lispac.errors import Cancelled, LispacError
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.appearance import units
-from lispac.gui.project.controller import Controller
+from lispac.gui.project.controller import ESTIMATE_KEY, Controller
 from lispac.gui.project.document import Document, data_key
 from lispac.gui.project.scene import Scene
 from lispac.language import N_, Plural, gettext, gettext_lazy
@@ -162,7 +162,7 @@ class Estimation(QObject):
             self._note(found.estimated, ESTIMATED_TEXT)
             self.estimated.emit()
 
-        task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
+        task = self._runner.run(gettext("Estimating the boresight"), work, done, key=ESTIMATE_KEY)
         self._last_task = task
         self._controller.cancel_on_edit(task)
 

@@ -7,7 +7,7 @@ from lispac.adjustment.diagnostics.warnings import MAX_FLAT_FORM_SIGMA, result_w
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
-from lispac.language import N_, Plural, gettext
+from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.parameters import (
@@ -113,7 +113,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
     """Text of the chi-square test with its bounds, as rich text."""
     test = result.chi_square
     statistic, lower, upper = (
-        units.localised(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
+        number(value, 0) if value >= 1000 else units.localised(f"{value:.4g}")
+        for value in (test.statistic, test.lower, test.upper)
     )
     interval = N_("{value} not in [{lower}, {upper}]")
     if test.outcome == "passed":

@@ -155,7 +155,8 @@ class LinkedViews(QObject):
             ),
             "four_views": no_project,
             **dict.fromkeys(
-                OUTLINE_TOOLS, first_reason((self.count > 1, Unavailable.LINKED_VIEWS))
+                OUTLINE_TOOLS,
+                no_project or first_reason((self.count > 1, Unavailable.LINKED_VIEWS)),
             ),
         }  # fmt: skip
         for name, reason in reasons.items():

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from textwrap import fill
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,6 +26,8 @@ CUT_TITLES_WITH_DISTANCE = {
 }
 ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
 """Titles of the axes of an exaggerated picture of a plane."""
+LOW_TITLE_LENGTH = 14
+"""Length after which the title of the vertical axis is wrapped in a low picture, characters."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
 SHORT_EXAGGERATION_TEXT = N_("{title}; {factor:n} ×")
 SHORT_TITLES_WITH_DISTANCE = {
@@ -65,7 +68,8 @@ def draw_section(
         if labelled:
             axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1 or not is_shared:
-            axes.set_ylabel(upward, fontsize=FONT_SIZE, color=theme.TEXT)
+            title = upward if labelled else fill(upward, LOW_TITLE_LENGTH)
+            axes.set_ylabel(title, fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]

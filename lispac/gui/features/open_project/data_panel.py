@@ -117,6 +117,11 @@ class DataPanel(QWidget):
         self._filled.hide()
         self._settings = None
 
+    def set_reason(self, reason: str) -> None:
+        """Disable the buttons that open a project, with the reason; empty enables them."""
+        for each in self._empty.buttons:
+            each.set_reason(reason)
+
     def select_line(self, name: str) -> bool:
         """Select a line in the list; return whether it is in the list."""
         found = self.lines.findItems(name, Qt.MatchFlag.MatchExactly)
@@ -231,7 +236,8 @@ class _EmptyState(QWidget):
         new.clicked.connect(panel.new_requested)
         load.clicked.connect(panel.open_requested)
         demo.clicked.connect(panel.demo_requested)
-        for each in (new, load, demo):
+        self.buttons = (new, load, demo)
+        for each in self.buttons:
             layout.addWidget(each)
 
 

@@ -88,6 +88,8 @@ class StartPage(QScrollArea):
             self._begin.addWidget(link)
         self._begin.addStretch(1)
         self._projects: list[QWidget] = []
+        self._reason = ""
+        """Reason why no project can be opened; empty if one can."""
         self._recent.addStretch(1)
         outer.addLayout(sides)
         outer.addStretch(1)
@@ -108,11 +110,33 @@ class StartPage(QScrollArea):
         for name, _, _, description in LINKS:
             link, text = self.links[name], gettext(description)
             link.setDescription(text if whole else "")
-            link.setToolTip("" if whole else text)
             link.setMaximumHeight(QWIDGETSIZE_MAX if whole else SHORT_LINK_HEIGHT_PX)
             link.updateGeometry()
+        self._show_tips()
         self._begin.setSpacing(4 if whole else 2)
         self._outer.activate()
+
+    def set_reason(self, reason: str) -> None:
+        """Disable all links that open a project, with the reason in their tips."""
+        self._reason = reason
+        for name, link in self.links.items():
+            if name != "design":
+                link.setEnabled(not reason)
+        for each in self._projects:
+            if isinstance(each, QCommandLinkButton):
+                each.setEnabled(not reason and _has_project(Path(each.property("folder"))))
+        self._show_tips()
+
+    def _show_tips(self) -> None:
+        for name, _, _, description in LINKS:
+            link = self.links[name]
+            short = "" if link.description() else gettext(description)
+            reason = "" if link.isEnabled() else self._reason
+            link.setToolTip("\n".join(text for text in (short, reason) if text))
+        for each in self._projects:
+            if isinstance(each, QCommandLinkButton):
+                texts = (each.property("folder"), self._reason)
+                each.setToolTip(widgets.plain_tip("\n".join(text for text in texts if text)))
 
     def show_recent(self, folders: Iterable[Path]) -> None:
         """List projects, the one opened last first."""
@@ -126,12 +150,12 @@ class StartPage(QScrollArea):
         for k, each in enumerate(self._projects):
             self._recent.insertWidget(k + 1, each)
         set_tab_order(self.links[LINKS[-1][0]], self._projects)
+        self.set_reason(self._reason)
 
     def _project_button(self, folder: Path) -> QCommandLinkButton:
         made = _link_button("folder-outline", folder.name, _project_state_text(folder))
         made.setObjectName("start_recent")
-        made.setToolTip(widgets.plain_tip(str(folder)))
-        made.setEnabled((folder / PROJECT_FILE_NAME).is_file())
+        made.setProperty("folder", str(folder))
         made.clicked.connect(lambda: self.project_chosen.emit(folder))
         return made
 
@@ -142,6 +166,10 @@ def _link_button(icon: str, title: str, description: str) -> QCommandLinkButton:
     made.setIconSize(QSize(24, 24))
     made.setCursor(Qt.CursorShape.PointingHandCursor)
     return made
+
+
+def _has_project(folder: Path) -> bool:
+    return (folder / PROJECT_FILE_NAME).is_file()
 
 
 def _project_state_text(folder: Path) -> str:

@@ -294,7 +294,7 @@ class SightingsTable(QTableView):
         self.setAlternatingRowColors(True)
         self.setFont(theme.tabular_font(self.font()))
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(26)
+        self.verticalHeader().setDefaultSectionSize(22)
         self.horizontalHeader().setHighlightSections(False)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.horizontalHeader().setMinimumSectionSize(110)

@@ -5,12 +5,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QAbstractButton
 
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.app.unavailable import Unavailable, first_reason
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.pick_targets.dialogs import TargetDialogs
 from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
 from lispac.gui.features.pick_targets.sightings_table import SightingsTable
@@ -19,6 +18,7 @@ from lispac.gui.project.availability import data_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
+from lispac.gui.widgets import Button
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
@@ -49,9 +49,7 @@ class SurveyDependentActions(QObject):
     buttons, names : buttons, and names of actions, that are enabled in that case
     """
 
-    def __init__(
-        self, tools: TargetTools, buttons: Sequence[QAbstractButton], names: Sequence[str]
-    ) -> None:
+    def __init__(self, tools: TargetTools, buttons: Sequence[Button], names: Sequence[str]) -> None:
         super().__init__(tools.actions)
         self._buttons, self._names = buttons, names
         self._document, self._runner = tools.document, tools.runner
@@ -69,11 +67,11 @@ class SurveyDependentActions(QObject):
         return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
-        ready = self._current_data()[1] is not None
+        reason = data_reason(self._document, self._runner)
         for button in self._buttons:
-            button.setEnabled(ready)
+            button.set_reason(reason_text(reason))
         for name in self._names:
-            self._actions.set_reason(name, data_reason(self._document, self._runner))
+            self._actions.set_reason(name, reason)
 
 
 class TargetActions(SurveyDependentActions):

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.appearance.units import Base
 from lispac.gui.features.pick_targets.detected_target_panel import DetectedTargetPanel
@@ -77,6 +78,8 @@ class ExpectedFields(widgets.TripleField):
         return ExpectedTarget(width, height, radians(tilt))
 
 
+SHAPE_COLUMN = 2
+"""Column of the table of targets that is shown only if there is a sphere."""
 ALL_LINES_TEXT = N_("All lines")
 
 
@@ -190,6 +193,9 @@ class TargetsPanel(QWidget):
         """Show the targets and the lines of the project."""
         project = state.project
         self._project, self._survey = project, state.survey
+        no_project = first_reason((project is None, Unavailable.NO_PROJECT))
+        for button in (self._target, self._validation):
+            button.set_reason(reason_text(no_project))
         lines = [] if project is None else [line.name for line in project.lines]
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
@@ -228,6 +234,8 @@ class TargetsPanel(QWidget):
         for row, target in enumerate(targets):
             for column, item in enumerate(_target_items(target, project)):
                 self.table.setItem(row, column, item)
+        has_spheres = any(target.shape == "sphere" for target in targets)
+        self.table.setColumnHidden(SHAPE_COLUMN, not has_spheres)
         self.table.clearSelection()
         if selected in self._names:
             self.table.selectRow(self._names.index(selected))
@@ -245,8 +253,12 @@ class TargetsPanel(QWidget):
 
     def _on_selection_changed(self, emit: bool = True) -> None:
         name = self.current
-        self.rename.setEnabled(name is not None)
-        self.remove.setEnabled(name is not None)
+        no_selection = first_reason(
+            (self._project is None, Unavailable.NO_PROJECT),
+            (name is None, Unavailable.NO_SELECTION),
+        )
+        for button in (self.rename, self.remove):
+            button.set_reason(reason_text(no_selection))
         self.current_changed.emit()
         if name is not None and emit:
             self.selected.emit(name)
@@ -288,6 +300,7 @@ class TargetsPanel(QWidget):
         """Enable the fields that apply to the role and the shape."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
+        self._form.setRowVisible(self._sphere_radius, self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
         self._show_default_threshold()
         self._show_click_hint()
@@ -378,7 +391,7 @@ class TargetsPanel(QWidget):
         )  # fmt: skip
         self._threshold.setSpecialValueText(gettext("default"))
         self._expected = ExpectedFields()
-        form = QFormLayout()
+        self._form = form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         form.setHorizontalSpacing(10)

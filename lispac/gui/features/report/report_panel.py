@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QSizePolicy, 
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.app.settings import ReportChoice
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.project.status import REPORT, ProjectState
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, ReportOptions
@@ -146,12 +147,17 @@ class ReportPanel(QWidget):
 
     def show_state(self, state: ProjectState) -> None:
         """Show the next action, and enable the exports that are possible now."""
-        status, data_ready, busy = state.steps[REPORT], state.survey is not None, state.is_busy
+        status = state.steps[REPORT]
+        busy = first_reason((state.is_busy, Unavailable.BUSY))
+        no_data = first_reason(
+            (state.project is None, Unavailable.NO_PROJECT),
+            (state.survey is None, Unavailable.READING),
+        )
         self.advice.setText(status.advice)
-        self.details.setEnabled(data_ready)
-        self.preview.update_enabled(status.ready and not busy)
-        self.report.update_enabled(status.ready and not busy)
-        self.lines.update_enabled(data_ready and not busy)
+        self.details.set_reason(reason_text(no_data))
+        for button in (self.preview, self.report):
+            button.set_reason(reason_text(status.reason or busy))
+        self.lines.set_reason(reason_text(no_data or busy))
 
     def _create_choice_form(self) -> QFormLayout:
         self.extent = widgets.ChoiceBox(

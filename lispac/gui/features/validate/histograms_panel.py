@@ -479,7 +479,7 @@ def _create_table() -> QTableWidget:
         if column:
             head.setTextAlignment(_ALIGN_RIGHT)
     table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(26)
+    table.verticalHeader().setDefaultSectionSize(22)
     table.setShowGrid(False)
     table.setAlternatingRowColors(True)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

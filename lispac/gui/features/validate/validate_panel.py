@@ -4,6 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.validate.acceptance_form import AcceptanceForm
 from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.language import N_, gettext
@@ -139,7 +140,8 @@ class ValidatePanel(QWidget):
             self._show_last_model(project)
         self.acceptance.show_project(project)
         self.advice.setText(status.advice)
-        self.run.update_enabled(status.ready and not state.is_busy)
+        busy = first_reason((state.is_busy, Unavailable.BUSY))
+        self.run.set_reason(reason_text(status.reason or busy))
         self.after.setEnabled(project is not None and project.result is not None)
 
     def show_before_after(self, *, before: bool, after: bool) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
+    QHBoxLayout,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -19,11 +20,11 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
-from lispac.messages import Level, Message
+from lispac.message_texts import action_text, message_text
+from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
 
-TITLE = N_("Warnings")
+TITLE = N_("Messages")
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
@@ -33,13 +34,17 @@ LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
 }
 """Icon, colour and name of each level; the shapes also differ, for colour-blind users."""
 
+ACTION_LINE = "\N{NO-BREAK SPACE}"
+"""Last line of a message with actions: the place of its buttons."""
+BUTTON_INDENT_PX, BUTTON_HEIGHT_PX = 4, 18
+"""Left edge and height of the buttons of a message, in the last line of its text."""
 MAX_SLICE_S = 0.015
 """Time for which texts are added before events are processed; a text takes a millisecond."""
 
-NO_PROJECT_TEXT = N_("Open or create a project to see its warnings.")
+NO_PROJECT_TEXT = N_("Open or create a project to see the messages about it.")
 NO_WARNINGS_TEXT = N_("No warnings about the files, the targets or the result.")
-CLICK_HINT = N_("Click a warning, or press Enter on it, to go to its cause.")
-WAITING_TEXT = N_("A new estimate is running. These warnings are from before the change.")
+CLICK_HINT = N_("Click a message, or press Enter on it, to go to its cause.")
+WAITING_TEXT = N_("A new estimate is running. These messages are from before the change.")
 
 
 LEVEL_COUNT_TEXTS = {
@@ -62,6 +67,8 @@ class WarningsPanel(QWidget):
 
     cause_activated = Signal(object)
     """The `Cause` to show."""
+    action_requested = Signal(object)
+    """The `Action` of a message whose button was pressed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -130,12 +137,32 @@ class WarningsPanel(QWidget):
             if message not in texts:
                 texts[message] = message_text(message)
             self.list.addItem(_message_item(message, texts[message]))
+            if message.actions:
+                item = self.list.item(self.list.count() - 1)
+                self.list.setItemWidget(item, self._action_buttons(message.actions))
             if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._fill_timer.start()
         elif len(texts) > len(self.messages):
             self._texts = {each: texts[each] for each in self.messages}
+
+    def _action_buttons(self, actions: Sequence[Action]) -> QWidget:
+        """Buttons of a message, below its text."""
+        made = QWidget()
+        row = QHBoxLayout(made)
+        row.setContentsMargins(BUTTON_INDENT_PX, 0, 4, 2)
+        for action in actions:
+            button = widgets.button(action_text(action), f"message_{action.code}")
+            button.setStyleSheet("padding: 0px 8px;")
+            button.setFixedHeight(BUTTON_HEIGHT_PX)
+            button.clicked.connect(lambda _=False, action=action: self._emit_action(action))
+            row.addWidget(button, 0, Qt.AlignmentFlag.AlignBottom)
+        row.addStretch(1)
+        return made
+
+    def _emit_action(self, action: Action) -> None:
+        self.action_requested.emit(action)
 
     def focus_list(self) -> None:
         """Give the list the keyboard focus."""
@@ -189,7 +216,8 @@ class _WarningListWidget(QListWidget):
 
 def _message_item(message: Message, text: str) -> QListWidgetItem:
     icon, colour, level = LEVEL_STYLES[message.level]
-    made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
+    shown = f"{text}\n{ACTION_LINE}" if message.actions else text
+    made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), shown)
     action = gettext("Click, or press Enter, to go to the cause")
     made.setToolTip(widgets.plain_tip(f"{gettext(level)}\n{action}"))
     made.setData(
@@ -219,7 +247,7 @@ class WarningsButton(QPushButton):
         text = (
             level_counts_text([each for each in messages or () if each.level is worst])
             if worst
-            else gettext("No warnings")
+            else gettext("No messages")
         )
         self.setText(text)
         counts = f"{level_counts_text(messages)}. " if messages else ""

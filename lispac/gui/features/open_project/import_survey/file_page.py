@@ -5,7 +5,6 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
-    QFrame,
     QScrollArea,
     QSplitter,
     QStackedLayout,
@@ -181,13 +180,8 @@ class FilePage(QWidget):
         rows.addWidget(self._assumed_head)
         rows.addWidget(self.assumptions)
         rows.addStretch(1)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumWidth(330)
+        area = widgets.VerticalScrollArea(body, 330)
         area.setAccessibleName(gettext("Reading options and contents of the file"))
-        area.setWidget(body)
         body.setAutoFillBackground(False)
         return area
 

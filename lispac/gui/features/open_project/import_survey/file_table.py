@@ -74,7 +74,7 @@ class FileTable(QTableWidget):
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(FILE, QHeaderView.ResizeMode.Stretch)
-        for column, width in ((ROLE, 120), (FORMAT, 210), (COUNT, 96), (SPAN, 200), (FRAME, 180),
+        for column, width in ((ROLE, 128), (FORMAT, 210), (COUNT, 96), (SPAN, 200), (FRAME, 180),
                               (STATE, 120)):  # fmt: skip
             self.setColumnWidth(column, width)
         self._paths: list[Path] = []

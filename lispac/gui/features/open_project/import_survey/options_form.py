@@ -90,7 +90,7 @@ class OptionsForm(QWidget):
             combo.clear()
             for value in option.choices:
                 combo.addItem(option_value(name, value), value)
-            combo.setMinimumContentsLength(12)
+            combo.setMinimumContentsLength(24)
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
