@@ -127,9 +127,9 @@ def settings_used(project: Project) -> SettingsUsed:
     return SettingsUsed(
         lever_arm_m=settings.lever_arm,
         origin_deg_m=settings.origin_deg_m,
-        position_sigma_m=settings.position_sigma if typed else None,
-        attitude_sigma_deg=settings.attitude_sigma_deg if typed else None,
-        lidar_sigma_m=settings.lidar_sigma,
+        position_sigma_m=settings.used_position_sigma if typed else None,
+        attitude_sigma_deg=settings.used_attitude_sigma_deg if typed else None,
+        lidar_sigma_m=settings.used_lidar_sigma,
         lidar_sigma_xyz_m=settings.lidar_sigma_xyz,
         lidar_range_sigma_m=beam[0] if beam else None,
         lidar_angle_sigma_deg=beam[1] if beam else None,

@@ -5,14 +5,14 @@ depend on the unknowns. It is computed for any sigmas from the sums of the adjus
 another pass over the points.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.result import VarianceComponent
+from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup, VarianceComponent
 from lispac.adjustment.solve.adjustment_problem import (
     ALL_COMPONENTS,
     OFFSET_COMPONENT,
@@ -144,7 +144,6 @@ def reestimate_surface_sigma(
     return problem.with_surface_sigma(np.array([tilts, tilts, offsets]))
 
 
-COMPONENT_NAMES = ("LiDAR", "POS position", "POS attitude")
 FACTOR_LIMITS = (0.1, 10.0)
 """Smallest and largest accepted factor on a given sigma."""
 
@@ -169,7 +168,8 @@ class MaximumLikelihood:
     Attributes
     ----------
     components : tuple of VarianceComponent
-        Factors on the sigmas of LiDAR, POS position and POS attitude.
+        Factors on the sigmas of LiDAR, POS position and POS attitude; 1 for groups that are not
+        estimated.
     determined : tuple of bool
         Whether the data determine each factor.
     form_error_factor : float
@@ -181,24 +181,31 @@ class MaximumLikelihood:
     form_error_factor: float
 
 
-def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
+def estimate_variance_components(
+    linearised: LinearisedProblem, groups: Sequence[SigmaGroup] = SIGMA_GROUPS
+) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude and form errors.
 
     If the sigma of the form errors is not given, it is estimated together with the others. Position
     errors and form errors both shift a sighting, and only the correlation between neighbouring
     sightings separates them, so that the intervals are wide with few sightings. The factor on the
     LiDAR sigma remains 1 if the noise of a target was already raised from the residuals.
+
+    Parameters
+    ----------
+    groups : sequence of {"LiDAR", "POS position", "POS attitude"}
+        Groups whose factors are estimated; those of the others are 1.
     """
     import scipy.optimize
 
     problem, likelihood = linearised.problem, _RestrictedLikelihood(linearised)
-    free = np.ones(4, dtype=bool)
-    free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
+    free = np.array([*(group in groups for group in SIGMA_GROUPS), True])
+    free[0] &= bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
     enough = len(problem.observations.lines) >= MIN_SEPARATING_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
-        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
+        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(SIGMA_GROUPS),
         (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
 
@@ -231,7 +238,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
             VarianceComponent(
                 name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
             )
-            for name, x, s in zip(COMPONENT_NAMES, found[:3], spread[:3], strict=True)
+            for name, x, s in zip(SIGMA_GROUPS, found[:3], spread[:3], strict=True)
         ),
         tuple((alone[:3] < MAX_LOG_SIGMA).tolist()) if enough else (False,) * 3,
         float(np.exp(found[3])),

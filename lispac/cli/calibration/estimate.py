@@ -243,7 +243,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         raise UsageError("estimate: a plane file is given twice; give each file once.")
     settings = _settings_with_options(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
     settings.require_sound()
-    observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
+    observations, planes = read_plane_files(arguments.planes, settings.used_lidar_sigma)
     observations = calibration.with_lidar_noise(observations, settings)
     mounting = Mounting.with_nearest_axes(
         np.array(arguments.lever_arm),
@@ -256,6 +256,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,
             shapes=planes, components=settings.variance_components,
+            assumed=tuple(g for g in settings.assumed_sigmas if g == "LiDAR"),
             accept_single_orientation=settings.accept_single_orientation, progress=progress,
         )  # fmt: skip
         if arguments.no_cross_checks:

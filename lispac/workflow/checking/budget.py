@@ -61,7 +61,7 @@ def error_budget_of(
     rate = survey.trajectory.rate_at(time + latency)
     lidar, of_position, of_attitude = result.sigma_factors
     beam = project.settings.lidar_beam_sigma
-    axes = project.settings.lidar_sigma_xyz or (project.settings.lidar_sigma,) * 3
+    axes = project.settings.lidar_sigma_xyz or (project.settings.used_lidar_sigma,) * 3
     return error_budget(
         SystemErrors(
             position=of_position * np.median(position, axis=0),

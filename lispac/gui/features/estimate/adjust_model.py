@@ -202,13 +202,13 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        sigma = units.local_amount(settings.lidar_sigma * _MM_PER_M, "mm", ".1f")
+        sigma = units.local_amount(settings.used_lidar_sigma * _MM_PER_M, "mm", ".1f")
         self._single_sigma_row.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
         for field, value in zip(
-            self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
+            self.axes, settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3, strict=True
         ):
             field.show_value(value)
-        beam = settings.lidar_beam_sigma or (settings.lidar_sigma, None)
+        beam = settings.lidar_beam_sigma or (settings.used_lidar_sigma, None)
         self.range.show_value(beam[0])
         self.angle.show_value(beam[1])
         kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0

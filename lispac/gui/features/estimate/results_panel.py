@@ -254,7 +254,7 @@ class ResultsPanel(QWidget):
         self._settings = found = given.with_lidar_noise_scaled(ratio)
         if given.lidar_sigma_xyz is None and given.lidar_beam_sigma is None:
             one, other = (
-                quantities.amount(1000 * each.lidar_sigma, "mm", 1) for each in (found, given)
+                quantities.amount(1000 * each.used_lidar_sigma, "mm", 1) for each in (found, given)
             )
             text = gettext("Use LiDAR noise {found} instead of {given}", found=one, given=other)
         else:
