@@ -16,7 +16,14 @@ from numpy.typing import NDArray
 from lispac.acceptance import NO_CRITERIA, Acceptance, AcceptanceCriteria, judge_calibration
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMA_LIMITS, Parameter
 from lispac.adjustment.model.robust_loss import LOSS_NAMES, LossName
-from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
+from lispac.adjustment.model.stochastic_model import (
+    ASSUMED_ATTITUDE_SIGMA_DEG,
+    ASSUMED_LIDAR_SIGMA,
+    ASSUMED_POSITION_SIGMA,
+    POS_ERROR_MODELS,
+    PosErrors,
+    StochasticModel,
+)
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, SigmaGroup
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
@@ -65,14 +72,6 @@ OUT_OF_RANGE_CODES: Mapping[Unit, str] = {
     "s": "settings.time_out_of_range",
 }  # fmt: skip
 """Code of the message about a setting outside its limits, by the unit of the setting."""
-
-
-ASSUMED_POSITION_SIGMA: Triple = (0.02, 0.02, 0.03)
-"""Standard deviations of north, east and down if nobody gave them, metres."""
-ASSUMED_ATTITUDE_SIGMA_DEG: Triple = (0.01, 0.01, 0.015)
-"""Standard deviations of roll, pitch and heading if nobody gave them, degrees."""
-ASSUMED_LIDAR_SIGMA = 0.005
-"""Standard deviation of the LiDAR on each axis if nobody gave it, metres."""
 
 
 @accept_script_names

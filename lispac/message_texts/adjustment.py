@@ -177,6 +177,8 @@ TEXTS: Mapping[str, Template] = {
     # -- variance components -----------------------------------------------------------------------
     "component.larger": N_("applied: larger than the given value"),
     "component.smaller": N_("applied: smaller than the given value"),
+    "component.replaces_assumed": N_("applied: replaces the assumed value"),
+    "component.confirms_assumed": N_("not applied: agrees with the assumed value"),
     "component.not_determined": N_("not applied: not determined by the data"),
     "component.as_given": N_("not applied: the given value lies within the interval"),
     "component.too_small": N_("not applied: the change is too small or poorly determined"),

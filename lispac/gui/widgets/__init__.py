@@ -247,6 +247,7 @@ class TripleField(QWidget):
             field.setMinimumWidth(86)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, 1)
+            field.committed.connect(self._accept_all)
 
     def value(self) -> tuple[float, float, float]:
         """The three numbers."""
@@ -259,6 +260,22 @@ class TripleField(QWidget):
             field.blockSignals(True)
             field.setValue(value)
             field.blockSignals(False)
+
+    def show_assumed(self, values: Sequence[float]) -> None:
+        """Show three defaults that nobody gave; all are given as soon as the user types one."""
+        for field, value in zip(self.fields, values, strict=True):
+            field.blockSignals(True)
+            field.show_assumed(value)
+            field.blockSignals(False)
+
+    @property
+    def is_assumed(self) -> bool:
+        """Whether the numbers are defaults that nobody gave."""
+        return all(field.is_assumed for field in self.fields)
+
+    def _accept_all(self) -> None:
+        if not self.is_assumed:
+            self.set_value(self.value())
 
 
 _LEVER_ARM_TEXTS = (

@@ -17,6 +17,8 @@ from lispac.present.parameters import (
     parameter_values,
     significance_text,
 )
+from lispac.present.sigmas import sigma_text, sigmas_used
+from lispac.project import Project
 
 MIN_SHOWN_FORM_ERROR_M = 5e-5
 """Smallest surface sigma, metres, that is not shown as 0.0 mm."""
@@ -152,6 +154,14 @@ def parameters_html(result: AdjustmentResult) -> str:
 
 def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = True) -> str:
     return kind.amount(value, signed=signed)
+
+
+def sigmas_html(project: Project) -> str:
+    """Standard deviations used in the adjustment and their sources, as rich text."""
+    return "<br>".join(
+        escape(f"{gettext(COMPONENT_TITLES[each.group])}: {sigma_text(each)}")
+        for each in sigmas_used(project)
+    )
 
 
 def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:

@@ -212,6 +212,7 @@ class ResultsPanel(QWidget):
             ("points", gettext("Points, sightings")),
             ("model", gettext("POS correlation time")),
             ("surface", gettext("Form error of the targets")),
+            ("sigmas", gettext("Standard deviations used")),
             ("iterations", gettext("Iterations, time")),
         ):
             value = widgets.label(name=f"result_{key}", rich=True)
@@ -231,6 +232,7 @@ class ResultsPanel(QWidget):
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
             "surface": result_texts.form_error_text(result),
+            "sigmas": result_texts.sigmas_html(project),
             "iterations": gettext(
                 "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
             ),
