@@ -56,6 +56,7 @@ Unit = Literal["m", "deg", "s"]
 SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
     "setting.lidar_sigma": (1e-6, 100.0, "m"), "setting.lidar_sigma_xyz": (1e-6, 100.0, "m"),
+    "setting.lever_arm_sigma": (1e-6, 100.0, "m"),
     "setting.subsample": (1e-6, 1e3, "m"), "setting.scan_angle_offset": (0.0, 360.0, "deg"),
     "setting.correlation_time": (1e-3, 1e7, "s"), "setting.surface": (1e-7, 100.0, "m"),
     "setting.longest_gap": (1e-3, 1e6, "s"),
@@ -67,6 +68,8 @@ BEAM_SIGMA_LIMITS: tuple[tuple[float, float, Unit], ...] = (
     (1e-9, 180.0, "deg"),
 )
 """Limits, as in `SETTING_LIMITS`, of the standard deviations of range and direction of a beam."""
+MAX_BEAM_DIVERGENCE_MRAD = 100.0
+"""Largest beam divergence, milliradians."""
 OUT_OF_RANGE_CODES: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
@@ -92,6 +95,8 @@ class Settings:
         and `used_lidar_sigma` are then the assumed defaults.
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
+    lever_arm_sigma : metres, standard deviations of the lever arm for the error budget, or None
+    beam_divergence_mrad : milliradians, full angle, for the error budget, or None
     range_offset : metres
     scan_angle_offset_deg : degrees
     latency : seconds
@@ -116,6 +121,8 @@ class Settings:
     lidar_sigma: float | None = None
     lidar_sigma_xyz: Triple | None = None
     lidar_beam_sigma: tuple[float, float] | None = None
+    lever_arm_sigma: Triple | None = None
+    beam_divergence_mrad: float | None = None
     range_offset: float = 0.0
     scan_angle_offset_deg: float = 0.0
     latency: float = 0.0
@@ -200,6 +207,8 @@ class Settings:
             "setting.subsample": (self.subsample,),
             "setting.lidar_sigma_xyz": self.lidar_sigma_xyz or (1.0,),
             "setting.lidar_beam_sigma": self.lidar_beam_sigma or (1.0,),
+            "setting.lever_arm_sigma": self.lever_arm_sigma or (0.0,),
+            "setting.beam_divergence": (self.beam_divergence_mrad or 0.0,),
             "setting.range_offset": (self.range_offset,),
             "setting.scan_angle_offset": (self.scan_angle_offset_deg,),
             "setting.latency": (self.latency,),
@@ -236,6 +245,10 @@ class Settings:
             raise InputError(error("settings.zero_lidar_sigma"))
         if self.lidar_sigma_xyz and self.lidar_beam_sigma:
             raise InputError(error("settings.two_lidar_sigmas"))
+        if min(self.lever_arm_sigma or (0.0,)) < 0:
+            raise InputError(error("estimate.lever_arm_sigma"))
+        if not 0 <= (self.beam_divergence_mrad or 0.0) <= MAX_BEAM_DIVERGENCE_MRAD:
+            raise InputError(error("adjustment.budget_divergence", most=MAX_BEAM_DIVERGENCE_MRAD))
         if not min(self.position_time, self.attitude_time) > 0:
             raise InputError(error("settings.zero_correlation_time"))
         if self.surface is not None and self.surface < 0:
@@ -446,6 +459,12 @@ class Project:
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; results that depend on them are removed."""
+        of_budget = {
+            "lever_arm_sigma": settings.lever_arm_sigma,
+            "beam_divergence_mrad": settings.beam_divergence_mrad,
+        }
+        if replace(self.settings, **of_budget) == settings:  # type: ignore[arg-type]
+            return replace(self, settings=settings)
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
             not_compared={}, absolute=None, alternative_results=(), prediction=None,

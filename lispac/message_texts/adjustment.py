@@ -41,6 +41,12 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.budget_distances": N_(
         "The distances of the error budget must be in metres and above zero. Correct them."
     ),
+    "adjustment.budget_divergence": N_(
+        "The beam divergence must be from 0 to {most:x.0} mrad. Correct it."
+    ),
+    "adjustment.budget_incidence": N_(
+        "The angle of incidence must be from 0 to {most:deg.0} deg. Correct it."
+    ),
     # -- geometry ----------------------------------------------------------------------------------
     "adjustment.singular": N_(
         "The points do not determine the boresight angles and the targets. Add targets or lines."

@@ -50,7 +50,7 @@ TEXTS: Mapping[str, Template] = {
         "position {north:m.3} m, {east:m.3} m, {down:m.3} m (north, east, down)"
     ),
     "item.assumed_attitude": N_(
-        "attitude {roll:deg.4}°, {pitch:deg.4}°, {heading:deg.4}° (roll, pitch, heading)"
+        "attitude {roll:deg.4} deg, {pitch:deg.4} deg, {heading:deg.4} deg (roll, pitch, heading)"
     ),
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
     "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),

@@ -106,6 +106,10 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
     "angles are then too small as well."
 )
+TOO_LARGE_ASSUMED_TEXT = N_(
+    "The residuals are larger than the assumed sigmas allow. Give the sigmas of the data sheet or "
+    "of the processing report."
+)
 TOO_SMALL_TEXT = N_(
     "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
     "is no other warning, the sigmas of the angles are too large as well."
@@ -136,6 +140,8 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
         finding = PASSED_TEXT
     elif test.outcome == "conservative":
         finding = TOO_SMALL_TEXT
+    elif result.unestimated_sigmas:
+        finding = TOO_LARGE_ASSUMED_TEXT
     elif not result.model.correlated:
         finding = TOO_LARGE_CLASSICAL_TEXT
     elif any(target.noise > 1 for target in result.targets):

@@ -309,6 +309,37 @@ def lever_arm_fields(prefix: str) -> TripleField:
     return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
 
 
+def lever_arm_sigma_fields(prefix: str) -> TripleField:
+    """Fields of the standard deviations of the lever arm, metres; zero in all if not given."""
+    fields = [
+        number(
+            f"{prefix}_{axis}", suffix=" m", decimals=4, low=0, high=100, step=0.001,
+            tip=gettext(
+                "Standard deviation of the lever arm along {axis}, metres, for the error budget. "
+                "If all three are 0, it is not included.",
+                axis=axis.upper(),
+            ),
+            title=gettext("Lever arm {axis} (1 σ)", axis=axis.upper()),
+        )
+        for axis in "xyz"
+    ]  # fmt: skip
+    return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
+
+
+def divergence_field(name: str) -> NumberField:
+    """Field of the beam divergence, milliradians; zero if it is not given."""
+    field = number(
+        name, suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
+        tip=gettext(
+            "Beam divergence as full angle, in milliradians, for the error budget. If it is 0, the "
+            "beam footprint is not included."
+        ),
+        title=gettext("Beam divergence"),
+    )  # fmt: skip
+    field.setSpecialValueText(gettext("none given"))
+    return field
+
+
 def boresight_fields(prefix: str) -> TripleField:
     """Fields of the prior boresight, degrees."""
     fields = [

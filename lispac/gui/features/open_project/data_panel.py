@@ -77,6 +77,9 @@ class DataPanel(QWidget):
         )  # fmt: skip
         filled.addWidget(widgets.label(gettext("Lever arm, POS to LiDAR"), "heading"))
         filled.addWidget(self.lever_arm)
+        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("lever_arm_sigma")
+        filled.addWidget(widgets.label(gettext("Lever arm (1 σ)"), "heading"))
+        filled.addWidget(self.lever_arm_sigma)
         filled.addWidget(widgets.label(gettext("Prior boresight"), "heading"))
         filled.addWidget(self.boresight)
         self.mounting = MountingView("mounting")
@@ -86,6 +89,12 @@ class DataPanel(QWidget):
         noise.addStretch(1)
         noise.addWidget(self.lidar_sigma)
         filled.addLayout(noise)
+        self.divergence = widgets.divergence_field("divergence")
+        beam = QHBoxLayout()
+        beam.addWidget(widgets.label(gettext("Beam divergence")))
+        beam.addStretch(1)
+        beam.addWidget(self.divergence)
+        filled.addLayout(beam)
         self.pos_sigmas = PosSigmaFields("sigma")
         filled.addWidget(widgets.label(gettext("Position (1 σ)"), "heading"))
         filled.addWidget(self.pos_sigmas.position)
@@ -103,7 +112,9 @@ class DataPanel(QWidget):
         self.details.clicked.connect(self.details_requested)
         filled.addWidget(self.details)
         sigmas = (*self.pos_sigmas.position.fields, *self.pos_sigmas.attitude.fields)
-        for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma, *sigmas):
+        for field in (*self.lever_arm.fields, *self.boresight.fields, *sigmas):
+            field.committed.connect(self._emit_edit)
+        for field in (self.lidar_sigma, self.divergence, *self.lever_arm_sigma.fields):
             field.committed.connect(self._emit_edit)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self._draw_mounting)
@@ -187,6 +198,10 @@ class DataPanel(QWidget):
         if settings is not None:
             self.lever_arm.set_value(settings.lever_arm)
             self.boresight.set_value(settings.boresight_deg)
+            self.lever_arm_sigma.set_value(settings.lever_arm_sigma or (0.0, 0.0, 0.0))
+            self.divergence.blockSignals(True)
+            self.divergence.setValue(settings.beam_divergence_mrad or 0.0)
+            self.divergence.blockSignals(False)
             self.lidar_sigma.blockSignals(True)
             if "LiDAR" in settings.assumed_sigmas:
                 self.lidar_sigma.show_assumed(settings.used_lidar_sigma * 1000)
@@ -230,6 +245,14 @@ class DataPanel(QWidget):
         is_confirmed = "LiDAR" in edited.assumed_sigmas and not self.lidar_sigma.is_assumed
         if is_confirmed or _is_changed((lidar,), (edited.used_lidar_sigma,)):
             edited = replace(edited, lidar_sigma=lidar)
+        lever_arm_sigma = self.lever_arm_sigma.value()
+        edited = replace(
+            edited,
+            lever_arm_sigma=_unless_same(
+                lever_arm_sigma if any(lever_arm_sigma) else None, edited.lever_arm_sigma
+            ),
+            beam_divergence_mrad=self.divergence.value() or None,
+        )
         if self.pos_sigmas.position.isEnabled():
             position, attitude = self.pos_sigmas.values()
             edited = replace(
@@ -237,9 +260,7 @@ class DataPanel(QWidget):
                 position_sigma=_unless_same(position, edited.position_sigma),
                 attitude_sigma_deg=_unless_same(attitude, edited.attitude_sigma_deg),
             )
-            if edited == self._settings:
-                return None
-        return None if edited is self._settings else edited
+        return None if edited == self._settings else edited
 
     def _emit_edit(self) -> None:
         edited = self._edited_settings()

@@ -52,11 +52,14 @@ class MountingPage(QScrollArea):
     def settings(self) -> Settings:
         """Settings of the project from the fields."""
         noise, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
+        lever_arm_sigma = self.lever_arm_sigma.value()
         position, attitude = self._entered or self.pos_sigmas.values()
         return Settings(
             lever_arm=self.lever_arm.value(),
             boresight_deg=self.boresight.value(),
             origin_deg_m=self.origin.value() if self.origin_given.isChecked() else None,
+            lever_arm_sigma=lever_arm_sigma if any(lever_arm_sigma) else None,
+            beam_divergence_mrad=self.divergence.value() or None,
             position_sigma=position,
             attitude_sigma_deg=attitude,
             lidar_sigma=None if self.lidar_sigma.is_assumed else noise,
@@ -158,12 +161,17 @@ class MountingPage(QScrollArea):
         form.addRow("", self.sensors.scanner_origin)
         form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle_sigma)
+        self.divergence = widgets.divergence_field("new_divergence")
+        self.divergence.setMaximumWidth(140)
+        form.addRow(gettext("Beam divergence"), self.divergence)
         form.addRow(gettext("INS/GNSS"), self.sensors.pos)
         form.addRow("", self.sensors.pos_origin)
         self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
         form.addRow(self._source)
         form.addRow(gettext("Position (1 σ)"), self.pos_sigmas.position)
         form.addRow(gettext("Attitude (1 σ)"), self.pos_sigmas.attitude)
+        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("new_lever_arm_sigma")
+        form.addRow(gettext("Lever arm (1 σ)"), self.lever_arm_sigma)
         return form
 
     def _draw_mounting(self) -> None:
@@ -172,6 +180,7 @@ class MountingPage(QScrollArea):
     def _set_lidar_noise(self, scanner: ScannerSpecification) -> None:
         self.lidar_sigma.setValue(scanner.range_sigma * 1000)
         self.angle_sigma.setValue(scanner.angle_sigma_deg)
+        self.divergence.setValue(scanner.divergence_mrad)
 
     def _set_pos_sigmas(self, state: PosAccuracy) -> None:
         chosen = state.position_sigma, state.attitude_sigma_deg
