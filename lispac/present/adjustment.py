@@ -120,7 +120,8 @@ TOO_SMALL_TEXT = N_(
 class VarianceFactorTest:
     """Two-sided test of the variance factor at 95 %; bounds are None without redundancy.
 
-    ``lidar_noise_ratio`` is that of `AdjustmentResult`.
+    ``lidar_noise_ratio`` is that of `AdjustmentResult`; ``has_assumed_sigmas`` is True if sigmas
+    were used that nobody gave and that were not estimated.
     """
 
     statistic: float
@@ -130,6 +131,7 @@ class VarianceFactorTest:
     text: LazyText
     outcome: FitOutcome | None = None
     lidar_noise_ratio: float | None = None
+    has_assumed_sigmas: bool = False
 
 
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
@@ -150,7 +152,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
         finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
         test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding), test.outcome,
-        result.lidar_noise_ratio,
+        result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 
 

@@ -97,8 +97,7 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
     independent = content.settings.pos_errors == "independent"
     noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
     test = content.adjustment.chi_square
-    is_assumed = any(s.source == "assumed" for s in content.settings.standard_deviations)
-    yield from _chi_square_warnings(test, independent, noisy, is_assumed)
+    yield from _chi_square_warnings(test, independent, noisy)
     if (ratio := test.lidar_noise_ratio) is None:
         return
     settings, field = content.settings, Cause.of_field("lidar_sigma")
@@ -138,7 +137,7 @@ NOISE_CODES = {CHI_SQUARE_LOW_CODE, "report.lidar_noise", "report.lidar_noise_ra
 
 
 def _chi_square_warnings(
-    test: VarianceFactorTest, independent: bool, noisy: bool, is_assumed: bool
+    test: VarianceFactorTest, independent: bool, noisy: bool
 ) -> Iterator[Message]:
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
@@ -146,7 +145,7 @@ def _chi_square_warnings(
         return
     elif test.outcome == "conservative":
         yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
-    elif is_assumed:
+    elif test.has_assumed_sigmas:
         yield note("report.chi_square_high_assumed", subject=Cause.of_field("lidar_sigma"))
     elif independent:
         yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
