@@ -326,8 +326,9 @@ def _iterate_variance_components(
 
     ``total``, shape (3,), are the factors on the given sigmas already used in ``solution``.
     """
+    chosen = settings.components, settings.assumed
     for _ in range(MAX_COMPONENT_ROUNDS):
-        found = estimate_variance_components(solution.linearised, settings.components)
+        found = estimate_variance_components(solution.linearised, *chosen)
         # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
         # factor is significantly smaller, because a sigma that is too large does little harm.
         new_factors = np.array(
@@ -347,7 +348,7 @@ def _iterate_variance_components(
             found.form_error_factor * problem.default_surface_sigmas
         )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
-    final = estimate_variance_components(solution.linearised, settings.components)
+    final = estimate_variance_components(solution.linearised, *chosen)
     return (
         solution,
         tuple(

@@ -182,7 +182,9 @@ class MaximumLikelihood:
 
 
 def estimate_variance_components(
-    linearised: LinearisedProblem, groups: Sequence[SigmaGroup] = SIGMA_GROUPS
+    linearised: LinearisedProblem,
+    groups: Sequence[SigmaGroup] = SIGMA_GROUPS,
+    assumed: Sequence[SigmaGroup] = (),
 ) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude and form errors.
 
@@ -195,6 +197,9 @@ def estimate_variance_components(
     ----------
     groups : sequence of {"LiDAR", "POS position", "POS attitude"}
         Groups whose factors are estimated; those of the others are 1.
+    assumed : sequence of {"LiDAR", "POS position", "POS attitude"}
+        Groups whose sigmas nobody gave. The points of any number of lines determine an assumed
+        LiDAR sigma.
     """
     import scipy.optimize
 
@@ -240,7 +245,10 @@ def estimate_variance_components(
             )
             for name, x, s in zip(SIGMA_GROUPS, found[:3], spread[:3], strict=True)
         ),
-        tuple((alone[:3] < MAX_LOG_SIGMA).tolist()) if enough else (False,) * 3,
+        tuple(
+            bool(spread < MAX_LOG_SIGMA) and (enough or (group == "LiDAR" and group in assumed))
+            for group, spread in zip(SIGMA_GROUPS, alone[:3], strict=True)
+        ),
         float(np.exp(found[3])),
     )
 
