@@ -77,9 +77,6 @@ class DataPanel(QWidget):
         )  # fmt: skip
         filled.addWidget(widgets.label(gettext("Lever arm, POS to LiDAR"), "heading"))
         filled.addWidget(self.lever_arm)
-        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("lever_arm_sigma")
-        filled.addWidget(widgets.label(gettext("Lever arm (1 σ)"), "heading"))
-        filled.addWidget(self.lever_arm_sigma)
         filled.addWidget(widgets.label(gettext("Prior boresight"), "heading"))
         filled.addWidget(self.boresight)
         self.mounting = MountingView("mounting")
@@ -101,7 +98,11 @@ class DataPanel(QWidget):
         filled.addWidget(widgets.label(gettext("Attitude (1 σ)"), "heading"))
         filled.addWidget(self.pos_sigmas.attitude)
         self._sigma_source = widgets.label("", "muted", wrap=True, name="sigma_source")
+        self._sigma_source.hide()
         filled.addWidget(self._sigma_source)
+        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("lever_arm_sigma")
+        filled.addWidget(widgets.label(gettext("Lever arm (1 σ)"), "heading"))
+        filled.addWidget(self.lever_arm_sigma)
 
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",
@@ -229,8 +230,10 @@ class DataPanel(QWidget):
             )
         if project.assumed_sigmas:
             texts.append(gettext(ASSUMED_TEXT))
-        self._sigma_source.setText(" ".join(texts))
-        self._sigma_source.setVisible(bool(texts))
+        text = " ".join(texts)
+        if text != self._sigma_source.text():  # the same text would be laid out again
+            self._sigma_source.setText(text)
+            self._sigma_source.setVisible(bool(text))
 
     def _edited_settings(self) -> Settings | None:
         """Settings with the changed fields; None if no field was changed."""
