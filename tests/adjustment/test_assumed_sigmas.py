@@ -101,6 +101,23 @@ def test_settings_know_which_sigmas_nobody_gave() -> None:
     assert settings.with_lidar_noise_scaled(0.4).lidar_sigma == 0.002
 
 
+@pytest.mark.parametrize("surface", [None, 0.0])
+def test_a_rough_target_leaves_an_assumed_lidar_noise_undetermined(surface: float | None) -> None:
+    """The larger noise of one target is that of its surface."""
+    data = _survey()
+    rough = data.target_of_sighting[data.sighting] == 1
+    points = data.points_lidar.copy()
+    points[rough] += np.random.default_rng(1).normal(0.0, 0.02, points[rough].shape)
+    result = adjust(
+        replace(data, points_lidar=points), PRIOR, StochasticModel(surface=surface),
+        components=None, assumed=("LiDAR",), diagnostics=False,
+    )  # fmt: skip
+    first, second = result.targets
+    assert second.noise > 3 * first.noise
+    assert result.sigma_factors == (1.0, 1.0, 1.0)
+    assert result.unestimated_sigmas == ("LiDAR",)
+
+
 def test_two_lines_determine_an_assumed_lidar_noise() -> None:
     data = _survey()
     two = data.of_sightings(np.array([s.line in ("L1", "L3") for s in data.sightings]))

@@ -243,3 +243,40 @@ def test_invalid_sigmas_of_the_lever_arm_are_refused(
     assert caught.value.code == "estimate.lever_arm_sigma"
     known = error_budget_of(project, survey, lever_sigma=(0.0, 0.0, 0.0))
     assert known.beams
+
+
+def test_the_footprint_grows_with_distance_and_incidence() -> None:
+    """A quarter of the diameter across the beam, and times tan(incidence) along it."""
+    straight, oblique = (
+        by_name(error_budget(system(incidence=float(np.radians(angle))), [20.0, 40.0]), beam)
+        for angle in (0.0, 75.0)
+        for beam in ("horizontal, to starboard",)
+    )
+    near, far = straight["Beam footprint"].spreads or ()
+    assert near.across == pytest.approx(np.sqrt(2) * 0.003 * 20 / 4)
+    assert near.total == pytest.approx(near.across)
+    assert far.across == pytest.approx(2 * near.across)
+    along, _ = oblique["Beam footprint"].spreads or ()
+    assert along.across == pytest.approx(near.across)
+    tangent = np.tan(np.radians(75.0))
+    assert along.total == pytest.approx(0.003 * 20 / 4 * np.sqrt(2 + tangent**2))
+
+
+def test_without_a_divergence_the_footprint_is_not_counted() -> None:
+    without = error_budget(system(divergence=None))
+    found = by_name(without, "horizontal, to starboard")
+    assert found["Beam footprint"].spreads is None
+    assert "budget.footprint_unknown" in {each.code for each in without.assumptions}
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"divergence": 0.2}, "adjustment.budget_divergence"),
+        ({"divergence": float("nan")}, "adjustment.budget_divergence"),
+        ({"incidence": float(np.radians(86.0))}, "adjustment.budget_incidence"),
+    ],
+)
+def test_invalid_angles_of_the_footprint_are_refused(changes: dict[str, float], code: str) -> None:
+    with pytest.raises(InputError, check=has_code(code)):
+        error_budget(system(**changes))

@@ -148,6 +148,9 @@ FACTOR_LIMITS = (0.1, 10.0)
 """Smallest and largest accepted factor on a given sigma."""
 
 
+MAX_FACTOR_RATIO = 100.0
+"""Largest ratio of a factor, or a limit of its interval, to 1; beyond, it is not determined."""
+
 MIN_NOISE_FACTOR = 1.1
 """Noise factor of a target from which on the factor on the LiDAR sigma is not estimated.
 
@@ -207,6 +210,8 @@ def estimate_variance_components(
     free = np.array([*(group in groups for group in SIGMA_GROUPS), True])
     free[0] &= bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
+    if not free[:3].any():
+        return _undetermined_factors()
     enough = len(problem.observations.lines) >= MIN_SEPARATING_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
@@ -237,7 +242,7 @@ def estimate_variance_components(
     found[free] = best.x
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
     alone[free] = 1 / np.sqrt(np.diag(curvature))
-    reach = np.log(100.0)  # beyond, the data do not determine it
+    reach = np.log(MAX_FACTOR_RATIO)
     return MaximumLikelihood(
         tuple(
             VarianceComponent(
@@ -251,6 +256,15 @@ def estimate_variance_components(
         ),
         float(np.exp(found[3])),
     )
+
+
+def _undetermined_factors() -> MaximumLikelihood:
+    """Factors of 1 that the data do not determine."""
+    components = (
+        VarianceComponent(group, 1.0, 1 / MAX_FACTOR_RATIO, MAX_FACTOR_RATIO)
+        for group in SIGMA_GROUPS
+    )
+    return MaximumLikelihood(tuple(components), (False,) * len(SIGMA_GROUPS), 1.0)
 
 
 def _likelihood_curvature(
