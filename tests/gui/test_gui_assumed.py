@@ -36,7 +36,7 @@ def test_assumed_values_are_grey_until_they_are_typed(picked: Driver) -> None:
     assert data.lidar_sigma.property("assumed")
     assert data.lidar_sigma.value() == 5.0
     assert data.pos_sigmas.position.value() == (0.02, 0.02, 0.03)
-    assert "Grey values are assumed" in text_of(picked, "sigma_source")
+    assert "grey italics are assumed" in text_of(picked, "sigma_source")
 
     type_into(picked, data.lidar_sigma, "5")  # the same value, now given
     picked.bot.keyClick(data.lidar_sigma, Key.Key_Return)

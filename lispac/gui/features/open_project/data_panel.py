@@ -27,8 +27,8 @@ from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey
 
 ASSUMED_TEXT = N_(
-    "Grey values are assumed, because nobody gave them. Enter those of the data sheet or of the "
-    "processing report."
+    "Values in grey italics are assumed, because nobody gave them. Enter those of the data sheet "
+    "or of the processing report."
 )
 
 

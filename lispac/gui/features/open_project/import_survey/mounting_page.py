@@ -89,7 +89,8 @@ class MountingPage(QScrollArea):
             if name
             else gettext(
                 "There is no accuracy file. The position and attitude accuracies below apply at "
-                "all times. Grey values are assumed: enter those of the processing report."
+                "all times. Values in grey italics are assumed: enter those of the "
+                "processing report."
             )
         )
 
