@@ -127,7 +127,10 @@ def test_assumed_noise_is_estimated_unless_refused(
     assert lidar["used"][0] == pytest.approx(0.0017, abs=0.0003)
     assert position["source"] == attitude["source"] == "file"
     assert position["used"] is None
-    assert [each["name"] for each in automatic["components"]] == ["LiDAR"]
+    (component,) = automatic["components"]
+    assert component["name"] == "LiDAR"
+    assert 0.8 < component["lower"] / component["factor"] < 1.0
+    assert 1.0 < component["upper"] / component["factor"] < 1.25
     code, out, _ = run(capsys, "estimate", project, "--no-cross-checks")
     assert code == 0
     assert "assumed before: 5.0 mm on each axis" in " ".join(out.split())

@@ -285,7 +285,7 @@ def footprint_covariance(
 
     Parameters
     ----------
-    beam_direction : ndarray of shape (3,)
+    beam_direction : ndarray of shape (3,), body frame
         Unit vector.
     divergence : float, radians
         Full angle.

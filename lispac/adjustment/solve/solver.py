@@ -50,6 +50,7 @@ from lispac.adjustment.solve.variance_components import (
     FACTOR_LIMITS,
     MIN_NOISE_FACTOR,
     estimate_variance_components,
+    with_lidar_interval,
 )
 from lispac.errors import NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import Message, error, note
@@ -349,6 +350,8 @@ def _iterate_variance_components(
         )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
     final = estimate_variance_components(solution.linearised, *chosen)
+    if "LiDAR" in settings.components and "LiDAR" in settings.assumed and total[0] != 1:
+        final = with_lidar_interval(final, solution.linearised)
     return (
         solution,
         tuple(

@@ -6,7 +6,7 @@ another pass over the points.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.linalg
@@ -256,6 +256,25 @@ def estimate_variance_components(
         ),
         float(np.exp(found[3])),
     )
+
+
+def with_lidar_interval(
+    found: MaximumLikelihood, linearised: LinearisedProblem
+) -> MaximumLikelihood:
+    """Factors with an interval of a LiDAR sigma whose factor is no longer estimated.
+
+    If the noise of a target was raised after an assumed LiDAR sigma was estimated, the likelihood
+    gives no interval. The standard deviation of ``n`` independent residuals has a relative standard
+    deviation of ``1 / sqrt(2 n)``; the noise of the targets contains the correlation of the
+    residuals, which reduces ``n``.
+    """
+    lidar, *others = found.components
+    if lidar.upper < MAX_FACTOR_RATIO * (1 - 1e-9):
+        return found
+    problem = linearised.problem
+    spread = float(problem.noise.max()) / np.sqrt(2 * len(problem.observations))
+    lower, upper = np.exp([-1.96 * spread, 1.96 * spread]).tolist()
+    return replace(found, components=(replace(lidar, lower=lower, upper=upper), *others))
 
 
 def _undetermined_factors() -> MaximumLikelihood:
