@@ -16,8 +16,15 @@ from numpy.typing import NDArray
 from lispac.acceptance import NO_CRITERIA, Acceptance, AcceptanceCriteria, judge_calibration
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMA_LIMITS, Parameter
 from lispac.adjustment.model.robust_loss import LOSS_NAMES, LossName
-from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
-from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.model.stochastic_model import (
+    ASSUMED_ATTITUDE_SIGMA_DEG,
+    ASSUMED_LIDAR_SIGMA,
+    ASSUMED_POSITION_SIGMA,
+    POS_ERROR_MODELS,
+    PosErrors,
+    StochasticModel,
+)
+from lispac.adjustment.result import AdjustmentResult, CrossChecks, SigmaGroup
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names
@@ -49,6 +56,7 @@ Unit = Literal["m", "deg", "s"]
 SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
     "setting.lidar_sigma": (1e-6, 100.0, "m"), "setting.lidar_sigma_xyz": (1e-6, 100.0, "m"),
+    "setting.lever_arm_sigma": (1e-6, 100.0, "m"),
     "setting.subsample": (1e-6, 1e3, "m"), "setting.scan_angle_offset": (0.0, 360.0, "deg"),
     "setting.correlation_time": (1e-3, 1e7, "s"), "setting.surface": (1e-7, 100.0, "m"),
     "setting.longest_gap": (1e-3, 1e6, "s"),
@@ -60,6 +68,8 @@ BEAM_SIGMA_LIMITS: tuple[tuple[float, float, Unit], ...] = (
     (1e-9, 180.0, "deg"),
 )
 """Limits, as in `SETTING_LIMITS`, of the standard deviations of range and direction of a beam."""
+MAX_BEAM_DIVERGENCE_MRAD = 100.0
+"""Largest beam divergence, milliradians."""
 OUT_OF_RANGE_CODES: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
@@ -81,8 +91,12 @@ class Settings:
     position_sigma : north, east, down in metres, if no accuracy file is given
     attitude_sigma_deg : roll, pitch, heading in degrees, if no accuracy file is given
     lidar_sigma : metres on each axis, unless one of the next two is given
+        None in these three if nobody gave them: `used_position_sigma`, `used_attitude_sigma_deg`
+        and `used_lidar_sigma` are then the assumed defaults.
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
+    lever_arm_sigma : metres, standard deviations of the lever arm for the error budget, or None
+    beam_divergence_mrad : milliradians, full angle, for the error budget, or None
     range_offset : metres
     scan_angle_offset_deg : degrees
     latency : seconds
@@ -92,7 +106,8 @@ class Settings:
     pos_errors, position_time, attitude_time, surface : see `StochasticModel`
     loss : None for the default: ``tukey`` with ``correlated``, ``none`` with ``independent``
     parameters : values of the mounting to estimate in addition to the boresight
-    variance_components : whether the variances of LiDAR and POS errors are estimated
+    variance_components : True estimates the variances of LiDAR and POS errors, False none of them,
+        None (automatic) those whose standard deviations are assumed
     accept_single_orientation : whether to adjust if all targets are planes that face the same way
     longest_gap : longest time in seconds between two states of the trajectory over which positions
         are interpolated; points in longer gaps are excluded
@@ -101,11 +116,13 @@ class Settings:
     lever_arm: Triple
     boresight_deg: Triple = (0.0, 0.0, 0.0)
     origin_deg_m: Triple | None = None
-    position_sigma: Triple = (0.02, 0.02, 0.03)
-    attitude_sigma_deg: Triple = (0.01, 0.01, 0.015)
-    lidar_sigma: float = 0.005
+    position_sigma: Triple | None = None
+    attitude_sigma_deg: Triple | None = None
+    lidar_sigma: float | None = None
     lidar_sigma_xyz: Triple | None = None
     lidar_beam_sigma: tuple[float, float] | None = None
+    lever_arm_sigma: Triple | None = None
+    beam_divergence_mrad: float | None = None
     range_offset: float = 0.0
     scan_angle_offset_deg: float = 0.0
     latency: float = 0.0
@@ -116,9 +133,34 @@ class Settings:
     surface: float | None = None
     loss: LossName | None = None
     parameters: tuple[Parameter, ...] = ()
-    variance_components: bool = False
+    variance_components: bool | None = None
     accept_single_orientation: bool = False
     longest_gap: float = DEFAULT_LONGEST_GAP_S
+
+    @property
+    def used_position_sigma(self) -> Triple:
+        """Given or assumed standard deviations of north, east and down, metres."""
+        return self.position_sigma or ASSUMED_POSITION_SIGMA
+
+    @property
+    def used_attitude_sigma_deg(self) -> Triple:
+        """Given or assumed standard deviations of roll, pitch and heading, degrees."""
+        return self.attitude_sigma_deg or ASSUMED_ATTITUDE_SIGMA_DEG
+
+    @property
+    def used_lidar_sigma(self) -> float:
+        """Given or assumed standard deviation of the LiDAR on each axis, metres."""
+        return ASSUMED_LIDAR_SIGMA if self.lidar_sigma is None else self.lidar_sigma
+
+    @property
+    def assumed_sigmas(self) -> tuple[SigmaGroup, ...]:
+        """Groups of errors whose standard deviations are not given in the settings."""
+        is_given: dict[SigmaGroup, bool] = {
+            "LiDAR": any((self.lidar_sigma, self.lidar_sigma_xyz, self.lidar_beam_sigma)),
+            "POS position": self.position_sigma is not None,
+            "POS attitude": self.attitude_sigma_deg is not None,
+        }
+        return tuple(group for group, given in is_given.items() if not given)
 
     @property
     def stochastic_model(self) -> StochasticModel:
@@ -131,7 +173,7 @@ class Settings:
     @property
     def threshold(self) -> float:
         """Default RANSAC threshold, metres: that of the thesis, or 3 LiDAR sigma if larger."""
-        return max(DEFAULT_THRESHOLD_M, 3 * self.lidar_sigma)
+        return max(DEFAULT_THRESHOLD_M, 3 * self.used_lidar_sigma)
 
     def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
         """Copy with the LiDAR standard deviations times ``ratio``, rounded to two digits."""
@@ -142,7 +184,7 @@ class Settings:
         xyz, beam = self.lidar_sigma_xyz, self.lidar_beam_sigma
         return replace(
             self,
-            lidar_sigma=scaled(self.lidar_sigma),
+            lidar_sigma=scaled(self.used_lidar_sigma),
             lidar_sigma_xyz=xyz and (scaled(xyz[0]), scaled(xyz[1]), scaled(xyz[2])),
             lidar_beam_sigma=beam and (scaled(beam[0]), scaled(beam[1])),
         )
@@ -159,12 +201,14 @@ class Settings:
             "setting.lever_arm": self.lever_arm,
             "setting.boresight": self.boresight_deg,
             "setting.origin": self.origin_deg_m or (0.0,),
-            "setting.position_sigma": self.position_sigma,
-            "setting.attitude_sigma": self.attitude_sigma_deg,
-            "setting.lidar_sigma": (self.lidar_sigma,),
+            "setting.position_sigma": self.used_position_sigma,
+            "setting.attitude_sigma": self.used_attitude_sigma_deg,
+            "setting.lidar_sigma": (self.used_lidar_sigma,),
             "setting.subsample": (self.subsample,),
             "setting.lidar_sigma_xyz": self.lidar_sigma_xyz or (1.0,),
             "setting.lidar_beam_sigma": self.lidar_beam_sigma or (1.0,),
+            "setting.lever_arm_sigma": self.lever_arm_sigma or (0.0,),
+            "setting.beam_divergence": (self.beam_divergence_mrad or 0.0,),
             "setting.range_offset": (self.range_offset,),
             "setting.scan_angle_offset": (self.scan_angle_offset_deg,),
             "setting.latency": (self.latency,),
@@ -185,17 +229,26 @@ class Settings:
         ):
             if value > 0 and not low <= value <= high:
                 raise InputError(_out_of_range("setting.lidar_beam_sigma", value, low, high, unit))
-        if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
+        smallest = min(*self.used_position_sigma, *self.used_attitude_sigma_deg, self.subsample)
+        if smallest < 0:
             raise InputError(error("settings.negative"))
         if self.pos_errors not in POS_ERROR_MODELS:
             raise InputError(
                 error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
             )
-        lidar = (self.lidar_sigma, *(self.lidar_sigma_xyz or ()), *(self.lidar_beam_sigma or ()))
+        lidar = (
+            self.used_lidar_sigma,
+            *(self.lidar_sigma_xyz or ()),
+            *(self.lidar_beam_sigma or ()),
+        )
         if min(lidar) <= 0:
             raise InputError(error("settings.zero_lidar_sigma"))
         if self.lidar_sigma_xyz and self.lidar_beam_sigma:
             raise InputError(error("settings.two_lidar_sigmas"))
+        if min(self.lever_arm_sigma or (0.0,)) < 0:
+            raise InputError(error("estimate.lever_arm_sigma"))
+        if not 0 <= (self.beam_divergence_mrad or 0.0) <= MAX_BEAM_DIVERGENCE_MRAD:
+            raise InputError(error("adjustment.budget_divergence", most=MAX_BEAM_DIVERGENCE_MRAD))
         if not min(self.position_time, self.attitude_time) > 0:
             raise InputError(error("settings.zero_correlation_time"))
         if self.surface is not None and self.surface < 0:
@@ -326,6 +379,12 @@ class Project:
             raise ProjectError(error("project.not_estimated", project=self.name))
         return self.result.mounting
 
+    @property
+    def assumed_sigmas(self) -> tuple[SigmaGroup, ...]:
+        """Groups of errors whose standard deviations neither the settings nor a file give."""
+        assumed = self.settings.assumed_sigmas
+        return assumed if self.accuracy is None else tuple(g for g in assumed if g == "LiDAR")
+
     def targets_of_role(self, role: Role) -> tuple[Target, ...]:
         """Either the targets or the validation planes."""
         return tuple(target for target in self.targets if target.role == role)
@@ -400,6 +459,12 @@ class Project:
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; results that depend on them are removed."""
+        of_budget = {
+            "lever_arm_sigma": settings.lever_arm_sigma,
+            "beam_divergence_mrad": settings.beam_divergence_mrad,
+        }
+        if replace(self.settings, **of_budget) == settings:  # type: ignore[arg-type]
+            return replace(self, settings=settings)
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
             not_compared={}, absolute=None, alternative_results=(), prediction=None,

@@ -16,7 +16,7 @@ from lispac.adjustment.diagnostics.sphere_radii import find_radius_discrepancies
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.result import SIGMA_GROUPS, AdjustmentResult, SigmaGroup
 from lispac.adjustment.solve.noise_estimation import lidar_noise_ratio
 from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
 from lispac.adjustment.solve.solution import Solution
@@ -48,7 +48,8 @@ def adjust(
     parameters: tuple[Parameter, ...] = (),
     shapes: Array | None = None,
     noise: Mapping[str, float] | None = None,
-    components: bool = False,
+    components: bool | None = False,
+    assumed: tuple[SigmaGroup, ...] = (),
     accept_single_orientation: bool = False,
     diagnostics: bool = True,
     test_model: bool = True,
@@ -74,8 +75,11 @@ def adjust(
     noise : mapping of str to float, optional
         Ratio of the noise of each target to the given one (correlated model), from an adjustment of
         more points. By default, it is estimated from the residuals.
-    components : bool
-        Estimate variance components of LiDAR and POS (correlated model).
+    components : bool or None
+        Estimate variance components of LiDAR and POS (correlated model); None estimates those of
+        the ``assumed`` groups.
+    assumed : tuple of {"LiDAR", "POS position", "POS attitude"}
+        Groups of errors whose standard deviations nobody gave.
     accept_single_orientation : bool
         Accept targets that are all planes of one orientation.
     diagnostics : bool
@@ -97,8 +101,9 @@ def adjust(
     NotConverged
         The iteration diverges or does not converge.
     """
+    estimated = assumed if components is None else SIGMA_GROUPS if components else ()
     settings = SolverSettings(
-        model, parameters, shapes, noise, components, accept_single_orientation
+        model, parameters, shapes, noise, estimated, assumed, accept_single_orientation
     )
     if not diagnostics:
         return estimate(observations, mounting, settings, progress)
@@ -154,7 +159,9 @@ def _measured_noise_ratio(
     again with the noise found.
     """
     result, total = solution.result(), 1.0
-    if result.chi_square.outcome == "passed" or any(c.applied for c in result.components):
+    if result.chi_square.outcome == "passed" or any(
+        c.applied and (c.name == "LiDAR" or not settings.assumed) for c in result.components
+    ):
         return None
     for _ in range(MAX_NOISE_ROUNDS):
         ratio = lidar_noise_ratio(solution.linearised)
@@ -229,7 +236,8 @@ def adjust_or_explain(
     model: StochasticModel,
     *,
     parameters: tuple[Parameter, ...] = (),
-    components: bool = False,
+    components: bool | None = False,
+    assumed: tuple[SigmaGroup, ...] = (),
     accept_single_orientation: bool = False,
     diagnostics: bool = True,
     progress: Progress = no_progress,
@@ -248,8 +256,8 @@ def adjust_or_explain(
     try:
         return adjust(
             observations, mounting, model, parameters=parameters, components=components,
-            accept_single_orientation=accept_single_orientation, diagnostics=diagnostics,
-            progress=progress,
+            assumed=assumed, accept_single_orientation=accept_single_orientation,
+            diagnostics=diagnostics, progress=progress,
         )  # fmt: skip
     except NotConverged as failure:
         reason = failure.reason

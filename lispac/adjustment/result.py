@@ -20,6 +20,9 @@ Array = NDArray[np.float64]
 ANGLES = ("roll", "pitch", "yaw")
 
 
+SigmaGroup = Literal["LiDAR", "POS position", "POS attitude"]
+"""Group of errors with one variance component."""
+SIGMA_GROUPS: tuple[SigmaGroup, ...] = ("LiDAR", "POS position", "POS attitude")
 FitOutcome = Literal["passed", "conservative", "failed"]
 """Outcome of the chi-square test."""
 
@@ -244,6 +247,8 @@ class VarianceComponent:
     used : float or None
         Factor by which the sigmas were changed; ``factor``, estimated with these sigmas, may differ
         slightly. None in results of earlier versions.
+    is_determined : bool
+        Whether the data determine the factor.
     """
 
     name: str
@@ -252,6 +257,7 @@ class VarianceComponent:
     upper: float
     applied: bool = False
     used: float | None = None
+    is_determined: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -346,7 +352,7 @@ class AdjustmentResult:
     reliability : tuple of SightingReliability
         Empty with independent POS errors.
     components : tuple of VarianceComponent
-        Empty if they were not requested.
+        Those that were estimated; empty if none were requested.
     elapsed : float, seconds
     excluded_outliers : int
         Number of points that are outliers of their sighting and were excluded before averaging.
@@ -376,6 +382,8 @@ class AdjustmentResult:
     lidar_noise_ratio : float or None
         Ratio of the LiDAR noise in the residuals to the given one, if they differ; from
         `lidar_noise_ratio`.
+    assumed_sigmas : tuple of {"LiDAR", "POS position", "POS attitude"}
+        Groups of errors whose standard deviations were assumed because nobody gave them.
     """
 
     mounting: Mounting
@@ -409,6 +417,7 @@ class AdjustmentResult:
     common_parts: tuple[CommonCoverage, ...] = ()
     messages: tuple[Message, ...] = ()
     lidar_noise_ratio: float | None = None
+    assumed_sigmas: tuple[SigmaGroup, ...] = ()
 
     @property
     def surfaces(self) -> Array:
@@ -479,12 +488,15 @@ class AdjustmentResult:
     @property
     def sigma_factors(self) -> tuple[float, float, float]:
         """Factors applied to the given sigmas of LiDAR, POS position and attitude."""
-        if not self.components:
-            return 1.0, 1.0, 1.0
-        lidar, position, attitude = (
-            (c.used or c.factor) if c.applied else 1.0 for c in self.components
-        )
+        used = {c.name: c.used or c.factor for c in self.components if c.applied}
+        lidar, position, attitude = (used.get(group, 1.0) for group in SIGMA_GROUPS)
         return lidar, position, attitude
+
+    @property
+    def unestimated_sigmas(self) -> tuple[SigmaGroup, ...]:
+        """Groups with assumed standard deviations that were used without an estimate."""
+        estimated = {c.name for c in self.components if c.is_determined}
+        return tuple(group for group in self.assumed_sigmas if group not in estimated)
 
     def is_model_rejected(self, level: float = 0.025) -> bool:
         """Whether the one-sided chi-square test rejects the model (Baarda 1968).

@@ -4,7 +4,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from typing import Any
 
-from lispac.cli.argument_types import finite_number, positive_number
+from lispac.cli.argument_types import add_triple_option, finite_number, positive_number
 
 
 def add_noise_options(parser: ArgumentParser) -> None:
@@ -50,6 +50,23 @@ def add_offset_options(parser: ArgumentParser) -> None:
         ),
     ):
         parser.add_argument(f"--{name}", type=finite_number, metavar=unit, help=f"prior {text}")
+
+
+def add_budget_options(parser: ArgumentParser) -> None:
+    """Add the options for values that only the error budget uses."""
+    add_triple_option(
+        parser,
+        "--lever-arm-sigma",
+        ("X", "Y", "Z"),
+        "1 sigma of the lever arm for the error budget (m; default: not included)",
+    )
+    parser.add_argument(
+        "--beam-divergence",
+        type=positive_number,
+        metavar="MRAD",
+        help="full angle of the beam divergence for the error budget (mrad; default: that of "
+        "--scanner, or not included)",
+    )
 
 
 def noise_and_offset_settings(arguments: Namespace) -> Mapping[str, Any]:

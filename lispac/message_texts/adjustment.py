@@ -41,6 +41,12 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.budget_distances": N_(
         "The distances of the error budget must be in metres and above zero. Correct them."
     ),
+    "adjustment.budget_divergence": N_(
+        "The beam divergence must be from 0 to {most:x.0} mrad. Correct it."
+    ),
+    "adjustment.budget_incidence": N_(
+        "The angle of incidence must be from 0 to {most:deg.0} deg. Correct it."
+    ),
     # -- geometry ----------------------------------------------------------------------------------
     "adjustment.singular": N_(
         "The points do not determine the boresight angles and the targets. Add targets or lines."
@@ -177,6 +183,8 @@ TEXTS: Mapping[str, Template] = {
     # -- variance components -----------------------------------------------------------------------
     "component.larger": N_("applied: larger than the given value"),
     "component.smaller": N_("applied: smaller than the given value"),
+    "component.replaces_assumed": N_("applied: replaces the assumed value"),
+    "component.confirms_assumed": N_("not applied: agrees with the assumed value"),
     "component.not_determined": N_("not applied: not determined by the data"),
     "component.as_given": N_("not applied: the given value lies within the interval"),
     "component.too_small": N_("not applied: the change is too small or poorly determined"),

@@ -126,6 +126,11 @@ TEXTS: Mapping[str, Template] = {
         "Angles computed from subsets of the data scatter more than the error model predicts. The "
         "standard deviations were increased: {angles:names}."
     ),
+    "adjustment.assumed_sigmas": N_(
+        "Standard deviations are assumed values that could not be replaced by estimates from the "
+        "data: {groups:names}. Enter the values of the data sheet or of the processing report in "
+        "step 1."
+    ),
     "adjustment.cross_check": N_(
         "Angles computed from subsets of the data differ significantly: {parts:names}. Compare "
         "these angles under Cross-checks."

@@ -205,6 +205,14 @@ TEXTS: Mapping[str, Template] = {
         "The LiDAR noise is given along x, y and z, so it does not grow with the distance. Noise "
         "given in range and beam angle would grow with the distance."
     ),
+    "budget.footprint": N_(
+        "The beam footprint is computed for a divergence of {divergence:x.2} mrad and an angle of "
+        "incidence of {incidence:deg.0} deg. Along the beam, it is proportional to the tangent of "
+        "this angle."
+    ),
+    "budget.footprint_unknown": N_(
+        "The beam footprint is not included, because the beam divergence is not given."
+    ),
     "budget.lever_arm_estimated": N_(
         "Only the estimated components of the lever arm are included, with their covariance."
     ),

@@ -45,6 +45,13 @@ TEXTS: Mapping[str, Template] = {
     "item.other_surface": N_("{line} (at {places:n} of {total:n} places, {distance:m.2} m away)"),
     "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
     # -- angles ------------------------------------------------------------------------------
+    "item.assumed_lidar": N_("LiDAR noise {sigma:mm.1} mm"),
+    "item.assumed_position": N_(
+        "position {north:m.3} m, {east:m.3} m, {down:m.3} m (north, east, down)"
+    ),
+    "item.assumed_attitude": N_(
+        "attitude {roll:deg.4} deg, {pitch:deg.4} deg, {heading:deg.4} deg (roll, pitch, heading)"
+    ),
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
     "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
     "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4} deg"),

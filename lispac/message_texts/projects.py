@@ -148,6 +148,8 @@ TEXTS: Mapping[str, Template] = {
     "setting.origin": N_("Origin of the local frame"),
     "setting.position_sigma": N_("Standard deviation of the position"),
     "setting.attitude_sigma": N_("Standard deviation of the attitude"),
+    "setting.lever_arm_sigma": N_("Standard deviation of the lever arm"),
+    "setting.beam_divergence": N_("Beam divergence"),
     "setting.lidar_sigma": N_("Standard deviation of the LiDAR"),
     "setting.subsample": N_("Point spacing"),
     "setting.lidar_sigma_xyz": N_("Standard deviation of the LiDAR along x, y, z"),

@@ -36,6 +36,10 @@ TEXTS: Mapping[str, Template] = {
         "allow, so the standard deviations of the angles are too small. Correct the given standard "
         "deviations, or look for outliers."
     ),
+    "report.chi_square_high_assumed": N_(
+        "The residuals are larger than the assumed standard deviations allow. Enter the standard "
+        "deviations of the data sheet or of the processing report, or look for outliers."
+    ),
     "report.chi_square_low": N_(
         "The given standard deviations are conservative: the residuals are smaller than they "
         "predict. Unless there is another warning, the standard deviations of the angles are "

@@ -106,6 +106,10 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
     "angles are then too small as well."
 )
+TOO_LARGE_ASSUMED_TEXT = N_(
+    "The residuals are larger than the assumed sigmas allow. Give the sigmas of the data sheet or "
+    "of the processing report."
+)
 TOO_SMALL_TEXT = N_(
     "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
     "is no other warning, the sigmas of the angles are too large as well."
@@ -116,7 +120,8 @@ TOO_SMALL_TEXT = N_(
 class VarianceFactorTest:
     """Two-sided test of the variance factor at 95 %; bounds are None without redundancy.
 
-    ``lidar_noise_ratio`` is that of `AdjustmentResult`.
+    ``lidar_noise_ratio`` is that of `AdjustmentResult`; ``has_assumed_sigmas`` is True if sigmas
+    were used that nobody gave and that were not estimated.
     """
 
     statistic: float
@@ -126,6 +131,7 @@ class VarianceFactorTest:
     text: LazyText
     outcome: FitOutcome | None = None
     lidar_noise_ratio: float | None = None
+    has_assumed_sigmas: bool = False
 
 
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
@@ -136,6 +142,8 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
         finding = PASSED_TEXT
     elif test.outcome == "conservative":
         finding = TOO_SMALL_TEXT
+    elif result.unestimated_sigmas:
+        finding = TOO_LARGE_ASSUMED_TEXT
     elif not result.model.correlated:
         finding = TOO_LARGE_CLASSICAL_TEXT
     elif any(target.noise > 1 for target in result.targets):
@@ -144,7 +152,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
         finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
         test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding), test.outcome,
-        result.lidar_noise_ratio,
+        result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 
 

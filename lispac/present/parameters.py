@@ -162,8 +162,8 @@ COMPONENT_TITLES: Mapping[str, str] = {
 class VarianceComponentValues:
     """Variance component of a group of errors, with its 95 % interval.
 
-    ``factor`` is the ratio of the estimated to the given sigma; ``applied`` is True if the given
-    sigma was multiplied by it in the adjustment.
+    ``factor`` is the ratio of the estimated to the given or assumed sigma; ``applied`` is True if
+    this sigma was multiplied by it in the adjustment.
     """
 
     name: str
@@ -178,7 +178,12 @@ def component_values(result: AdjustmentResult) -> tuple[VarianceComponentValues,
     """Variance components of the groups of errors."""
     return tuple(
         VarianceComponentValues(
-            c.name, c.factor, c.lower, c.upper, c.applied, variance_component_finding(c)
+            c.name,
+            c.factor,
+            c.lower,
+            c.upper,
+            c.applied,
+            variance_component_finding(c, is_assumed=c.name in result.assumed_sigmas),
         )
         for c in result.components
     )
@@ -194,7 +199,7 @@ def interval_text(component: VarianceComponentValues) -> str:
 
 
 VARIANCE_COMPONENTS_TABLE = Table[VarianceComponentValues](
-    N_("Variance components: ratio of estimated to given sigmas"),
+    N_("Variance components: ratio of estimated to given or assumed sigmas"),
     (
         Column("name", N_("Source"), texts=COMPONENT_TITLES),
         Column("factor", N_("Factor"), ratio(2)),

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.language import N_, gettext
 from lispac.present.adjustment import AdjustmentValues
+from lispac.present.sigmas import SigmaValues, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
     fixed_number,
@@ -84,8 +85,10 @@ CORRELATION_TIMES_TEXT = N_(
 class SettingsUsed:
     """Settings of a result; the POS sigmas are None if an accuracy file was given.
 
-    The LiDAR noise is given along x, y, z, or for range and angle; if both are None,
-    ``lidar_sigma_m`` applies to each axis. ``averaged``: close points are averaged, not thinned.
+    The LiDAR noise is that along x, y, z, or of range and angle; if both are None,
+    ``lidar_sigma_m`` applies to each axis. ``standard_deviations`` contains the source of each,
+    and the values after the estimate of variance components. ``averaged``: close points are
+    averaged, not thinned.
     ``surface_sigma_m`` is the value used; it is None before it is estimated and with uncorrelated
     POS errors. ``surface_from_data`` is None with uncorrelated POS errors. ``offset_sigma_m`` is
     None if it equals the surface sigma.
@@ -109,6 +112,7 @@ class SettingsUsed:
     position_correlation_time_s: float | None
     attitude_correlation_time_s: float | None
     pos_errors_text: str
+    standard_deviations: tuple[SigmaValues, ...]
     surface_sigma_m: float | None
     offset_sigma_m: float | None
     surface_from_data: bool | None
@@ -127,9 +131,9 @@ def settings_used(project: Project) -> SettingsUsed:
     return SettingsUsed(
         lever_arm_m=settings.lever_arm,
         origin_deg_m=settings.origin_deg_m,
-        position_sigma_m=settings.position_sigma if typed else None,
-        attitude_sigma_deg=settings.attitude_sigma_deg if typed else None,
-        lidar_sigma_m=settings.lidar_sigma,
+        position_sigma_m=settings.used_position_sigma if typed else None,
+        attitude_sigma_deg=settings.used_attitude_sigma_deg if typed else None,
+        lidar_sigma_m=settings.used_lidar_sigma,
         lidar_sigma_xyz_m=settings.lidar_sigma_xyz,
         lidar_range_sigma_m=beam[0] if beam else None,
         lidar_angle_sigma_deg=beam[1] if beam else None,
@@ -143,6 +147,7 @@ def settings_used(project: Project) -> SettingsUsed:
         position_correlation_time_s=model.position_time if model.correlated else None,
         attitude_correlation_time_s=model.attitude_time if model.correlated else None,
         pos_errors_text=POS_ERROR_MEANINGS[model.pos_errors],
+        standard_deviations=sigmas_used(project),
         surface_sigma_m=found if model.correlated else None,
         offset_sigma_m=result.offset if result else None,
         surface_from_data=model.surface is None if model.correlated else None,
@@ -199,24 +204,14 @@ def _subsampling_text(used: SettingsUsed) -> str:
 
 def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
     """Stochastic model, in the language in use."""
-    from_file = gettext("from the trajectory accuracy file")
+    lidar, position, attitude = sigma_facts(used.standard_deviations)
     values = [
         Fact(
             gettext("POS errors"),
             f"{gettext(POS_ERROR_TEXTS[used.pos_errors])} {gettext(used.pos_errors_text)}",
         ),
-        Fact(
-            gettext("Position sigma (north, east, down)"),
-            gettext("{values} m", values=triple_text(used.position_sigma_m, 3))
-            if used.position_sigma_m
-            else from_file,
-        ),
-        Fact(
-            gettext("Attitude sigma (roll, pitch, heading)"),
-            gettext("{values} deg", values=triple_text(used.attitude_sigma_deg, 4))
-            if used.attitude_sigma_deg
-            else from_file,
-        ),
+        position,
+        attitude,
     ]
     if used.position_correlation_time_s and used.attitude_correlation_time_s:
         times = gettext(
@@ -225,7 +220,7 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
             attitude=shortest_number(used.attitude_correlation_time_s),
         )
         values.append(Fact(gettext("Correlation times (position, attitude)"), times))
-    values.append(Fact(gettext("LiDAR noise, 1 sigma"), _lidar_noise_text(used)))
+    values.append(lidar)
     if adjustment is not None and used.pos_errors == "correlated":
         values.append(Fact(gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
@@ -234,18 +229,6 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         )
     loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
     return [*values, Fact(gettext("Outliers"), loss)]
-
-
-def _lidar_noise_text(used: SettingsUsed) -> str:
-    if used.lidar_range_sigma_m is not None and used.lidar_angle_sigma_deg is not None:
-        return gettext(
-            "range {range:mm.1} mm, beam direction {angle} deg",
-            range=used.lidar_range_sigma_m, angle=fixed_number(used.lidar_angle_sigma_deg, 4),
-        )  # fmt: skip
-    if used.lidar_sigma_xyz_m is not None:
-        x, y, z = used.lidar_sigma_xyz_m
-        return gettext("x {x:mm.1} mm, y {y:mm.1} mm, z {z:mm.1} mm", x=x, y=y, z=z)
-    return gettext("{sigma:mm.1} mm on each axis", sigma=used.lidar_sigma_m)
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:

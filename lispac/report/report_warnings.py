@@ -145,6 +145,8 @@ def _chi_square_warnings(
         return
     elif test.outcome == "conservative":
         yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
+    elif test.has_assumed_sigmas:
+        yield note("report.chi_square_high_assumed", subject=Cause.of_field("lidar_sigma"))
     elif independent:
         yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
     elif noisy:

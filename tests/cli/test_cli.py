@@ -98,6 +98,7 @@ def test_all_commands_from_raw_files_to_the_report(
     assert len(numbers["targets"]) == 2
     assert set(numbers["chi_square"]) == {
         "statistic", "lower", "upper", "passed", "text", "outcome", "lidar_noise_ratio",
+        "has_assumed_sigmas",
     }  # fmt: skip
     assert len(numbers["cross_checks"]["parts"]) > 2
     thesis = run_json(

@@ -107,3 +107,50 @@ def test_invalid_noise_options_are_refused(capsys: pytest.CaptureFixture[str], w
     code, out, err = run(capsys, "estimate", "p", *words)
     assert (code, out) == (2, "")
     assert err
+
+
+def test_assumed_noise_is_estimated_unless_refused(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
+    """The noise of the survey is about 1.7 mm on each axis, that assumed is 5 mm."""
+    project = picked(capsys, raw, tmp_path / "quay", "--beam-divergence", 0.5,
+                     "--lever-arm-sigma", 0.004, 0.005, 0.006)  # fmt: skip
+    settings = projects.open_project(project).settings
+    assert settings.assumed_sigmas == ("LiDAR", "POS position", "POS attitude")
+    assert (settings.lidar_sigma, settings.variance_components) == (None, None)
+    assert settings.lever_arm_sigma == (0.004, 0.005, 0.006)
+
+    automatic = run_json(capsys, "estimate", project, "--no-cross-checks")
+    lidar, position, attitude = automatic["standard_deviations"]
+    assert (lidar["source"], lidar["source_before"]) == ("estimated", "assumed")
+    assert lidar["before"] == [0.005]
+    assert lidar["used"][0] == pytest.approx(0.0017, abs=0.0003)
+    assert position["source"] == attitude["source"] == "file"
+    assert position["used"] is None
+    (component,) = automatic["components"]
+    assert component["name"] == "LiDAR"
+    assert 0.8 < component["lower"] / component["factor"] < 1.0
+    assert 1.0 < component["upper"] / component["factor"] < 1.25
+    code, out, _ = run(capsys, "estimate", project, "--no-cross-checks")
+    assert code == 0
+    assert "assumed before: 5.0 mm on each axis" in " ".join(out.split())
+
+    none = run_json(capsys, "estimate", project, "--no-cross-checks", "--no-components")
+    assert none["components"] == []
+    assert none["standard_deviations"][0]["source"] == "assumed"
+    assert "adjustment.assumed_sigmas" in {each["code"] for each in none["warnings"]}
+    assert projects.open_project(project).settings.variance_components is False
+    again = run_json(capsys, "estimate", project, "--no-cross-checks", "--auto-components")
+    assert angles(again) == pytest.approx(angles(automatic), abs=1e-12)
+
+    budget = run_json(capsys, "budget", project, "--distance", 50)
+    footprint, lever = (
+        next(s for s in budget["beams"][0]["sources"] if s["source"] == name)["at_distance"][0]
+        for name in ("Beam footprint", "Lever arm")
+    )
+    assert footprint["across_beam_m"] == pytest.approx(np.sqrt(2) * 0.0005 * 50 / 4)
+    assert footprint["total_m"] == pytest.approx(np.sqrt(3) * 0.0005 * 50 / 4)  # tan(45 deg) = 1
+    assert lever["total_m"] == pytest.approx(np.sqrt(0.004**2 + 0.005**2 + 0.006**2))
+    flat = run_json(capsys, "budget", project, "--distance", 50, "--incidence", 0)
+    (found,) = (s for s in flat["beams"][0]["sources"] if s["source"] == "Beam footprint")
+    assert found["at_distance"][0]["total_m"] == pytest.approx(footprint["across_beam_m"])

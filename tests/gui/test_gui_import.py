@@ -39,7 +39,7 @@ def test_dropped_files_become_a_project(
     assert set(texts(filled, STATE)) <= {"OK", "1 warning", "2 warnings"}
     assert filled.ok.isEnabled(), filled.reason.text()
     assert "lever arm is zero" in filled.reason.text()
-    assert not filled.mounting.position_sigma.isEnabled()
+    assert not filled.mounting.pos_sigmas.position.isEnabled()
 
     filled.folder.selectAll()
     qtbot.keyClicks(filled.folder, str(demo.project.folder))

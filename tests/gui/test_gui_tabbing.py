@@ -100,6 +100,7 @@ def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> 
     window.resize(*SMALL_WINDOW)
     for step, header in enumerate(window.workflow.headers):
         open_step(adjusted, step)
+        adjusted.rest()  # the fields of a long step are laid out by the event loop
         header.setFocus()
         stops = round_trip(adjusted, Key.Key_Tab)
         assert set(names(window.workflow.headers)) <= set(names(stops))

@@ -89,3 +89,20 @@ def test_a_result_with_a_foreign_key_is_refused(tmp_path: Path) -> None:
 def test_open_project_opens_older_versions(tmp_path: Path) -> None:
     shutil.copytree(OLDER_PROJECTS[0], tmp_path / "old")
     assert open_project(tmp_path / "old").result is None
+
+
+def test_sigmas_stay_given_or_assumed(tmp_path: Path) -> None:
+    """Standard deviations of earlier versions are given; those that nobody gave stay assumed."""
+    shutil.copytree(OLDER_PROJECTS[-1], tmp_path / "old")
+    old = read_project(tmp_path / "old")
+    assert old.settings.assumed_sigmas == ()
+    made = sample_project(tmp_path / "new")
+    settings = replace(
+        made.settings, lidar_sigma=None, position_sigma=(0.01, 0.01, 0.02),
+        attitude_sigma_deg=None, lever_arm_sigma=(0.01, 0.0, 0.02), beam_divergence_mrad=0.3,
+        variance_components=None,
+    )  # fmt: skip
+    write_project(replace(made, settings=settings))
+    read = read_project(tmp_path / "new")
+    assert read.settings == settings
+    assert read.settings.assumed_sigmas == ("LiDAR", "POS attitude")

@@ -14,10 +14,12 @@ from lispac.adjustment.diagnostics.warnings import WARNING_RULES, result_warning
 from lispac.adjustment.model.parameters import ParameterEstimate
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import (
+    SIGMA_GROUPS,
     CommonCoverage,
     ContradictedParameter,
     RadiusDiscrepancy,
     UncontrolledObservations,
+    VarianceComponent,
 )
 from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
@@ -204,7 +206,18 @@ def _not_flat(project: Project) -> Project:
     return _noise(1.0, 2.4)(_unchecked("line", lines=2)(project))
 
 
+def _assumed(project: Project) -> Project:
+    """The LiDAR sigma was estimated, those of the POS were assumed."""
+    assert project.result is not None
+    found = (VarianceComponent("LiDAR", 0.4, 0.38, 0.42, True, 0.4),)
+    return replace(
+        project, result=replace(project.result, components=found, assumed_sigmas=SIGMA_GROUPS)
+    )
+
+
 CASES = [
+    ("assumed_sigmas", False, _assumed, "data: position 0.020 m, 0.020 m, 0.030 m (north, east, "
+     "down) and attitude 0.0100 deg, 0.0100 deg, 0.0150 deg (roll, pitch, heading). Enter"),
     ("contradicted_lever_x", True, _contradicted, "The given lever arm X disagrees with the data: "
      "the best-fitting value, smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), would "
      "change pitch by -"),

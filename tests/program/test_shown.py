@@ -9,7 +9,13 @@ import pytest
 from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
 from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
 from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS, ParameterEstimate
-from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
+from lispac.adjustment.result import (
+    SIGMA_GROUPS,
+    AdjustmentResult,
+    CrossChecks,
+    SigmaGroup,
+    VarianceComponent,
+)
 from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
@@ -168,24 +174,39 @@ def test_singular_and_plural_are_correct(
 
 
 @pytest.mark.parametrize(
-    ("component", "code"),
+    ("component", "assumed", "code"),
     [
         # Increased by the data, although the given sigma is within the interval
-        (VarianceComponent("POS position", 2.4, 0.9, 7.2, applied=True), "component.larger"),
-        (VarianceComponent("POS attitude", 2.4, 0.2, 29.0, applied=True), "component.larger"),
-        (VarianceComponent("LiDAR", 0.5, 0.4, 0.6, applied=True), "component.smaller"),
-        (VarianceComponent("LiDAR", 1.0, 0.01, 100.0), "component.not_determined"),
-        (VarianceComponent("LiDAR", 0.9, 0.7, 1.2), "component.as_given"),
-        (VarianceComponent("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
+        (VarianceComponent("POS position", 2.4, 0.9, 7.2, applied=True), (), "component.larger"),
+        (VarianceComponent("POS attitude", 2.4, 0.2, 29.0, applied=True), (), "component.larger"),
+        (VarianceComponent("LiDAR", 0.5, 0.4, 0.6, applied=True), (), "component.smaller"),
+        (VarianceComponent("LiDAR", 1.0, 0.01, 100.0), (), "component.not_determined"),
+        (VarianceComponent("LiDAR", 0.9, 0.7, 1.2), (), "component.as_given"),
+        (VarianceComponent("LiDAR", 1.04, 1.01, 1.07), (), "component.too_small"),
+        (
+            VarianceComponent("LiDAR", 0.4, 0.38, 0.42, applied=True),
+            SIGMA_GROUPS,
+            "component.replaces_assumed",
+        ),
+        (VarianceComponent("LiDAR", 1.0, 0.97, 1.03), SIGMA_GROUPS, "component.confirms_assumed"),
+        (
+            VarianceComponent("POS attitude", 1.0, 0.01, 100.0, is_determined=False),
+            SIGMA_GROUPS,
+            "component.not_determined",
+        ),
     ],
 )
 def test_a_variance_component_is_reported_equally_everywhere(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: VarianceComponent, code: str
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    component: VarianceComponent,
+    assumed: tuple[SigmaGroup, ...],
+    code: str,
 ) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
-    result = replace(project.result, components=(component,))
-    finding = variance_component_finding(component)
+    result = replace(project.result, components=(component,), assumed_sigmas=assumed)
+    finding = variance_component_finding(component, is_assumed=bool(assumed))
     assert finding == note(code)
     print_result(result, None)
     assert f"  {english_text(finding)}\n" in capsys.readouterr().out

@@ -51,6 +51,8 @@ def system(**changes: object) -> SystemErrors:
         prior_boresight=np.zeros(3),
         estimated=estimated,
         covariance=mixed * np.outer(sigma, sigma),
+        divergence=0.003,
+        incidence=float(np.radians(60.0)),
         speed=2.5,
         rates=np.radians([1.0, 0.5, 0.3]),
     )
@@ -89,13 +91,14 @@ def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -
 
     nothing = {
         name: np.zeros((DRAWS, 3))
-        for name in ("boresight", "lidar", "lever", "position", "attitude")
+        for name in ("boresight", "lidar", "lever", "position", "attitude", "reflected")
     }
     exact = placed(0, nothing)
 
     def spread(**values: np.ndarray) -> PointSigma:
         used = nothing | values
-        return drawn(np.array([placed(k, used) - exact for k in range(DRAWS)]), way)
+        errors = np.array([placed(k, used) - exact for k in range(DRAWS)])
+        return drawn(errors + used["reflected"], way)
 
     normal = rng.normal(size=(DRAWS, 3))
     estimated = rng.multivariate_normal(np.zeros(5), own.covariance, DRAWS, method="cholesky")
@@ -108,6 +111,18 @@ def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -
     beside -= np.outer(beside @ along, along)
     of_beam = length * own.lidar[1] * beside
     position, attitude = normal * own.position, rng.normal(size=(DRAWS, 3)) * own.attitude
+    # The pulse is reflected anywhere in the uniform disc of the footprint
+    radius = 0.003 * distance / 2 * np.sqrt(rng.uniform(size=DRAWS))
+    disc = rng.uniform(0, 2 * np.pi, DRAWS)
+    turn = rng.uniform(0, 2 * np.pi, DRAWS)
+    first = np.cross(way, [1.0, 0.0, 0.0])
+    second = np.cross(way, first)
+    aside = radius * np.cos(disc), radius * np.sin(disc)
+    footprint = (
+        -aside[0][:, None] * first - aside[1][:, None] * second
+        + (np.tan(np.radians(60.0)) * (aside[0] * np.cos(turn) + aside[1] * np.sin(turn)))[:, None]
+        * way
+    )  # fmt: skip
     # Speed and rates have random signs
     signs = rng.choice([-1.0, 1.0], (DRAWS, 4))
     moved = np.column_stack([late[:, 0] * own.speed * signs[:, 0], np.zeros((DRAWS, 2))])
@@ -116,13 +131,14 @@ def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -
         "POS position": spread(position=position),
         "LiDAR range": spread(lidar=of_range),
         "LiDAR beam angle": spread(lidar=of_beam),
+        "Beam footprint": drawn(footprint, way),
         "Lever arm": spread(lever=lever),
         "Latency": spread(position=moved, attitude=turned),
         "Boresight after calibration": spread(boresight=estimated[:, :3]),
         "Boresight before calibration": spread(boresight=np.tile(-mounting.boresight, (DRAWS, 1))),
         "Total after calibration": spread(
             position=position + moved, attitude=attitude + turned, lidar=of_range + of_beam,
-            lever=lever, boresight=estimated[:, :3],
+            lever=lever, boresight=estimated[:, :3], reflected=footprint,
         ),
     }  # fmt: skip
     for k, name in enumerate(("roll", "pitch", "heading")):
@@ -227,3 +243,40 @@ def test_invalid_sigmas_of_the_lever_arm_are_refused(
     assert caught.value.code == "estimate.lever_arm_sigma"
     known = error_budget_of(project, survey, lever_sigma=(0.0, 0.0, 0.0))
     assert known.beams
+
+
+def test_the_footprint_grows_with_distance_and_incidence() -> None:
+    """A quarter of the diameter across the beam, and times tan(incidence) along it."""
+    straight, oblique = (
+        by_name(error_budget(system(incidence=float(np.radians(angle))), [20.0, 40.0]), beam)
+        for angle in (0.0, 75.0)
+        for beam in ("horizontal, to starboard",)
+    )
+    near, far = straight["Beam footprint"].spreads or ()
+    assert near.across == pytest.approx(np.sqrt(2) * 0.003 * 20 / 4)
+    assert near.total == pytest.approx(near.across)
+    assert far.across == pytest.approx(2 * near.across)
+    along, _ = oblique["Beam footprint"].spreads or ()
+    assert along.across == pytest.approx(near.across)
+    tangent = np.tan(np.radians(75.0))
+    assert along.total == pytest.approx(0.003 * 20 / 4 * np.sqrt(2 + tangent**2))
+
+
+def test_without_a_divergence_the_footprint_is_not_counted() -> None:
+    without = error_budget(system(divergence=None))
+    found = by_name(without, "horizontal, to starboard")
+    assert found["Beam footprint"].spreads is None
+    assert "budget.footprint_unknown" in {each.code for each in without.assumptions}
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"divergence": 0.2}, "adjustment.budget_divergence"),
+        ({"divergence": float("nan")}, "adjustment.budget_divergence"),
+        ({"incidence": float(np.radians(86.0))}, "adjustment.budget_incidence"),
+    ],
+)
+def test_invalid_angles_of_the_footprint_are_refused(changes: dict[str, float], code: str) -> None:
+    with pytest.raises(InputError, check=has_code(code)):
+        error_budget(system(**changes))

@@ -211,7 +211,7 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     assert "report.chi_square_low" in _codes(conservative)
     (noise,) = (each for each in conservative.warnings if each.code == "report.lidar_noise")
     assert not noise.is_serious
-    given = project.settings.lidar_sigma
+    given = project.settings.used_lidar_sigma
     assert noise.params == {"given": given, "measured": pytest.approx(given / 2)}
     assert "report.no_redundancy" in _codes(sample_content(replace(project, result=none)))
     thesis = replace(result, model=StochasticModel("independent"))

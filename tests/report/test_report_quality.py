@@ -88,7 +88,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     assert rows["Form error of the targets (1 sigma)"].startswith(
         "0.4\u00a0mm, estimated from the data"
     )
-    assert rows["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
+    assert rows["LiDAR noise, 1 sigma"] == "5.0 mm on each axis (assumed, not given)"
     assert rows["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
     noisy = changed(
@@ -110,8 +110,8 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
 @pytest.mark.parametrize(
     ("settings", "shown"),
     [
-        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg"),
-        ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
+        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg (given)"),
+        ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm (given)"),
     ],
 )
 def test_given_lidar_noise_is_reported(
@@ -137,7 +137,7 @@ def test_variance_components_are_reported_with_their_intervals(changed: Changed)
         VarianceComponent("POS attitude", 1.3, 0.6, 2.9),
     )
     table = _tables(report_document(changed(components=found), {}, FULL_REPORT))[
-        "Variance components: ratio of estimated to given sigmas"
+        "Variance components: ratio of estimated to given or assumed sigmas"
     ]
     assert table.rows[0] == (
         "LiDAR",

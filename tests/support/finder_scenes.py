@@ -69,7 +69,7 @@ class Site:
             for name, scan in scans.items()
         }
         accuracy = TrajectoryAccuracy.constant(
-            np.array(settings.position_sigma), np.radians(settings.attitude_sigma_deg)
+            np.array(settings.used_position_sigma), np.radians(settings.used_attitude_sigma_deg)
         )
         return project, Survey(self.trajectory, accuracy, scans, clouds, heading, ())
 

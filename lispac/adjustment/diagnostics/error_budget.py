@@ -22,6 +22,12 @@ Array = NDArray[np.float64]
 
 DEFAULT_DISTANCES = (10.0, 50.0, 100.0)
 """Default distances from the scanner, metres."""
+DEFAULT_INCIDENCE = float(np.radians(45.0))
+"""Default angle between the beam and the normal of the surface, radians."""
+MAX_INCIDENCE = float(np.radians(85.0))
+"""Largest angle of incidence, radians; beyond, the footprint is not limited by the surface."""
+MAX_DIVERGENCE = 0.1
+"""Largest beam divergence, radians."""
 BEAM_DIRECTIONS: Mapping[str, tuple[float, float, float]] = {
     N_("horizontal, to starboard"): (0.0, -1.0, 0.0),
     N_("45 deg upwards, to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
@@ -31,6 +37,7 @@ POSITION_SOURCE, RANGE_SOURCE = N_("POS position"), N_("LiDAR range")
 BEAM_ANGLE_SOURCE, LIDAR_NOISE_SOURCE = N_("LiDAR beam angle"), N_("LiDAR noise")
 ATTITUDE_SOURCES = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
 LEVER_ARM_SOURCE, LATENCY_SOURCE = N_("Lever arm"), N_("Latency")
+FOOTPRINT_SOURCE = N_("Beam footprint")
 OFFSET_SOURCES = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
 PRIOR_BORESIGHT_SOURCE, ESTIMATED_BORESIGHT_SOURCE = (
     N_("Boresight before calibration"),
@@ -63,6 +70,10 @@ class SystemErrors:
     speed : float, metres per second
     rates : ndarray of shape (3,), radians per second
         RMS rates of roll, pitch and heading; used only for the latency.
+    divergence : float, radians, or None
+        Full angle of the beam divergence; None if unknown.
+    incidence : float, radians
+        Angle between the beam and the normal of the surface; used only for the beam footprint.
     """
 
     position: Array
@@ -75,6 +86,8 @@ class SystemErrors:
     covariance: Array
     speed: float
     rates: Array
+    divergence: float | None = None
+    incidence: float = DEFAULT_INCIDENCE
 
 
 @dataclass(frozen=True)
@@ -143,8 +156,13 @@ def error_budget(
     Raises
     ------
     InputError
-        There is no distance, or a distance is not positive and finite.
+        There is no distance, or a distance is not positive and finite, or the divergence or the
+        angle of incidence is outside its limits.
     """
+    if system.divergence is not None and not 0.0 <= system.divergence <= MAX_DIVERGENCE:
+        raise InputError(error("adjustment.budget_divergence", most=1000 * MAX_DIVERGENCE))
+    if not 0.0 <= system.incidence <= MAX_INCIDENCE:
+        raise InputError(error("adjustment.budget_incidence", most=MAX_INCIDENCE))
     if not distances or not all(0.0 < each < np.inf for each in distances):
         raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
@@ -215,6 +233,11 @@ def _covariance_by_source(
         found[BEAM_ANGLE_SOURCE] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
     else:
         found[LIDAR_NOISE_SOURCE] = _propagate_sigmas(moved.by_lidar, np.full(3, system.lidar))
+    found[FOOTPRINT_SOURCE] = (
+        None
+        if system.divergence is None
+        else footprint_covariance(beam_direction, system.divergence, system.incidence, distance)
+    )
     levers = [name for name in system.estimated if name.startswith("lever")]
     if levers:
         found[LEVER_ARM_SOURCE] = _estimated_covariance(moved, system, levers)
@@ -243,6 +266,36 @@ def _covariance_by_source(
         moved, system, ["roll", "pitch", "yaw"]
     )
     return found
+
+
+def footprint_covariance(
+    beam_direction: Array, divergence: float, incidence: float, distance: float
+) -> Array:
+    """Covariance of a point by the size of the beam footprint, shape (3, 3), square metres.
+
+    The place that reflects the pulse is anywhere in the footprint, while the point is put on the
+    axis of the beam. With a uniform intensity over the cross-section, a disc of diameter
+    ``d = divergence * distance``, the distance of this place from the axis has a variance of
+    ``(d / 2)**2 / 4`` in each direction, so that ``sigma = d / 4``. (Lichti, Gordon and Tipdecho
+    2005 include the width of the beam in an error budget as well.) On a surface at an angle of
+    incidence ``i``, a place at a distance ``e`` from the axis in the plane of incidence has a range
+    that differs by ``e * tan(i)``: along the beam, the standard deviation is ``tan(i) * d / 4``.
+    The plane of incidence is unknown and all its directions are equally likely, so that the errors
+    along and across the beam are not correlated.
+
+    Parameters
+    ----------
+    beam_direction : ndarray of shape (3,), body frame
+        Unit vector.
+    divergence : float, radians
+        Full angle.
+    incidence : float, radians
+        Angle between the beam and the normal of the surface.
+    distance : float, metres
+    """
+    variance = (divergence * distance / 4) ** 2
+    along = np.outer(beam_direction, beam_direction)
+    return variance * (np.eye(3) - along + np.tan(incidence) ** 2 * along)
 
 
 def _propagate_sigmas(jacobian: Array, sigma: Array) -> Array:
@@ -298,6 +351,16 @@ def _budget_assumptions(system: SystemErrors) -> list[Message]:
     ]  # fmt: skip
     if not isinstance(system.lidar, tuple):
         found.append(note("budget.lidar_per_axis"))
+    if system.divergence is None:
+        found.append(note("budget.footprint_unknown"))
+    else:
+        found.append(
+            note(
+                "budget.footprint",
+                divergence=1000 * system.divergence,
+                incidence=system.incidence,
+            )
+        )
     if any(name.startswith("lever") for name in system.estimated):
         found.append(note("budget.lever_arm_estimated"))
     elif system.lever_arm is None:

@@ -55,8 +55,19 @@ def sighting_status(item: SightingReliability, critical: float) -> SightingStatu
     return "disagrees" if abs(item.w) > critical else "agrees"
 
 
-def variance_component_finding(component: VarianceComponent) -> Message:
-    """Message whether a variance component changed the standard deviations, and why."""
+def variance_component_finding(component: VarianceComponent, *, is_assumed: bool) -> Message:
+    """Message whether a variance component changed the standard deviations, and why.
+
+    Parameters
+    ----------
+    is_assumed : bool
+        Whether the standard deviations were assumed, because nobody gave them.
+    """
+    if is_assumed:
+        if component.applied:
+            return note("component.replaces_assumed")
+        determined = component.is_determined
+        return note("component.confirms_assumed" if determined else "component.not_determined")
     if component.applied:
         return note("component.larger" if component.factor > 1 else "component.smaller")
     if component.upper > MAX_INTERVAL_RATIO * component.lower:

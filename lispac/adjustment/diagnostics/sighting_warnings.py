@@ -132,7 +132,9 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
     rough = [t for t in worst_first if _is_rough(t)]
     if not rough:
         return
-    bent = [t for t in rough if t.target in probably_not_flat(result)]
+    # With an assumed LiDAR sigma, the noise does not show whether the target is flat.
+    is_lidar_known = "LiDAR" not in result.unestimated_sigmas
+    bent = [t for t in rough if is_lidar_known and t.target in probably_not_flat(result)]
     if bent:
         yield _noise_message(warning, "adjustment.not_flat", bent, form_error_factor)
     if others := [t for t in rough if t not in bent]:

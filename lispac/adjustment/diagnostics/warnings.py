@@ -20,7 +20,12 @@ from lispac.adjustment.model.parameters import (
     mounting_value_name,
     mounting_value_names,
 )
-from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
+from lispac.adjustment.model.stochastic_model import (
+    ASSUMED_ATTITUDE_SIGMA_DEG,
+    ASSUMED_LIDAR_SIGMA,
+    ASSUMED_POSITION_SIGMA,
+)
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks, SigmaGroup
 from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
 from lispac.warning_causes import RESULT_CAUSE, Cause
@@ -346,6 +351,25 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
         yield note("adjustment.sigmas_raised", angles=raised, subject=page)
 
 
+_SIGMA_FIELDS: dict[SigmaGroup, str] = {
+    "LiDAR": "lidar_sigma", "POS position": "position_sigma", "POS attitude": "attitude_sigma_deg",
+}  # fmt: skip
+
+
+def _assumed_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if groups := result.unestimated_sigmas:
+        north, east, down = ASSUMED_POSITION_SIGMA
+        roll, pitch, heading = map(float, np.radians(ASSUMED_ATTITUDE_SIGMA_DEG))
+        items = {
+            "LiDAR": note("item.assumed_lidar", sigma=ASSUMED_LIDAR_SIGMA),
+            "POS position": note("item.assumed_position", north=north, east=east, down=down),
+            "POS attitude": note("item.assumed_attitude", roll=roll, pitch=pitch, heading=heading),
+        }
+        assumed = [items[group] for group in groups]
+        field = Cause.of_field(_SIGMA_FIELDS[groups[0]])
+        yield note("adjustment.assumed_sigmas", groups=assumed, subject=field)
+
+
 def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     yield from result.messages
 
@@ -368,6 +392,7 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     _radius_warnings,
     _correlation_time_note,
     _raised_sigma_note,
+    _assumed_sigma_note,
     _method_messages,
 )
 """Functions that give warnings and notes about a result and its cross-checks."""

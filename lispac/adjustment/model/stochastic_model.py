@@ -24,6 +24,14 @@ PosErrors = Literal["independent", "correlated"]
 POS_ERROR_MODELS: tuple[PosErrors, ...] = ("correlated", "independent")
 
 
+ASSUMED_POSITION_SIGMA: tuple[float, float, float] = (0.02, 0.02, 0.03)
+"""Standard deviations of north, east and down if nobody gave them, metres."""
+ASSUMED_ATTITUDE_SIGMA_DEG: tuple[float, float, float] = (0.01, 0.01, 0.015)
+"""Standard deviations of roll, pitch and heading if nobody gave them, degrees."""
+ASSUMED_LIDAR_SIGMA = 0.005
+"""Standard deviation of the LiDAR on each axis if nobody gave it, metres."""
+
+
 @dataclass(frozen=True)
 class StochasticModel:
     """Stochastic model with its correlation times and sigmas.

@@ -13,6 +13,7 @@ from lispac.adjustment.result import (
     AdjustmentResult,
     ChiSquare,
     SightingResidual,
+    SigmaGroup,
     TargetResidual,
     VarianceComponent,
 )
@@ -45,6 +46,8 @@ class Solution:
         Parameters that the geometry does not determine.
     components : tuple of VarianceComponent
         Empty if they were not requested.
+    assumed : tuple of {"LiDAR", "POS position", "POS attitude"}
+        Groups of errors whose sigmas nobody gave.
     """
 
     linearised: LinearisedProblem
@@ -54,6 +57,7 @@ class Solution:
     origins: Array
     fixed: tuple[ParameterEstimate, ...]
     components: tuple[VarianceComponent, ...]
+    assumed: tuple[SigmaGroup, ...] = ()
 
     def result(self) -> AdjustmentResult:
         """Result of the adjustment, without diagnostics."""
@@ -105,6 +109,7 @@ class Solution:
             elapsed=0.0,
             excluded_outliers=observations.excluded_outliers,
             causes=(),
+            assumed_sigmas=self.assumed,
         )
 
 

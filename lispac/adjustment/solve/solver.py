@@ -19,7 +19,12 @@ from lispac.adjustment.model.target_shapes import (
     with_median_radii,
 )
 from lispac.adjustment.model.threads import single_blas_thread
-from lispac.adjustment.result import AdjustmentResult, ContradictedParameter, VarianceComponent
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    ContradictedParameter,
+    SigmaGroup,
+    VarianceComponent,
+)
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.determinability import (
     find_undetermined_parameters,
@@ -31,6 +36,7 @@ from lispac.adjustment.solve.iteration import IterationResult, iterate
 from lispac.adjustment.solve.noise_estimation import (
     SIGMA_TOLERANCE,
     is_point_on_target,
+    lidar_noise_ratio,
     target_noise_factors,
 )
 from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
@@ -40,7 +46,12 @@ from lispac.adjustment.solve.sighting_rejection import (
     reject_disagreeing_sightings,
 )
 from lispac.adjustment.solve.solution import Solution
-from lispac.adjustment.solve.variance_components import FACTOR_LIMITS, estimate_variance_components
+from lispac.adjustment.solve.variance_components import (
+    FACTOR_LIMITS,
+    MIN_NOISE_FACTOR,
+    estimate_variance_components,
+    with_lidar_interval,
+)
 from lispac.errors import NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -75,7 +86,10 @@ class SolverSettings:
     parameters : tuple of Parameter
     shapes : ndarray of shape (targets, 4), or None
     noise : mapping of str to float, or None
-    components : bool
+    components : tuple of {"LiDAR", "POS position", "POS attitude"}
+        Groups of errors whose variances are estimated.
+    assumed : tuple of {"LiDAR", "POS position", "POS attitude"}
+        Groups of errors whose sigmas nobody gave.
     accept_single_orientation : bool
     """
 
@@ -83,7 +97,8 @@ class SolverSettings:
     parameters: tuple[Parameter, ...] = ()
     shapes: Array | None = None
     noise: Mapping[str, float] | None = None
-    components: bool = False
+    components: tuple[SigmaGroup, ...] = ()
+    assumed: tuple[SigmaGroup, ...] = ()
     accept_single_orientation: bool = False
 
 
@@ -204,19 +219,23 @@ def solve(
         require_two_orientations(found.linearised)
     components: tuple[VarianceComponent, ...] = ()
     factors = np.ones(3)
-    estimates_components = settings.components and model.correlated
-    if estimates_components:
+    if model.correlated and settings.components:
         # With sigmas that are too small, correct sightings would be rejected as blunders.
-        found, _, factors = _iterate_variance_components(found, factors, progress)
+        found, _, factors = _iterate_variance_components(found, factors, settings, progress)
     if may_reject_sightings(model):
         found = reject_disagreeing_sightings(found, rejected, progress)
-    if estimates_components:
-        found, components, factors = _iterate_variance_components(found, factors, progress)
+    if model.correlated and settings.components:
+        found, components, factors = _iterate_variance_components(
+            found, factors, settings, progress
+        )
     if len(sampled) < len(observations):
         observations = relative_to_origins(observations.with_scaled_sigmas(*factors), origins)
         found = _continue_with_all_points(found, observations, progress)
     _require_still_determined(found.linearised)
-    return Solution(found.linearised, found.state, found.path, fitted, origins, fixed, components)
+    return Solution(
+        found.linearised, found.state, found.path, fitted, origins, fixed, components,
+        settings.assumed,
+    )  # fmt: skip
 
 
 def _determined_parameters(
@@ -302,14 +321,15 @@ def _continue_with_all_points(
 
 
 def _iterate_variance_components(
-    solution: IterationResult, total: Array, progress: Progress
+    solution: IterationResult, total: Array, settings: SolverSettings, progress: Progress
 ) -> tuple[IterationResult, tuple[VarianceComponent, ...], Array]:
     """Adjust again with the estimated variance components until they do not change.
 
     ``total``, shape (3,), are the factors on the given sigmas already used in ``solution``.
     """
+    chosen = settings.components, settings.assumed
     for _ in range(MAX_COMPONENT_ROUNDS):
-        found = estimate_variance_components(solution.linearised)
+        found = estimate_variance_components(solution.linearised, *chosen)
         # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
         # factor is significantly smaller, because a sigma that is too large does little harm.
         new_factors = np.array(
@@ -318,6 +338,8 @@ def _iterate_variance_components(
                 for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )
+        if "LiDAR" in settings.components and "LiDAR" in settings.assumed:
+            new_factors[0] = _assumed_lidar_factor(solution.linearised, new_factors[0])
         factors = np.clip(total * new_factors, *FACTOR_LIMITS) / total
         total = total * factors
         if np.abs(np.log(factors)).max() < SIGMA_TOLERANCE:
@@ -327,7 +349,9 @@ def _iterate_variance_components(
             found.form_error_factor * problem.default_surface_sigmas
         )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
-    final = estimate_variance_components(solution.linearised)
+    final = estimate_variance_components(solution.linearised, *chosen)
+    if "LiDAR" in settings.components and "LiDAR" in settings.assumed and total[0] != 1:
+        final = with_lidar_interval(final, solution.linearised)
     return (
         solution,
         tuple(
@@ -338,8 +362,21 @@ def _iterate_variance_components(
                 float(t * c.upper),
                 bool(t != 1),
                 float(t),
+                bool(determined or t != 1),
             )
-            for c, t in zip(final.components, total, strict=True)
+            for c, t, determined in zip(final.components, total, final.determined, strict=True)
+            if c.name in settings.components
         ),
         total,
     )
+
+
+def _assumed_lidar_factor(linearised: LinearisedProblem, factor: float) -> float:
+    """Factor on an assumed LiDAR sigma, ``factor`` unless the noise was raised on all targets.
+
+    The likelihood does not estimate the LiDAR sigma if the residuals already raised the noise.
+    Larger noise on all targets, however, shows that the assumed sigma is too small.
+    """
+    if linearised.problem.noise.min() < MIN_NOISE_FACTOR:
+        return factor
+    return max(lidar_noise_ratio(linearised) or 1.0, 1.0)

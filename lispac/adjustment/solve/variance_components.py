@@ -5,14 +5,14 @@ depend on the unknowns. It is computed for any sigmas from the sums of the adjus
 another pass over the points.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from lispac.adjustment.result import VarianceComponent
+from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup, VarianceComponent
 from lispac.adjustment.solve.adjustment_problem import (
     ALL_COMPONENTS,
     OFFSET_COMPONENT,
@@ -144,10 +144,12 @@ def reestimate_surface_sigma(
     return problem.with_surface_sigma(np.array([tilts, tilts, offsets]))
 
 
-COMPONENT_NAMES = ("LiDAR", "POS position", "POS attitude")
 FACTOR_LIMITS = (0.1, 10.0)
 """Smallest and largest accepted factor on a given sigma."""
 
+
+MAX_FACTOR_RATIO = 100.0
+"""Largest ratio of a factor, or a limit of its interval, to 1; beyond, it is not determined."""
 
 MIN_NOISE_FACTOR = 1.1
 """Noise factor of a target from which on the factor on the LiDAR sigma is not estimated.
@@ -169,7 +171,8 @@ class MaximumLikelihood:
     Attributes
     ----------
     components : tuple of VarianceComponent
-        Factors on the sigmas of LiDAR, POS position and POS attitude.
+        Factors on the sigmas of LiDAR, POS position and POS attitude; 1 for groups that are not
+        estimated.
     determined : tuple of bool
         Whether the data determine each factor.
     form_error_factor : float
@@ -181,24 +184,38 @@ class MaximumLikelihood:
     form_error_factor: float
 
 
-def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
+def estimate_variance_components(
+    linearised: LinearisedProblem,
+    groups: Sequence[SigmaGroup] = SIGMA_GROUPS,
+    assumed: Sequence[SigmaGroup] = (),
+) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude and form errors.
 
     If the sigma of the form errors is not given, it is estimated together with the others. Position
     errors and form errors both shift a sighting, and only the correlation between neighbouring
     sightings separates them, so that the intervals are wide with few sightings. The factor on the
     LiDAR sigma remains 1 if the noise of a target was already raised from the residuals.
+
+    Parameters
+    ----------
+    groups : sequence of {"LiDAR", "POS position", "POS attitude"}
+        Groups whose factors are estimated; those of the others are 1.
+    assumed : sequence of {"LiDAR", "POS position", "POS attitude"}
+        Groups whose sigmas nobody gave. The points of any number of lines determine an assumed
+        LiDAR sigma.
     """
     import scipy.optimize
 
     problem, likelihood = linearised.problem, _RestrictedLikelihood(linearised)
-    free = np.ones(4, dtype=bool)
-    free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
+    free = np.array([*(group in groups for group in SIGMA_GROUPS), True])
+    free[0] &= bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
+    if not free[:3].any():
+        return _undetermined_factors()
     enough = len(problem.observations.lines) >= MIN_SEPARATING_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
-        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
+        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(SIGMA_GROUPS),
         (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
 
@@ -225,17 +242,48 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     found[free] = best.x
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
     alone[free] = 1 / np.sqrt(np.diag(curvature))
-    reach = np.log(100.0)  # beyond, the data do not determine it
+    reach = np.log(MAX_FACTOR_RATIO)
     return MaximumLikelihood(
         tuple(
             VarianceComponent(
                 name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
             )
-            for name, x, s in zip(COMPONENT_NAMES, found[:3], spread[:3], strict=True)
+            for name, x, s in zip(SIGMA_GROUPS, found[:3], spread[:3], strict=True)
         ),
-        tuple((alone[:3] < MAX_LOG_SIGMA).tolist()) if enough else (False,) * 3,
+        tuple(
+            bool(spread < MAX_LOG_SIGMA) and (enough or (group == "LiDAR" and group in assumed))
+            for group, spread in zip(SIGMA_GROUPS, alone[:3], strict=True)
+        ),
         float(np.exp(found[3])),
     )
+
+
+def with_lidar_interval(
+    found: MaximumLikelihood, linearised: LinearisedProblem
+) -> MaximumLikelihood:
+    """Factors with an interval of a LiDAR sigma whose factor is no longer estimated.
+
+    If the noise of a target was raised after an assumed LiDAR sigma was estimated, the likelihood
+    gives no interval. The standard deviation of ``n`` independent residuals has a relative standard
+    deviation of ``1 / sqrt(2 n)``; the noise of the targets contains the correlation of the
+    residuals, which reduces ``n``.
+    """
+    lidar, *others = found.components
+    if lidar.upper < MAX_FACTOR_RATIO * (1 - 1e-9):
+        return found
+    problem = linearised.problem
+    spread = float(problem.noise.max()) / np.sqrt(2 * len(problem.observations))
+    lower, upper = np.exp([-1.96 * spread, 1.96 * spread]).tolist()
+    return replace(found, components=(replace(lidar, lower=lower, upper=upper), *others))
+
+
+def _undetermined_factors() -> MaximumLikelihood:
+    """Factors of 1 that the data do not determine."""
+    components = (
+        VarianceComponent(group, 1.0, 1 / MAX_FACTOR_RATIO, MAX_FACTOR_RATIO)
+        for group in SIGMA_GROUPS
+    )
+    return MaximumLikelihood(tuple(components), (False,) * len(SIGMA_GROUPS), 1.0)
 
 
 def _likelihood_curvature(

@@ -76,7 +76,16 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--components",
         action=argparse.BooleanOptionalAction,
-        help="estimate the sigmas of LiDAR and POS from the data (variance components)",
+        help="estimate the sigmas of LiDAR and POS from the data (variance components); with "
+        "--no-components, none is estimated",
+    )
+    parser.add_argument(
+        "--auto-components",
+        dest="components",
+        action="store_const",
+        const="auto",
+        help="estimate only the sigmas that are assumed because nobody gave them (default of a "
+        "new project)",
     )
     parser.add_argument(
         "--accept-single-orientation",
@@ -119,6 +128,7 @@ def run(arguments: Namespace) -> None:
     from lispac.cli.calibration.estimate import print_weak_sightings
     from lispac.cli.calibration.result_output import (
         print_result,
+        print_sigmas,
         project_result_values,
         result_values,
     )
@@ -164,6 +174,7 @@ def run(arguments: Namespace) -> None:
     else:
         assert project.result is not None
         print_result(project.result, project.cross_checks, project_warnings(project))
+        print_sigmas(project)
         print_weak_sightings(found)
 
 
@@ -175,12 +186,14 @@ def _settings_with_options(settings: Settings, arguments: Namespace) -> Settings
         "position_time": arguments.position_time,
         "attitude_time": arguments.attitude_time,
         "parameters": parse_parameters(arguments.estimate),
-        "variance_components": arguments.components,
         "accept_single_orientation": arguments.accept_single_orientation,
     }
     settings = replace(settings, **noise_and_offset_settings(arguments))
     if arguments.loss is not None:
         settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
+    if arguments.components is not None:
+        chosen = None if arguments.components == "auto" else arguments.components
+        settings = replace(settings, variance_components=chosen)
     if arguments.surface is not None:
         settings = replace(
             settings, surface=None if arguments.surface == "auto" else arguments.surface
@@ -243,7 +256,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         raise UsageError("estimate: a plane file is given twice; give each file once.")
     settings = _settings_with_options(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
     settings.require_sound()
-    observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
+    observations, planes = read_plane_files(arguments.planes, settings.used_lidar_sigma)
     observations = calibration.with_lidar_noise(observations, settings)
     mounting = Mounting.with_nearest_axes(
         np.array(arguments.lever_arm),
@@ -256,6 +269,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,
             shapes=planes, components=settings.variance_components,
+            assumed=tuple(g for g in settings.assumed_sigmas if g == "LiDAR"),
             accept_single_orientation=settings.accept_single_orientation, progress=progress,
         )  # fmt: skip
         if arguments.no_cross_checks:

@@ -15,6 +15,7 @@ from lispac.present.angles import angles
 from lispac.present.cross_checks import cross_check_values
 from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
+from lispac.present.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text
@@ -24,7 +25,10 @@ def project_result_values(project: Project) -> dict[str, Any]:
     """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
     values = result_values(project.result, project.cross_checks, project_warnings(project))
-    return values | {"subsample_m": project.settings.subsample}
+    return values | {
+        "subsample_m": project.settings.subsample,
+        "standard_deviations": json_values(sigmas_used(project)),
+    }
 
 
 def result_values(
@@ -77,6 +81,11 @@ def print_result(
         print("\nWarnings and notes:")
     for message in found:
         print(f"- {console_text(message)}")
+
+
+def print_sigmas(project: Project) -> None:
+    """Print the standard deviations used in the adjustment, and where they come from."""
+    print_facts(SIGMAS_TITLE, sigma_facts(sigmas_used(project)))
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:

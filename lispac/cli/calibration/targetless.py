@@ -42,7 +42,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.cli.calibration.result_output import print_result, result_values
+    from lispac.cli.calibration.result_output import print_result, print_sigmas, result_values
     from lispac.progress import sub_progress
     from lispac.workflow.calibration.method_runs import with_targetless_result
     from lispac.workflow.calibration.targetless import targetless as find
@@ -78,6 +78,7 @@ def run(arguments: Namespace) -> None:
         )
         return
     print_result(found.result, None)
+    print_sigmas(found.project)
     for message in found.messages:
         print(message_text(message))
     if arguments.save:

@@ -1,9 +1,15 @@
 """``lispac budget``: effect of every source of error on a point at a distance."""
 
+import math
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from lispac.cli.argument_types import add_json_option, add_triple_option, positive_number
+from lispac.cli.argument_types import (
+    add_json_option,
+    add_triple_option,
+    number_within,
+    positive_number,
+)
 from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.message_texts import message_text
 
@@ -19,8 +25,18 @@ def add_arguments(parser: ArgumentParser) -> None:
         parser,
         "--lever-arm-sigma",
         ("X", "Y", "Z"),
-        "1 sigma of the lever arm (m; default: not included)",
+        "1 sigma of the lever arm (m; default: as saved in the project, or not included)",
     )
+    parser.add_argument(
+        "--beam-divergence", type=positive_number, metavar="MRAD",
+        help="full angle of the beam divergence (mrad; default: as saved in the project, or not "
+        "included)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--incidence", type=number_within(0.0, 85.0), default=45.0, metavar="DEG",
+        help="angle between the beam and the normal of the surface, for the beam footprint (deg; "
+        "default 45)",
+    )  # fmt: skip
     add_json_option(parser)
 
 
@@ -36,12 +52,15 @@ def run(arguments: Namespace) -> None:
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
+    divergence = arguments.beam_divergence
     found = ErrorBudgetValues.of(
         error_budget_of(
             project,
             survey,
             arguments.distance or DEFAULT_DISTANCES,
             lever_sigma=arguments.lever_arm_sigma,
+            divergence=None if divergence is None else divergence / 1000,
+            incidence=math.radians(arguments.incidence),
         )
     )
     if arguments.json:

@@ -25,7 +25,11 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Simulate, calibrate, validate and report; then open the window if there is a display."""
     from lispac.adjustment.result import ANGLES
-    from lispac.cli.calibration.result_output import print_result, project_result_values
+    from lispac.cli.calibration.result_output import (
+        print_result,
+        print_sigmas,
+        project_result_values,
+    )
     from lispac.duplicate_targets import project_warnings
     from lispac.workflow.output.export import write_report
     from lispac.workflow.planning import demo as demo_survey
@@ -47,6 +51,7 @@ def run(arguments: Namespace) -> None:
         print_result(
             project.result, project.cross_checks, project_warnings(project), truth_deg=truth_deg
         )
+        print_sigmas(project)
         print_validation(project, true)
         print(f"project    {project.folder}")
         print(f"report     {report}")

@@ -19,6 +19,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.former_options import split_reading_option
 from lispac.cli.messages import print_messages
 from lispac.cli.noise_options import (
+    add_budget_options,
     add_noise_options,
     add_offset_options,
     noise_and_offset_settings,
@@ -109,6 +110,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     add_noise_options(parser)
     add_offset_options(parser)
+    add_budget_options(parser)
     parser.add_argument(
         "--longest-gap", type=positive_number, metavar="SECONDS",
         help="longest gap of the trajectory to interpolate across (s; default 1.5)",
@@ -133,6 +135,7 @@ def run(arguments: Namespace) -> None:
         "origin_deg_m": arguments.origin,
         "position_sigma": arguments.position_sigma,
         "attitude_sigma_deg": arguments.attitude_sigma,
+        "lever_arm_sigma": arguments.lever_arm_sigma,
     }
     triples: dict[str, Any] = {k: tuple(v) for k, v in options.items() if v is not None}
     triples = _pos_settings(arguments.pos) | triples
@@ -140,6 +143,8 @@ def run(arguments: Namespace) -> None:
         lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offset_settings(arguments)
     )
     named = _sensor_titles(arguments.scanner, arguments.pos)
+    if arguments.beam_divergence is not None:
+        settings = replace(settings, beam_divergence_mrad=arguments.beam_divergence)
     if arguments.longest_gap is not None:
         settings = replace(settings, longest_gap=arguments.longest_gap)
     reading = Reading(

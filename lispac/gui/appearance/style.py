@@ -132,6 +132,7 @@ QTabWidget > QTabBar::tab:focus {{ color: {s.accent}; }}
 #comparison_tabs > QTabBar::tab {{ padding: 2px 14px; }}
 QLineEdit[wrong="true"] {{ background: {s.wrong_ground}; border: 1px solid {s.error};
     border-radius: 2px; }}
+QDoubleSpinBox[assumed="true"] {{ color: {s.muted}; font-style: italic; }}
 QDoubleSpinBox[wrong="true"] {{ background: {s.wrong_ground}; color: {s.error}; }}
 QAbstractSpinBox {{ min-height: 1.15em; }}
 QPlainTextEdit, QTextEdit {{ border: 1px solid {s.edge_strong}; }}

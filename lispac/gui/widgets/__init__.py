@@ -289,6 +289,7 @@ class TripleField(QWidget):
             field.setMinimumWidth(86)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, 1)
+            field.committed.connect(self._accept_all)
 
     def value(self) -> tuple[float, float, float]:
         """The three numbers."""
@@ -301,6 +302,22 @@ class TripleField(QWidget):
             field.blockSignals(True)
             field.setValue(value)
             field.blockSignals(False)
+
+    def show_assumed(self, values: Sequence[float]) -> None:
+        """Show three defaults that nobody gave; all are given as soon as the user types one."""
+        for field, value in zip(self.fields, values, strict=True):
+            field.blockSignals(True)
+            field.show_assumed(value)
+            field.blockSignals(False)
+
+    @property
+    def is_assumed(self) -> bool:
+        """Whether the numbers are defaults that nobody gave."""
+        return all(field.is_assumed for field in self.fields)
+
+    def _accept_all(self) -> None:
+        if not self.is_assumed:
+            self.set_value(self.value())
 
 
 _LEVER_ARM_TEXTS = (
@@ -332,6 +349,37 @@ def lever_arm_fields(prefix: str) -> TripleField:
         for axis, (_, title, tip) in zip("xyz", _LEVER_ARM_TEXTS, strict=True)
     ]  # fmt: skip
     return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
+
+
+def lever_arm_sigma_fields(prefix: str) -> TripleField:
+    """Fields of the standard deviations of the lever arm, metres; zero in all if not given."""
+    fields = [
+        number(
+            f"{prefix}_{axis}", suffix=" m", decimals=4, low=0, high=100, step=0.001,
+            tip=gettext(
+                "Standard deviation of the lever arm along {axis}, metres, for the error budget. "
+                "If all three are 0, it is not included.",
+                axis=axis.upper(),
+            ),
+            title=gettext("Lever arm {axis} (1 σ)", axis=axis.upper()),
+        )
+        for axis in "xyz"
+    ]  # fmt: skip
+    return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
+
+
+def divergence_field(name: str) -> NumberField:
+    """Field of the beam divergence, milliradians; zero if it is not given."""
+    field = number(
+        name, suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
+        tip=gettext(
+            "Beam divergence as full angle, in milliradians, for the error budget. If it is 0, the "
+            "beam footprint is not included."
+        ),
+        title=gettext("Beam divergence"),
+    )  # fmt: skip
+    field.setSpecialValueText(gettext("none given"))
+    return field
 
 
 def boresight_fields(prefix: str) -> TripleField:

@@ -43,7 +43,10 @@ class NumberField(NumberEntry, QDoubleSpinBox):
     """
 
     committed = Signal(float)
-    """The user changed the value; emitted once, while `valueChanged` follows the typing."""
+    """The user changed the value, or confirmed an assumed one; emitted once, while `valueChanged`
+    follows the typing."""
+    is_assumed = False
+    """Whether the value is a default that nobody gave."""
     _before: float | None = None
     """Value before the typing that is not committed yet."""
     _kept: str | None = None
@@ -84,7 +87,20 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         ):
             return
         self._end()
+        self._set_assumed(False)
         super().setValue(value)
+
+    def show_assumed(self, value: float) -> None:
+        """Show a default that nobody gave in grey; a typed number, also the same one, is given."""
+        self.setValue(value)
+        self._set_assumed(True)
+
+    def _set_assumed(self, is_assumed: bool) -> None:
+        if self.is_assumed != is_assumed:
+            self.is_assumed = is_assumed
+            self.setProperty("assumed", is_assumed)
+            self.style().unpolish(self)
+            self.style().polish(self)
 
     def textFromValue(self, value: float) -> str:
         """Text of a value, in the unit shown, or the typed text that is not accepted."""
@@ -127,7 +143,9 @@ class NumberField(NumberEntry, QDoubleSpinBox):
             self._mark(True, self._reason())
             return False
         self._reformat_text()
-        if abs(self.value() - before) > EQUAL_TOLERANCE:
+        was_assumed = self.is_assumed
+        self._set_assumed(False)
+        if was_assumed or abs(self.value() - before) > EQUAL_TOLERANCE:
             self.committed.emit(self.value())
         return True
 

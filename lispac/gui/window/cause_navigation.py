@@ -88,6 +88,8 @@ class CauseNavigation(QObject):
             "lever_arm": (DATA, longest),
             "boresight_deg": (DATA, data.boresight.fields[0]),
             "lidar_sigma": (DATA, data.lidar_sigma),
+            "position_sigma": (DATA, data.pos_sigmas.position.fields[0]),
+            "attitude_sigma_deg": (DATA, data.pos_sigmas.attitude.fields[0]),
             "pos_errors": (ADJUST, adjust.chosen_model),
             "surface": (ADJUST, adjust.model.surface),
             "position_time": (ADJUST, adjust.model.position_time),

@@ -203,7 +203,11 @@ def _upgrade_from_11(content: Content) -> Content:
 
 
 def _upgrade_from_12(content: Content) -> Content:
-    """Upgrade to version 13, whose cross-checks contain only the results of the subsets."""
+    """Upgrade to version 13, whose cross-checks contain only the results of the subsets.
+
+    Its standard deviations may be None, if nobody gave them. Those of earlier versions stay given,
+    because these versions did not record who gave them.
+    """
     checks = content["cross_checks"]
     if checks is not None:
         checks = {"parts": checks["parts"]}

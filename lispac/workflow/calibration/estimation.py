@@ -178,7 +178,7 @@ def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
         along, angle_deg = settings.lidar_beam_sigma
         across = np.linalg.norm(points_lidar, axis=1) * np.radians(angle_deg)
         return np.column_stack([np.full(len(points_lidar), along), across, across])
-    axes = settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3
+    axes = settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3
     return np.tile(np.array(axes, dtype=float), (len(points_lidar), 1))
 
 
@@ -329,6 +329,7 @@ def adjust_selected(
             settings.stochastic_model,
             parameters=settings.parameters,
             components=settings.variance_components,
+            assumed=project.assumed_sigmas,
             accept_single_orientation=settings.accept_single_orientation,
             progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
         )

@@ -332,7 +332,7 @@ def lidar_noise(settings: Settings) -> float:
         return settings.lidar_beam_sigma[0]
     if settings.lidar_sigma_xyz is not None:
         return float(np.sqrt(np.mean(np.square(settings.lidar_sigma_xyz))))
-    return settings.lidar_sigma
+    return settings.used_lidar_sigma
 
 
 def _compared_sightings(target: Target) -> tuple[tuple[NDArray[np.int64], bool], ...]:

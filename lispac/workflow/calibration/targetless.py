@@ -142,7 +142,7 @@ def targetless(
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=iterations))
         clouds = place_clouds(survey.clouds, mounting)
         patches = find_patches(
-            clouds, settings.lidar_sigma, max(threshold, settings.threshold),
+            clouds, settings.used_lidar_sigma, max(threshold, settings.threshold),
             progress=sub_progress(step, 0.0, 0.6),
         )  # fmt: skip
         choice = choose_patches(patches, clouds, survey.accuracy, count)
@@ -184,6 +184,7 @@ def targetless(
             settings.stochastic_model,
             parameters=settings.parameters,
             components=settings.variance_components,
+            assumed=project.assumed_sigmas,
             accept_single_orientation=settings.accept_single_orientation,
             test_model=False,  # parts of the scene and of the lines test it better
             progress=sub_progress(progress, 0.5, 0.9),

@@ -119,7 +119,9 @@ def check_absolute(
         trajectory_datum=trajectory_datum, epoch=epoch, progress=sub_progress(progress, 0.0, 0.3),
     )  # fmt: skip
     clouds = _lines_near_reference(project, survey, reference, search_distance)
-    where = _ComparisonPlaces.of(reference, survey, project.settings.lidar_sigma, search_distance)
+    where = _ComparisonPlaces.of(
+        reference, survey, project.settings.used_lidar_sigma, search_distance
+    )
     lines, not_compared = [], list[Message]()
     for k, cloud in enumerate(clouds):
         progress(

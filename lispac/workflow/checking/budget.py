@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.error_budget import (
     DEFAULT_DISTANCES,
+    DEFAULT_INCIDENCE,
     ErrorBudget,
     SystemErrors,
     error_budget,
@@ -28,6 +29,8 @@ def error_budget_of(
     distances: Sequence[float] = DEFAULT_DISTANCES,
     *,
     lever_sigma: Sequence[float] | None = None,
+    divergence: float | None = None,
+    incidence: float = DEFAULT_INCIDENCE,
 ) -> ErrorBudget:
     """Error budget of a point by source of error.
 
@@ -35,18 +38,27 @@ def error_budget_of(
     ----------
     distances : metres from the scanner
     lever_sigma : three of float, metres, optional
-        Standard deviations of the lever arm: forward, left, up.
+        Standard deviations of the lever arm: forward, left, up; by default those of the project.
+    divergence : float, radians, optional
+        Full angle of the beam divergence; by default that of the project.
+    incidence : float, radians
+        Angle between the beam and the normal of the surface.
 
     Raises
     ------
     ProjectError
         If nothing has been estimated.
     InputError
-        If a distance or a sigma is not valid.
+        If a distance, a sigma or an angle is not valid.
     """
     result = project.result
     if result is None:
         raise ProjectError(error("estimate.needed", project=project.name))
+    settings = project.settings
+    if lever_sigma is None:
+        lever_sigma = settings.lever_arm_sigma
+    if divergence is None and settings.beam_divergence_mrad is not None:
+        divergence = settings.beam_divergence_mrad / 1000
     if lever_sigma is not None and not all(0.0 <= each < np.inf for each in lever_sigma):
         raise InputError(error("estimate.lever_arm_sigma"))
     latency = result.mounting.latency
@@ -60,8 +72,8 @@ def error_budget_of(
     position, attitude = survey.accuracy.at(time)
     rate = survey.trajectory.rate_at(time + latency)
     lidar, of_position, of_attitude = result.sigma_factors
-    beam = project.settings.lidar_beam_sigma
-    axes = project.settings.lidar_sigma_xyz or (project.settings.lidar_sigma,) * 3
+    beam = settings.lidar_beam_sigma
+    axes = settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3
     return error_budget(
         SystemErrors(
             position=of_position * np.median(position, axis=0),
@@ -76,6 +88,8 @@ def error_budget_of(
             covariance=result.covariance_all,
             speed=float(np.median(np.linalg.norm(rate[:, :3], axis=1))),
             rates=np.sqrt(np.mean(rate[:, 3:] ** 2, axis=0)),
+            divergence=divergence,
+            incidence=incidence,
         ),
         distances,
     )

@@ -121,7 +121,7 @@ def line_quality(
             found.append(
                 compare_lines(
                     (one, points[one]), (other, points[other]), vessel,
-                    noise=project.settings.lidar_sigma, reach=search_distance,
+                    noise=project.settings.used_lidar_sigma, reach=search_distance,
                 )
             )  # fmt: skip
         except NotComparable as failure:

@@ -144,7 +144,7 @@ def export_planes(
                 points_lidar=mounting.corrected(own.points_lidar),
                 position=poses.position,
                 attitude=poses.attitude,
-                sigma_lidar=np.full((len(points), 3), project.settings.lidar_sigma),
+                sigma_lidar=np.full((len(points), 3), project.settings.used_lidar_sigma),
                 sigma_position=sigma_position,
                 sigma_attitude=sigma_attitude,
                 time=own.time + mounting.latency,

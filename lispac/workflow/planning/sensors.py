@@ -261,6 +261,7 @@ def noise_settings(scanner: ScannerSpecification) -> dict[str, Any]:
         "lidar_sigma": max(scanner.range_sigma, MIN_LIDAR_NOISE),
         "lidar_sigma_xyz": None,
         "lidar_beam_sigma": (scanner.range_sigma, scanner.angle_sigma_deg),
+        "beam_divergence_mrad": scanner.divergence_mrad or None,
     }
 
 

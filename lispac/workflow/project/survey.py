@@ -128,8 +128,8 @@ def data_key(project: Project) -> tuple[object, ...]:
         settings.lever_arm,
         settings.boresight_deg,
         settings.origin_deg_m,
-        settings.position_sigma,
-        settings.attitude_sigma_deg,
+        settings.used_position_sigma,
+        settings.used_attitude_sigma_deg,
         settings.range_offset,
         settings.scan_angle_offset_deg,
         settings.latency,
@@ -253,8 +253,8 @@ def _trajectory_accuracy(
         too_short = accuracy_coverage_warning(accuracy.time, trajectory.time, file)
         return accuracy, () if too_short is None else (too_short,)
     typed = TrajectoryAccuracy.constant(
-        np.array(project.settings.position_sigma),
-        np.radians(project.settings.attitude_sigma_deg),
+        np.array(project.settings.used_position_sigma),
+        np.radians(project.settings.used_attitude_sigma_deg),
     )
     return typed, (note("assumed.constant_accuracy"),)
 

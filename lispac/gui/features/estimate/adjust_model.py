@@ -41,6 +41,15 @@ LOSS_SUMMARIES: dict[LossName, str] = {
     "huber": N_("Huber"),
     "tukey": N_("Tukey"),
 }
+COMPONENT_CHOICES: tuple[tuple[bool | None, str, str], ...] = (
+    (None, N_("Automatic"), N_("Estimate the standard deviations that are assumed")),
+    (True, N_("Estimate all"), N_("Estimate all standard deviations, also given ones")),
+    (False, N_("None"), N_("Use all standard deviations unchanged")),
+)
+"""Setting, title and description of each choice of variance components."""
+COMPONENT_SUMMARIES = (
+    "", N_("variance components estimated"), N_("no variance components"),
+)  # fmt: skip
 NOISE_TITLES = (N_("One value"), N_("One value per axis"), N_("Range and angle"))
 NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
 _MM_PER_M = 1e3
@@ -138,17 +147,18 @@ class ModelSettings(QWidget):
         )
         for each in (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row):
             form.addRow("", each)
-        self.components = QCheckBox(gettext("Estimate variance components"))
-        self.components.setObjectName("variance_components")
-        self.components.setToolTip(
+        self.components = widgets.ChoiceBox(
+            "variance_components", [gettext(title) for _, title, _ in COMPONENT_CHOICES],
             gettext(
                 "Estimate from the residuals a scale factor for the standard deviations of "
                 "LiDAR, POS position and POS attitude. With few sightings, the factors of the "
                 "POS are uncertain."
-            )
-        )
-        self.components.toggled.connect(self.committed)
-        form.addRow(self.components)
+            ),
+        )  # fmt: skip
+        for k, (_, _, tip) in enumerate(COMPONENT_CHOICES):
+            self.components.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
+        self.components.currentIndexChanged.connect(self.committed)
+        form.addRow(gettext("Variance components"), self.components)
         self.accept_single_orientation = QCheckBox(gettext("Accept a single orientation"))
         self.accept_single_orientation.setObjectName("accept_single_orientation")
         self.accept_single_orientation.setToolTip(
@@ -191,7 +201,7 @@ class ModelSettings(QWidget):
             )
             if kind == 2
             else None,
-            variance_components=self.components.isChecked(),
+            variance_components=COMPONENT_CHOICES[self.components.currentIndex()][0],
             accept_single_orientation=self.accept_single_orientation.isChecked(),
         )
 
@@ -202,18 +212,19 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        sigma = units.local_amount(settings.lidar_sigma * _MM_PER_M, "mm", ".1f")
+        sigma = units.local_amount(settings.used_lidar_sigma * _MM_PER_M, "mm", ".1f")
         self._single_sigma_row.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
         for field, value in zip(
-            self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
+            self.axes, settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3, strict=True
         ):
             field.show_value(value)
-        beam = settings.lidar_beam_sigma or (settings.lidar_sigma, None)
+        beam = settings.lidar_beam_sigma or (settings.used_lidar_sigma, None)
         self.range.show_value(beam[0])
         self.angle.show_value(beam[1])
         kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0
         self.noise.setCurrentIndex(kind)
-        self.components.setChecked(settings.variance_components)
+        chosen = [value for value, _, _ in COMPONENT_CHOICES].index(settings.variance_components)
+        self.components.setCurrentIndex(chosen)
         self.accept_single_orientation.setChecked(settings.accept_single_orientation)
         self.blockSignals(False)
 
@@ -232,8 +243,8 @@ class ModelSettings(QWidget):
             settings.append(gettext(LOSS_SUMMARIES[loss]))
         if self.surface.text().strip():
             settings.append(gettext("given form error"))
-        if self.components.isChecked():
-            settings.append(gettext("variance components estimated"))
+        if summary := COMPONENT_SUMMARIES[self.components.currentIndex()]:
+            settings.append(gettext(summary))
         if self.accept_single_orientation.isChecked():
             settings.append(gettext("targets of one orientation accepted"))
         return ", ".join(settings)

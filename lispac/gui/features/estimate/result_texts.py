@@ -10,6 +10,7 @@ from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, 
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present.adjustment import TOO_LARGE_ASSUMED_TEXT
 from lispac.present.parameters import (
     COMPONENT_TITLES,
     component_values,
@@ -17,6 +18,8 @@ from lispac.present.parameters import (
     parameter_values,
     significance_text,
 )
+from lispac.present.sigmas import sigma_text, sigmas_used
+from lispac.project import Project
 
 MIN_SHOWN_FORM_ERROR_M = 5e-5
 """Smallest surface sigma, metres, that is not shown as 0.0 mm."""
@@ -100,6 +103,8 @@ def fit_verdict(
             sure, unsure = GOOD_FIT_WITH_FORM_ERROR_TEXTS
             return gettext(sure if is_sure else unsure, most=most)
         return gettext(GOOD_FIT_TEXTS[0] if is_sure else GOOD_FIT_TEXTS[1])
+    if result.variance_factor > 1 and result.unestimated_sigmas:
+        return gettext(TOO_LARGE_ASSUMED_TEXT)
     if result.variance_factor > 1:
         return gettext(
             "The residuals are larger than expected from the given standard deviations. Check "
@@ -121,6 +126,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
         title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED
+    elif result.unestimated_sigmas:
+        title, colour = gettext("assumed values too small"), theme.MUTED
     else:
         title, colour = gettext("failed"), theme.WARNING
     values = gettext(interval, value=statistic, lower=lower, upper=upper)
@@ -153,6 +160,14 @@ def parameters_html(result: AdjustmentResult) -> str:
 
 def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = True) -> str:
     return kind.amount(value, signed=signed)
+
+
+def sigmas_html(project: Project) -> str:
+    """Standard deviations used in the adjustment and their sources, as rich text."""
+    return "<br>".join(
+        escape(f"{gettext(COMPONENT_TITLES[each.group])}: {sigma_text(each)}")
+        for each in sigmas_used(project)
+    )
 
 
 def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:

@@ -212,6 +212,7 @@ class ResultsPanel(QWidget):
             ("points", gettext("Points, sightings")),
             ("model", gettext("POS correlation time")),
             ("surface", gettext("Form error of the targets")),
+            ("sigmas", gettext("Standard deviations used")),
             ("iterations", gettext("Iterations, time")),
         ):
             value = widgets.label(name=f"result_{key}", rich=True)
@@ -231,6 +232,7 @@ class ResultsPanel(QWidget):
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
             "surface": result_texts.form_error_text(result),
+            "sigmas": result_texts.sigmas_html(project),
             "iterations": gettext(
                 "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
             ),
@@ -254,7 +256,7 @@ class ResultsPanel(QWidget):
         self._settings = found = given.with_lidar_noise_scaled(ratio)
         if given.lidar_sigma_xyz is None and given.lidar_beam_sigma is None:
             one, other = (
-                quantities.amount(1000 * each.lidar_sigma, "mm", 1) for each in (found, given)
+                quantities.amount(1000 * each.used_lidar_sigma, "mm", 1) for each in (found, given)
             )
             text = gettext("Use LiDAR noise {found} instead of {given}", found=one, given=other)
         else:

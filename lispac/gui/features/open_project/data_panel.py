@@ -21,9 +21,15 @@ from lispac.gui.appearance import theme
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
-from lispac.language import gettext, number
-from lispac.project import Project, Settings
+from lispac.gui.widgets.pos_sigmas import PosSigmaFields
+from lispac.language import N_, gettext, number
+from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey
+
+ASSUMED_TEXT = N_(
+    "Values in grey italics are assumed, because nobody gave them. Enter those of the data sheet "
+    "or of the processing report."
+)
 
 
 class DataPanel(QWidget):
@@ -80,6 +86,23 @@ class DataPanel(QWidget):
         noise.addStretch(1)
         noise.addWidget(self.lidar_sigma)
         filled.addLayout(noise)
+        self.divergence = widgets.divergence_field("divergence")
+        beam = QHBoxLayout()
+        beam.addWidget(widgets.label(gettext("Beam divergence")))
+        beam.addStretch(1)
+        beam.addWidget(self.divergence)
+        filled.addLayout(beam)
+        self.pos_sigmas = PosSigmaFields("sigma")
+        filled.addWidget(widgets.label(gettext("Position (1 σ)"), "heading"))
+        filled.addWidget(self.pos_sigmas.position)
+        filled.addWidget(widgets.label(gettext("Attitude (1 σ)"), "heading"))
+        filled.addWidget(self.pos_sigmas.attitude)
+        self._sigma_source = widgets.label("", "muted", wrap=True, name="sigma_source")
+        self._sigma_source.hide()
+        filled.addWidget(self._sigma_source)
+        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("lever_arm_sigma")
+        filled.addWidget(widgets.label(gettext("Lever arm (1 σ)"), "heading"))
+        filled.addWidget(self.lever_arm_sigma)
 
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",
@@ -89,7 +112,10 @@ class DataPanel(QWidget):
         )  # fmt: skip
         self.details.clicked.connect(self.details_requested)
         filled.addWidget(self.details)
-        for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
+        sigmas = (*self.pos_sigmas.position.fields, *self.pos_sigmas.attitude.fields)
+        for field in (*self.lever_arm.fields, *self.boresight.fields, *sigmas):
+            field.committed.connect(self._emit_edit)
+        for field in (self.lidar_sigma, self.divergence, *self.lever_arm_sigma.fields):
             field.committed.connect(self._emit_edit)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self._draw_mounting)
@@ -106,11 +132,12 @@ class DataPanel(QWidget):
         self._filled.show()
         _show_file_name(self._trajectory, project.trajectory, "")
         _show_file_name(
-            self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
+            self._accuracy, project.accuracy, gettext("no file: constant standard deviations")
         )
         self._list_lines(project, state.survey)
         if project.settings != self._settings:
             self._fill(project.settings)
+        self._show_pos_sigmas(project, state.survey)
 
     def _show_empty(self) -> None:
         self._empty.show()
@@ -177,10 +204,41 @@ class DataPanel(QWidget):
         if settings is not None:
             self.lever_arm.set_value(settings.lever_arm)
             self.boresight.set_value(settings.boresight_deg)
+            self.lever_arm_sigma.set_value(settings.lever_arm_sigma or (0.0, 0.0, 0.0))
+            self.divergence.blockSignals(True)
+            self.divergence.setValue(settings.beam_divergence_mrad or 0.0)
+            self.divergence.blockSignals(False)
             self.lidar_sigma.blockSignals(True)
-            self.lidar_sigma.setValue(settings.lidar_sigma * 1000)
+            if "LiDAR" in settings.assumed_sigmas:
+                self.lidar_sigma.show_assumed(settings.used_lidar_sigma * 1000)
+            else:
+                self.lidar_sigma.setValue(settings.used_lidar_sigma * 1000)
             self.lidar_sigma.blockSignals(False)
         self._draw_mounting()
+
+    def _show_pos_sigmas(self, project: Project, survey: Survey | None) -> None:
+        """Show the standard deviations of the POS that are used, and where they come from."""
+        settings, file = project.settings, project.accuracy
+        self.pos_sigmas.set_enabled(file is None)
+        if file is None:
+            self.pos_sigmas.show_values(settings.position_sigma, settings.attitude_sigma_deg)
+        elif survey is not None:
+            self.pos_sigmas.show_medians(survey.accuracy)
+        texts = []
+        if file is not None:
+            texts.append(
+                gettext(
+                    "Position and attitude accuracies are taken from {file}; the medians are "
+                    "shown.",
+                    file=file.name,
+                )
+            )
+        if project.assumed_sigmas:
+            texts.append(gettext(ASSUMED_TEXT))
+        text = " ".join(texts)
+        if text != self._sigma_source.text():  # the same text would be laid out again
+            self._sigma_source.setText(text)
+            self._sigma_source.setVisible(bool(text))
 
     def _edited_settings(self) -> Settings | None:
         """Settings with the changed fields; None if no field was changed."""
@@ -191,9 +249,26 @@ class DataPanel(QWidget):
             edited = replace(edited, lever_arm=self.lever_arm.value())
         if _is_changed(self.boresight.value(), edited.boresight_deg):
             edited = replace(edited, boresight_deg=self.boresight.value())
-        if _is_changed((self.lidar_sigma.value() / 1000,), (edited.lidar_sigma,)):
-            edited = replace(edited, lidar_sigma=self.lidar_sigma.value() / 1000)
-        return None if edited is self._settings else edited
+        lidar = self.lidar_sigma.value() / 1000
+        is_confirmed = "LiDAR" in edited.assumed_sigmas and not self.lidar_sigma.is_assumed
+        if is_confirmed or _is_changed((lidar,), (edited.used_lidar_sigma,)):
+            edited = replace(edited, lidar_sigma=lidar)
+        lever_arm_sigma = self.lever_arm_sigma.value()
+        edited = replace(
+            edited,
+            lever_arm_sigma=_unless_same(
+                lever_arm_sigma if any(lever_arm_sigma) else None, edited.lever_arm_sigma
+            ),
+            beam_divergence_mrad=self.divergence.value() or None,
+        )
+        if self.pos_sigmas.position.isEnabled():
+            position, attitude = self.pos_sigmas.values()
+            edited = replace(
+                edited,
+                position_sigma=_unless_same(position, edited.position_sigma),
+                attitude_sigma_deg=_unless_same(attitude, edited.attitude_sigma_deg),
+            )
+        return None if edited == self._settings else edited
 
     def _emit_edit(self) -> None:
         edited = self._edited_settings()
@@ -276,6 +351,12 @@ def _show_file_name(label: QLabel, path: Path | None, otherwise: str) -> None:
 def _is_changed(shown: tuple[float, ...], stored: tuple[float, ...]) -> bool:
     # A field keeps all digits of the value that it shows.
     return any(abs(a - b) > EQUAL_TOLERANCE for a, b in zip(shown, stored, strict=True))
+
+
+def _unless_same(shown: Triple | None, stored: Triple | None) -> Triple | None:
+    """Values shown, or the stored ones with all their digits if they were not changed."""
+    is_same = shown is not None and stored is not None and not _is_changed(shown, stored)
+    return stored if is_same else shown
 
 
 def _heading_degrees(heading: float) -> int:

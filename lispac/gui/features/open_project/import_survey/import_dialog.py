@@ -44,6 +44,7 @@ from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action, Message, note
 from lispac.project import LineSource, Project
+from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.importing.input_files import ImportRequest, InputFiles, proposed_folder
 from lispac.workflow.planning.sensors import read_library
 
@@ -274,7 +275,11 @@ class ImportDialog(NumberDialog):
         self._show_selected()
         self.quality.show_files(input_files)
         accuracy = input_files.accuracy
-        self.mounting.show_accuracy("" if accuracy is None else accuracy.path.name)
+        found = None if accuracy is None else accuracy.content
+        self.mounting.show_accuracy(
+            "" if accuracy is None else accuracy.path.name,
+            found if isinstance(found, TrajectoryAccuracy) else None,
+        )
         self.mounting.show_prior_needed(any(line.is_georeferenced for line in input_files.lines))
         if not self._folder_is_typed:
             proposed = proposed_folder(input_files)

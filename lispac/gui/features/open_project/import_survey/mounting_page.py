@@ -3,15 +3,18 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
 
+from lispac.adjustment.model.stochastic_model import ASSUMED_LIDAR_SIGMA
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.mounting_sketch import MountingView
+from lispac.gui.widgets.pos_sigmas import PosSigmaFields
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import gettext
 from lispac.messages import Message
-from lispac.project import Settings
+from lispac.project import Settings, Triple
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.planning.sensors import SensorLibrary
 
 GEOGRAPHIC_FIELDS = ("new_latitude", "new_longitude")
@@ -49,13 +52,17 @@ class MountingPage(QScrollArea):
     def settings(self) -> Settings:
         """Settings of the project from the fields."""
         noise, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
+        lever_arm_sigma = self.lever_arm_sigma.value()
+        position, attitude = self._entered or self.pos_sigmas.values()
         return Settings(
             lever_arm=self.lever_arm.value(),
             boresight_deg=self.boresight.value(),
             origin_deg_m=self.origin.value() if self.origin_given.isChecked() else None,
-            position_sigma=self.position_sigma.value(),
-            attitude_sigma_deg=self.attitude_sigma.value(),
-            lidar_sigma=noise,
+            lever_arm_sigma=lever_arm_sigma if any(lever_arm_sigma) else None,
+            beam_divergence_mrad=self.divergence.value() or None,
+            position_sigma=position,
+            attitude_sigma_deg=attitude,
+            lidar_sigma=None if self.lidar_sigma.is_assumed else noise,
             lidar_beam_sigma=(noise, angle) if angle > 0 else None,
         )
 
@@ -64,16 +71,26 @@ class MountingPage(QScrollArea):
         """Warnings about the mounting."""
         return lever_arm_warnings(self.lever_arm.value())
 
-    def show_accuracy(self, name: str) -> None:
-        """Show the name of the accuracy file; if empty, the fields apply."""
-        self.position_sigma.setEnabled(not name)
-        self.attitude_sigma.setEnabled(not name)
+    def show_accuracy(self, name: str, accuracy: TrajectoryAccuracy | None) -> None:
+        """Show the name and the median values of the accuracy file; if empty, the fields apply."""
+        if name and self._entered is None:
+            self._entered = self.pos_sigmas.values()
+        elif self._entered is not None and not name:
+            self.pos_sigmas.show_values(*self._entered)
+            self._entered = None
+        self.pos_sigmas.set_enabled(not name)
+        if name and accuracy is not None:
+            self.pos_sigmas.show_medians(accuracy)
         self._source.setText(
-            gettext("Position and attitude accuracies are taken from {file}.", file=name)
+            gettext(
+                "Position and attitude accuracies are taken from {file}; the medians are shown.",
+                file=name,
+            )
             if name
             else gettext(
                 "There is no accuracy file. The position and attitude accuracies below apply at "
-                "all times."
+                "all times. Values in grey italics are assumed: enter those of the "
+                "processing report."
             )
         )
 
@@ -119,26 +136,16 @@ class MountingPage(QScrollArea):
 
     def _uncertainty_form(self) -> QFormLayout:
         form = _create_form()
-        usual = Settings(lever_arm=(0.0, 0.0, 0.0))
         self.lidar_sigma = widgets.number(
             "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
             tip=gettext("Standard deviation of a LiDAR point along each axis, in millimetres"),
         )  # fmt: skip
-        self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
+        self.lidar_sigma.show_assumed(ASSUMED_LIDAR_SIGMA * 1000)
         self.lidar_sigma.setMaximumWidth(140)
-        self.position_sigma = widgets.TripleField(
-            (gettext("North"), gettext("East"), gettext("Down")),
-            [_number_field(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
-        )
-        self.position_sigma.set_value(usual.position_sigma)
-        self.attitude_sigma = widgets.TripleField(
-            (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
-            [
-                _number_field(f"new_sigma_{axis}", " °", 4, 0, 90)
-                for axis in ("roll", "pitch", "heading")
-            ],
-        )
-        self.attitude_sigma.set_value(usual.attitude_sigma_deg)
+        self.pos_sigmas = PosSigmaFields("new_sigma")
+        self.pos_sigmas.show_values(None, None)
+        self._entered: tuple[Triple | None, Triple | None] | None = None
+        """Values that the accuracy file replaces; None without an accuracy file."""
         self.angle_sigma = _number_field("new_angle_sigma", " °", 4, 0, 10)
         self.angle_sigma.setAccessibleName(gettext("Beam angular noise (1 σ)"))
         self.angle_sigma.setSpecialValueText(gettext("none given"))
@@ -155,12 +162,17 @@ class MountingPage(QScrollArea):
         form.addRow("", self.sensors.scanner_origin)
         form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle_sigma)
+        self.divergence = widgets.divergence_field("new_divergence")
+        self.divergence.setMaximumWidth(140)
+        form.addRow(gettext("Beam divergence"), self.divergence)
         form.addRow(gettext("INS/GNSS"), self.sensors.pos)
         form.addRow("", self.sensors.pos_origin)
         self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
         form.addRow(self._source)
-        form.addRow(gettext("Position (1 σ)"), self.position_sigma)
-        form.addRow(gettext("Attitude (1 σ)"), self.attitude_sigma)
+        form.addRow(gettext("Position (1 σ)"), self.pos_sigmas.position)
+        form.addRow(gettext("Attitude (1 σ)"), self.pos_sigmas.attitude)
+        self.lever_arm_sigma = widgets.lever_arm_sigma_fields("new_lever_arm_sigma")
+        form.addRow(gettext("Lever arm (1 σ)"), self.lever_arm_sigma)
         return form
 
     def _draw_mounting(self) -> None:
@@ -169,10 +181,14 @@ class MountingPage(QScrollArea):
     def _set_lidar_noise(self, scanner: ScannerSpecification) -> None:
         self.lidar_sigma.setValue(scanner.range_sigma * 1000)
         self.angle_sigma.setValue(scanner.angle_sigma_deg)
+        self.divergence.setValue(scanner.divergence_mrad)
 
     def _set_pos_sigmas(self, state: PosAccuracy) -> None:
-        self.position_sigma.set_value(state.position_sigma)
-        self.attitude_sigma.set_value(state.attitude_sigma_deg)
+        chosen = state.position_sigma, state.attitude_sigma_deg
+        if self._entered is None:
+            self.pos_sigmas.show_values(*chosen)
+        else:
+            self._entered = chosen
 
 
 def _create_form() -> QFormLayout:

@@ -1,0 +1,110 @@
+"""Standard deviations used in an adjustment, and where they come from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup
+from lispac.language import N_, gettext
+from lispac.present.tables import Fact
+from lispac.present.text_format import fixed_number, triple_text
+from lispac.project import Project
+
+SigmaSource = Literal["given", "file", "assumed", "estimated"]
+"""Source of standard deviations: the user, the accuracy file, a default, or the residuals."""
+
+SIGMA_TITLES: Mapping[SigmaGroup, str] = {
+    "LiDAR": N_("LiDAR noise, 1 sigma"),
+    "POS position": N_("Position sigma (north, east, down)"),
+    "POS attitude": N_("Attitude sigma (roll, pitch, heading)"),
+}
+SIGMAS_TITLE = N_("Standard deviations used")
+_FILE_TEXT = N_("from the trajectory accuracy file")
+_SOURCE_TEXTS: Mapping[SigmaSource, str] = {
+    "given": N_("{values} (given)"),
+    "assumed": N_("{values} (assumed, not given)"),
+}
+_SCALED_FILE_TEXT = N_("{factor} times those of the trajectory accuracy file (estimated)")
+_ESTIMATED_TEXTS: Mapping[SigmaSource, str] = {
+    "given": N_("{values} (estimated from the data; given: {before})"),
+    "assumed": N_("{values} (estimated from the data; assumed before: {before})"),
+}
+
+
+@dataclass(frozen=True)
+class SigmaValues:
+    """Standard deviations of one group of errors, before and in the adjustment.
+
+    ``source`` is the source of ``used``, ``source_before`` that of ``before``; ``factor`` is their
+    ratio. The LiDAR has one value for all axes, three along x, y, z, or those of range and beam
+    direction. The values are None if the accuracy file contains them for each time.
+    """
+
+    group: SigmaGroup
+    source: SigmaSource
+    source_before: SigmaSource
+    factor: float
+    units: tuple[str, ...]
+    before: tuple[float, ...] | None
+    used: tuple[float, ...] | None
+
+
+def sigmas_used(project: Project) -> tuple[SigmaValues, ...]:
+    """Standard deviations of the result, or of the settings if there is no result yet."""
+    return tuple(_sigmas_of_group(project, group) for group in SIGMA_GROUPS)
+
+
+def _sigmas_of_group(project: Project, group: SigmaGroup) -> SigmaValues:
+    settings, result = project.settings, project.result
+    factor = 1.0 if result is None else result.sigma_factors[SIGMA_GROUPS.index(group)]
+    before: tuple[float, ...] | None
+    if group == "LiDAR":
+        before = (
+            settings.lidar_beam_sigma or settings.lidar_sigma_xyz or (settings.used_lidar_sigma,)
+        )
+        units = ("m", "deg") if settings.lidar_beam_sigma else ("m",) * len(before)
+    elif group == "POS position":
+        before, units = settings.used_position_sigma, ("m",) * 3
+    else:
+        before, units = settings.used_attitude_sigma_deg, ("deg",) * 3
+    source: SigmaSource = "assumed" if group in project.assumed_sigmas else "given"
+    if project.accuracy is not None and group != "LiDAR":
+        before, source = None, "file"
+    return SigmaValues(
+        group, source if factor == 1.0 else "estimated", source, factor, units, before,
+        None if before is None else tuple(factor * value for value in before),
+    )  # fmt: skip
+
+
+def sigma_text(sigmas: SigmaValues) -> str:
+    """Values and source of standard deviations in the language in use."""
+    if sigmas.before is None or sigmas.used is None:
+        if sigmas.source == "file":
+            return gettext(_FILE_TEXT)
+        return gettext(_SCALED_FILE_TEXT, factor=fixed_number(sigmas.factor, 2))
+    used = _values_text(sigmas, sigmas.used)
+    if sigmas.source != "estimated":
+        return gettext(_SOURCE_TEXTS[sigmas.source], values=used)
+    before = _values_text(sigmas, sigmas.before)
+    return gettext(_ESTIMATED_TEXTS[sigmas.source_before], values=used, before=before)
+
+
+def _values_text(sigmas: SigmaValues, values: tuple[float, ...]) -> str:
+    if sigmas.group == "POS position":
+        return gettext("{values} m", values=triple_text(values, 3))
+    if sigmas.group == "POS attitude":
+        return gettext("{values} deg", values=triple_text(values, 4))
+    if len(values) == 1:
+        return gettext("{sigma:mm.1} mm on each axis", sigma=values[0])
+    if "deg" in sigmas.units:
+        return gettext(
+            "range {range:mm.1} mm, beam direction {angle} deg",
+            range=values[0], angle=fixed_number(values[1], 4),
+        )  # fmt: skip
+    x, y, z = values
+    return gettext("x {x:mm.1} mm, y {y:mm.1} mm, z {z:mm.1} mm", x=x, y=y, z=z)
+
+
+def sigma_facts(sigmas: tuple[SigmaValues, ...]) -> list[Fact]:
+    """Facts about the standard deviations, in the language in use."""
+    return [Fact(gettext(SIGMA_TITLES[each.group]), sigma_text(each)) for each in sigmas]

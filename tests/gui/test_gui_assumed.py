@@ -1,0 +1,115 @@
+"""Tests of assumed standard deviations and of the values for the error budget in the window."""
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from tests.gui.support import Driver, Key, open_step, type_into
+
+ASSUMED = ("LiDAR", "POS position", "POS attitude")
+
+
+def text_of(driver: Driver, name: str) -> str:
+    label = driver.window.findChild(QLabel, name)
+    assert label is not None
+    return label.text()
+
+
+def without_given_sigmas(driver: Driver) -> None:
+    """Project without accuracy file, in which nobody gave a standard deviation."""
+    from dataclasses import replace
+
+    project = driver.project
+    settings = replace(project.settings, lidar_sigma=None, lidar_beam_sigma=None)
+    driver.window.document.edit("change", replace(project, accuracy=None).with_settings(settings))
+    driver.rest()
+
+
+def test_assumed_values_are_grey_until_they_are_typed(picked: Driver) -> None:
+    data = picked.window.data
+    open_step(picked, 0)
+    without_given_sigmas(picked)
+    assert picked.project.assumed_sigmas == ASSUMED
+    assert data.lidar_sigma.is_assumed
+    assert data.lidar_sigma.property("assumed")
+    assert data.lidar_sigma.value() == 5.0
+    assert data.pos_sigmas.position.value() == (0.02, 0.02, 0.03)
+    assert "grey italics are assumed" in text_of(picked, "sigma_source")
+
+    type_into(picked, data.lidar_sigma, "5")  # the same value, now given
+    picked.bot.keyClick(data.lidar_sigma, Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.lidar_sigma == 0.005
+    assert not data.lidar_sigma.is_assumed
+    assert picked.project.assumed_sigmas == ASSUMED[1:]
+
+    north = data.pos_sigmas.position.fields[0]
+    type_into(picked, north, "0.012")
+    picked.bot.keyClick(north, Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.position_sigma == pytest.approx((0.012, 0.02, 0.03))
+    assert picked.project.assumed_sigmas == ("POS attitude",)
+    assert not any(field.is_assumed for field in data.pos_sigmas.position.fields)
+
+
+def test_an_assumed_noise_is_estimated_and_named_in_the_results(picked: Driver) -> None:
+    """The noise of the demo is about 1.7 mm on each axis."""
+    from dataclasses import replace
+
+    window = picked.window
+    settings = replace(picked.project.settings, lidar_sigma=None, lidar_beam_sigma=None)
+    window.document.edit("change", picked.project.with_settings(settings))
+    picked.rest()
+    assert picked.project.assumed_sigmas == ("LiDAR",)
+    picked.bot.keyClick(window, Key.Key_F9)
+    picked.rest()
+    result = picked.project.result
+    assert result is not None
+    assert result.sigma_factors[0] == pytest.approx(0.34, abs=0.06)
+    assert result.chi_square.outcome != "failed"
+    assert "assumed before: 5.0" in text_of(picked, "result_sigmas")
+    assert not window.results.use_noise.isVisible()
+
+
+def test_the_accuracies_of_the_file_are_shown(picked: Driver) -> None:
+    data, survey = picked.window.data, picked.window.document.survey
+    open_step(picked, 0)
+    assert picked.project.accuracy is not None
+    assert not data.pos_sigmas.position.isEnabled()
+    medians = np.median(survey.accuracy.position, axis=0)
+    np.testing.assert_allclose(data.pos_sigmas.position.value(), medians, atol=1e-9)
+    assert picked.project.accuracy.name in text_of(picked, "sigma_source")
+
+
+def test_values_for_the_error_budget_keep_the_result(adjusted: Driver) -> None:
+    data = adjusted.window.data
+    open_step(adjusted, 0)
+    before = adjusted.project.result
+    for field, text in ((data.divergence, "0.5"), (data.lever_arm_sigma.fields[2], "0.01")):
+        type_into(adjusted, field, text)
+        adjusted.bot.keyClick(field, Key.Key_Return)
+        adjusted.rest()
+    settings = adjusted.project.settings
+    assert settings.beam_divergence_mrad == pytest.approx(0.5)
+    assert settings.lever_arm_sigma == pytest.approx((0.0, 0.0, 0.01))
+    assert adjusted.project.result is before
+
+
+def test_a_sensor_fills_in_the_divergence_and_gives_the_sigmas(
+    filled: ImportDialog, qtbot: QtBot
+) -> None:
+    page = filled.mounting
+    assert page.lidar_sigma.is_assumed
+    assert page.settings().assumed_sigmas == ASSUMED
+    shown = page.pos_sigmas.position.value()
+    accuracy = filled.input_files.accuracy
+    assert accuracy is not None
+    np.testing.assert_allclose(
+        shown, np.median(accuracy.content.position, axis=0), atol=1e-9
+    )  # those of the file, not the default
+    page.sensors.choose("riegl-vux-1", "hydrins:rtk")
+    settings = page.settings()
+    assert settings.assumed_sigmas == ()
+    assert settings.beam_divergence_mrad == pytest.approx(page.divergence.value()) != 0
