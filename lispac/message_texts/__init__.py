@@ -81,6 +81,7 @@ ACTIONS: Mapping[str, Template] = {
     "set_option": N_("Set {name} to {value}"),
     "exclude_line": N_("Exclude {line}"),
     "split_line": N_("Split {line} into lines by {by}"),
+    "use_lidar_noise": N_("Use the LiDAR noise of the residuals"),
     # -- options of a file -------------------------------------------------------------------
     "use_degrees": N_("Use degrees"),
     "use_feet": N_("Use feet of 0.3048 m"),

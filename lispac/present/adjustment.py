@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value
+from lispac.adjustment.diagnostics.warnings import has_raised_sigmas
 from lispac.adjustment.model.parameters import OUTPUT_UNITS
 from lispac.adjustment.result import (
     ANGLES,
@@ -110,6 +111,11 @@ TOO_SMALL_TEXT = N_(
     "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
     "is no other warning, the sigmas of the angles are too large as well."
 )
+TOO_SMALL_RAISED_TEXT = N_(
+    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
+    "sigmas of the angles were increased nevertheless, because angles computed from subsets of the "
+    "data scatter more than predicted."
+)
 
 
 @dataclass(frozen=True)
@@ -135,7 +141,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     if test.outcome == "passed":
         finding = PASSED_TEXT
     elif test.outcome == "conservative":
-        finding = TOO_SMALL_TEXT
+        finding = TOO_SMALL_RAISED_TEXT if has_raised_sigmas(result) else TOO_SMALL_TEXT
     elif not result.model.correlated:
         finding = TOO_LARGE_CLASSICAL_TEXT
     elif any(target.noise > 1 for target in result.targets):

@@ -161,9 +161,10 @@ def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Me
         project, headings_deg={}, counts={}, track_local={}, notes=(),
         generated=datetime.now(UTC), digests=False,
     )  # fmt: skip
-    yield from all_warnings(project, also)
-    for message in report_warnings(content, ()):
-        if message.code not in SUMMARY_CODES | REPORT_ONLY_CODES:
+    found = all_warnings(project, also)
+    yield from found
+    for message in report_warnings(content, found):
+        if message not in found and message.code not in SUMMARY_CODES | REPORT_ONLY_CODES:
             yield message
 
 
