@@ -132,15 +132,15 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- observability -----------------------------------------------------------------------------
     "observability.directions": N_(
-        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.3} "
-        "deg. Most precisely determined: {strongest}, with {strongest_sigma:deg.3} deg."
+        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.4} "
+        "deg. Most precisely determined: {strongest}, with {strongest_sigma:deg.4} deg."
     ),
     "observability.main_lines": Plural(
         "Line {lines:names} contributes most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg} deg instead of {sigma:deg} "
+        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
         "deg.",
         "Lines {lines:names} contribute most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg} deg instead of {sigma:deg} "
+        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
         "deg.",
     ),
     "observability.no_main_line": N_(

@@ -194,6 +194,8 @@ class AdjustmentValues:
     steep, of small rotations about the body axes; ``rotation_text`` is empty unless the pitch is
     steep. ``correlation`` is the correlation matrix of the three angles, ``correlation_all`` that
     of all ``estimated`` values.
+    ``points`` are those used, after averaging or thinning the ``picked_points`` of the targets; the
+    latter is None if the number is unknown.
     ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
     targets are planes with the same normal.
     """
@@ -220,6 +222,7 @@ class AdjustmentValues:
     chi_square: VarianceFactorTest
     iterations: int
     points: int
+    picked_points: int | None
     excluded_outliers: int
     rms_before_m: float
     rms_after_m: float
@@ -239,13 +242,16 @@ class AdjustmentValues:
 
 
 def adjustment_values(
-    result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
+    result: AdjustmentResult,
+    headings_deg: Mapping[str, float] | None = None,
+    picked_points: int | None = None,
 ) -> AdjustmentValues:
     """Result of an adjustment as values.
 
     Parameters
     ----------
     headings_deg : degrees by name of the line, where they are known
+    picked_points : number of points of all sightings used, before averaging or thinning
     """
     is_steep = result.mounting.axes is not None
     return AdjustmentValues(
@@ -271,6 +277,7 @@ def adjustment_values(
         chi_square=_variance_factor_test(result),
         iterations=result.iterations,
         points=result.points,
+        picked_points=picked_points,
         excluded_outliers=result.excluded_outliers,
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,

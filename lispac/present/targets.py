@@ -88,7 +88,9 @@ TARGETS_TABLE = Table[TargetValues](
         Column(
             "sightings", N_("Lines"), COUNT, N_("Number of lines with a sighting of the target")
         ),
-        Column("points", N_("Points"), COUNT, N_("Points used, after averaging or thinning")),
+        Column(
+            "points", N_("Points\nused"), COUNT, N_("Points used, after averaging or thinning")
+        ),
         Column(
             "rms_before_m", N_("RMS\nbefore"), MILLIMETRES,
             N_("RMS distance to the best-fitting surface with the prior boresight"),

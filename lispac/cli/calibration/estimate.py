@@ -163,7 +163,10 @@ def run(arguments: Namespace) -> None:
         print_json(project_result_values(project) | {"qualities": json_values(quality_list(found))})
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, project_warnings(project))
+        print_result(
+            project.result, project.cross_checks, project_warnings(project),
+            picked_points=project.picked_points,
+        )  # fmt: skip
         print_weak_sightings(found)
 
 
