@@ -132,8 +132,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- observability -----------------------------------------------------------------------------
     "observability.directions": N_(
-        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.4} "
-        "deg. Most precisely determined: {strongest}, with {strongest_sigma:deg.4} deg."
+        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.3} "
+        "deg. Most precisely determined: {strongest}, with {strongest_sigma:deg.3} deg."
     ),
     "observability.main_lines": Plural(
         "Line {lines:names} contributes most to the determination of {angle}. Without line "

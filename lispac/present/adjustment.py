@@ -108,8 +108,8 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "angles are then too small as well."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
-    "is no other warning, the sigmas of the angles are too large as well."
+    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
+    "sigmas of the angles are computed with the given ones and are probably too large as well."
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "

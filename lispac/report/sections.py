@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.messages import note
 from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
 from lispac.present.adjustment import AdjustmentValues, boresight_table
 from lispac.present.adjustment_fit import points_used_text
@@ -18,7 +17,7 @@ from lispac.present.sighting_quality import QUALITY_TABLE
 from lispac.present.sightings import SIGHTING_FIT_TABLE
 from lispac.present.survey_data import FILES_TABLE, LINES_TABLE, TRAJECTORY_TABLE, planes_table
 from lispac.present.tables import Fact
-from lispac.present.targets import TARGETS_TABLE
+from lispac.present.targets import TARGETS_TABLE, target_finding
 from lispac.present.text_format import (
     parameter_name,
     quantity_text,
@@ -187,13 +186,6 @@ def residual_blocks(content: ReportContent) -> list[Block]:
         if all(plane.shape == "plane" for plane in content.planes):
             table = table.without("Shape")
         blocks.append(report_table(table, content.planes))
-    reasons = tuple(
-        message_text(note("project.not_found_on_line", target=plane.name, line=line, reason=reason))
-        for plane in content.planes
-        for line, reason in plane.missing.items()
-    )
-    if reasons:
-        blocks += [Paragraph(gettext("Targets not found on some lines:")), Bullets(reasons)]
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
@@ -204,6 +196,8 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
 
     are_planes = all(target.shape == "plane" for target in adjustment.targets)
     table = TARGETS_TABLE.without("Shape") if are_planes else TARGETS_TABLE
+    if not any(map(target_finding, adjustment.targets)):
+        table = table.without("Finding")
     targets = report_table(table, adjustment.targets)
     sightings = report_table(SIGHTING_FIT_TABLE, adjustment.sightings)
     bars = UndrawnPictures(
