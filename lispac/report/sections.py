@@ -55,8 +55,9 @@ TRAJECTORY_COLUMNS_TEXT = N_(
     "largest 1 sigma of the POS on the line, as given."
 )
 COLUMNS_TEXT = N_(
-    "Points: all points of the sighting, before averaging or thinning. RMS: distance of the points from the surface fitted to this sighting alone. Incidence: angle "
-    "between the beams and the normal of the surface."
+    "Points: all points of the sighting, before averaging or thinning. RMS: distance of the points "
+    "from the surface fitted to this sighting alone. Incidence: angle between the beams and the "
+    "normal of the surface."
 )
 EXTENT_TEXT = N_(
     "Extent observed: size of the sighting, in percent of the size observed on all other lines "

@@ -38,9 +38,7 @@ def result_values(
     picked_points: int | None = None,
 ) -> dict[str, Any]:
     """Result of an adjustment as plain values, with the keys of the JSON report."""
-    values: dict[str, Any] = json_values(
-        adjustment_values(result, picked_points=picked_points)
-    )
+    values: dict[str, Any] = json_values(adjustment_values(result, picked_points=picked_points))
     return values | {
         "elapsed_s": result.elapsed,
         "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
