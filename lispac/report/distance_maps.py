@@ -136,6 +136,7 @@ def _draw_maps(
             row, (before, after, after), (common, common, own), PANEL_TITLES, strict=False
         ):
             _draw_map(axes, values, end, pair.cell_m)
+            _set_ticks(axes, values.shape, pair.cell_m, figure.get_size_inches())
             last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
             last = last and not has_common_label
             style_axes(axes, across if last else "", up if first else "")
@@ -149,12 +150,10 @@ def _draw_maps(
     for columns in ((0, 1), (2,))[: form.states - 1]:
         _draw_colour_bar(figure, [row[k] for row in places for k in columns])
     if has_common_label:
-        first, last_panel = (
-            axes.get_position(original=True) for axes in (places[0][0], places[-1][-1])
-        )
-        below = first.y0 - 0.24 / figure.get_size_inches()[1]
+        left, right = (axes.get_position(original=True) for axes in (places[0][0], places[-1][-1]))
+        below = left.y0 - 0.24 / figure.get_size_inches()[1]
         figure.text(
-            (first.x0 + last_panel.x1) / 2, below, across, ha="center", va="top",
+            (left.x0 + right.x1) / 2, below, across, ha="center", va="top",
             fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
         )  # fmt: skip
     figure.suptitle(
@@ -257,8 +256,13 @@ def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
         extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
     )  # fmt: skip
     axes.set_facecolor("#eeeeee")
+
+
+def _set_ticks(axes: Axes, shape: tuple[int, ...], cell: float, inches: Array) -> None:
+    """Set as many ticks across as their numbers have space for."""
+    rows, columns = shape
     # Equal scales make the map of a narrow plane narrower than its panel.
-    box, inches = axes.get_position(original=True), axes.figure.get_size_inches()
+    box = axes.get_position(original=True)
     width = min(box.width * inches[0], box.height * inches[1] * columns / rows)
     if width >= INCHES_PER_TICK * MIN_TICKS:
         axes.locator_params(axis="x", nbins=min(MAX_TICKS, int(width / INCHES_PER_TICK)))
