@@ -282,7 +282,7 @@ def print_weak_sightings(qualities: Mapping[tuple[str, str], SightingQuality]) -
     listed = [(key, quality) for key, quality in qualities.items() if quality.rating != "good"]
     if not listed:
         return
-    print("\nSightings of doubtful or poor quality:")
+    print("\nSightings of targets and validation planes of doubtful or poor quality:")
     for (target, line), quality in sorted(listed, key=lambda each: each[1].rating != "poor"):
         text = rating_text(sighting_quality_values(target, line, quality))
         print(f"- {target} on {line}: {to_plain_text(text)}")
