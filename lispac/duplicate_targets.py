@@ -199,7 +199,8 @@ def lidar_noise_notes(project: Project) -> tuple[Message, ...]:
         return ()
     # With a smaller noise the angles are more precise, unless their sigmas were raised anyway.
     is_conservative = ratio < 1 and not has_raised_sigmas(result)
-    field, actions = Cause.of_field("lidar_sigma"), (Action("use_lidar_noise"),)
+    field = Cause.of_field("lidar_sigma")
+    actions = (Action("use_lidar_noise", {"ratio": ratio}),)
     if settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None:
         code = "adjustment.lidar_noise"
         if is_conservative:

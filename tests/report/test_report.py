@@ -242,7 +242,8 @@ def test_one_note_says_what_a_smaller_noise_means_for_the_sigmas(project: Projec
     assert (noise.code, noise.level) == ("adjustment.lidar_noise_conservative", Level.NOTE)
     given = project.settings.lidar_sigma
     assert noise.params == {"given": given, "measured": pytest.approx(given / 2)}
-    assert [each.code for each in noise.actions] == ["use_lidar_noise"]
+    (action,) = noise.actions
+    assert (action.code, action.params) == ("use_lidar_noise", {"ratio": 0.5})
     assert noise.subject == Cause.of_field("lidar_sigma")
     beam = replace(project.settings, lidar_beam_sigma=(0.01, 0.05))
     (noise,) = sample_content(replace(_small_residuals(project), settings=beam)).warnings
