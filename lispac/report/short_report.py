@@ -49,7 +49,12 @@ def summary_blocks(content: ReportContent, closing: Sequence[Paragraph]) -> list
     ----------
     closing : text above the signatures
     """
-    angles = [] if content.in_convention is None else angle_tables(content.in_convention)
+    # Angles need their signs beside them: those of the other program, or those of the body frame.
+    angles: list[Block] = (
+        [sections.convention_paragraph(content)]
+        if content.in_convention is None
+        else angle_tables(content.in_convention)
+    )
     return [
         *sections.angle_blocks(content),
         *angles,
@@ -66,14 +71,15 @@ def short_sections(content: ReportContent, pictures: Sequence[Picture]) -> list[
     ----------
     pictures : views before and after, alternately; those of the whole survey are first
     """
-    rules = [] if content.in_convention is None else rule_tables(content.in_convention)
+    rules: list[Block] = []
+    if content.in_convention is not None:
+        rules = [*rule_tables(content.in_convention), sections.convention_paragraph(content)]
     remainder = gettext(
         "The full report also contains residuals, cross-checks, all settings and the input files."
     )
     system = (
         sections.measuring_system_table(content),
         *rules,
-        sections.convention_paragraph(content),
         Paragraph(remainder),
     )
     return [
