@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES_CODE, point_displacement
-from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import has_raised_sigmas, result_warnings
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.messages import Level, Message, error, note, shortened_list, warning
+from lispac.messages import Action, Level, Message, error, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
 from lispac.project import Project, ProposalPrediction
 from lispac.warning_causes import RESULT_CAUSE, Cause
@@ -153,6 +153,7 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
     return (
         *duplicate_warnings(project),
         *prediction_warnings(project),
+        *lidar_noise_notes(project),
         *single_line_notes(project.targets),
         *data_warnings(project),
     )
@@ -189,6 +190,31 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
             )
         )
     return tuple(found)
+
+
+NOISE_ACTIONS = ("use_lidar_noise", "scale_lidar_noise")
+"""Codes of the actions that give the LiDAR the noise found in the residuals."""
+
+
+def lidar_noise_notes(project: Project) -> tuple[Message, ...]:
+    """Note on the LiDAR noise in the residuals if it differs from the given one, with an action."""
+    result, settings = project.result, project.settings
+    if result is None or (ratio := result.lidar_noise_ratio) is None:
+        return ()
+    # With a smaller noise the angles are more precise, unless their sigmas were raised anyway.
+    is_conservative = ratio < 1 and not has_raised_sigmas(result)
+    field = Cause.of_field("lidar_sigma")
+    if settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None:
+        code = "adjustment.lidar_noise"
+        if is_conservative:
+            code = "adjustment.lidar_noise_conservative"
+        values = {"given": settings.used_lidar_sigma, "measured": ratio * settings.used_lidar_sigma}
+        return (note(code, **values, subject=field, actions=(Action("use_lidar_noise", values),)),)
+    code = "adjustment.lidar_noise_ratio"
+    if is_conservative:
+        code = "adjustment.lidar_noise_ratio_conservative"
+    scale = Action("scale_lidar_noise", {"ratio": ratio})
+    return (note(code, ratio=ratio, subject=field, actions=(scale,)),)
 
 
 def _predicted_angles(

@@ -59,8 +59,12 @@ _MIN_ANGLE_DECIMALS = 3
 _SHOWN = "shown "
 """Beginning of the specification of a number that is shown in the unit of the user."""
 
+_DEGREES_IN_TEXT = re.compile("(?:(?<=[}\\d])[ \u00a0]|^)deg\\b|(?<=\\()deg(?=\\))")
+"""Abbreviation of degrees after a number in a template, alone, or in brackets."""
+
 _program_language = "en"
 _block_language: ContextVar[str | None] = ContextVar("language", default=None)
+_has_degree_signs: ContextVar[bool] = ContextVar("degree_signs", default=False)
 
 
 @dataclass(frozen=True)
@@ -145,6 +149,19 @@ def in_language(code: str) -> Iterator[None]:
         _block_language.reset(token)
 
 
+@contextmanager
+def degree_signs() -> Iterator[None]:
+    """Write ``67°`` instead of ``67 deg`` in a block of code and in this thread only.
+
+    The English texts have the abbreviation, which every terminal can show.
+    """
+    token = _has_degree_signs.set(True)
+    try:
+        yield
+    finally:
+        _has_degree_signs.reset(token)
+
+
 def in_english(value: object) -> str:
     """Text of a message or an error in English, independent of the current language."""
     with in_language("en"):
@@ -201,6 +218,8 @@ def format_text(template: Template, params: Mapping[str, Any]) -> str:
         text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
     else:
         text = catalogue.gettext(template) if template else ""
+    if _has_degree_signs.get():
+        text = _DEGREES_IN_TEXT.sub("°", text)
     if not params:
         return text
     if _shown_units and _block_language.get() is None:

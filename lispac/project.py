@@ -389,6 +389,12 @@ class Project:
         """Either the targets or the validation planes."""
         return tuple(target for target in self.targets if target.role == role)
 
+    @property
+    def picked_points(self) -> int:
+        """Number of points of all sightings of targets that are used."""
+        targets = self.targets_of_role("target")
+        return sum(len(s.indices) for target in targets for s in target.used_sightings)
+
     def target(self, name: str) -> Target:
         """Target or validation plane with this name.
 

@@ -143,10 +143,10 @@ TEXTS: Mapping[str, Template] = {
     ),
     "observability.main_lines": Plural(
         "Line {lines:names} contributes most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg} deg instead of {sigma:deg} "
+        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
         "deg.",
         "Lines {lines:names} contribute most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg} deg instead of {sigma:deg} "
+        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
         "deg.",
     ),
     "observability.no_main_line": N_(

@@ -124,7 +124,31 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.sigmas_raised": N_(
         "Angles computed from subsets of the data scatter more than the error model predicts. The "
-        "standard deviations were increased: {angles:names}."
+        "standard deviations were increased and are given with the result: {angles:names}."
+    ),
+    "adjustment.sigmas_raised_conservative": N_(
+        "The residuals are smaller than the given standard deviations predict, but angles computed "
+        "from subsets of the data scatter more. The standard deviations were therefore increased "
+        "and are given with the result: {angles:names}."
+    ),
+    "adjustment.lidar_noise": N_(
+        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
+        "{given:mm.1} mm. Use the noise of the residuals and estimate again."
+    ),
+    "adjustment.lidar_noise_ratio": N_(
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one. Use the noise of the "
+        "residuals and estimate again."
+    ),
+    "adjustment.lidar_noise_conservative": N_(
+        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
+        "{given:mm.1} mm. The standard deviations of the angles are computed with the given noise "
+        "and are probably too large; to reduce them, use the noise of the residuals and estimate "
+        "again."
+    ),
+    "adjustment.lidar_noise_ratio_conservative": N_(
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one. The standard "
+        "deviations of the angles are computed with the given noise and are probably too large; to "
+        "reduce them, use the noise of the residuals and estimate again."
     ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "

@@ -229,7 +229,7 @@ TEXTS: Mapping[str, Template] = {
     # -- reasons for proposed targets ------------------------------------------------------
     "propose.target": N_(
         "Observed on {lines:n} lines. Without this target the standard deviation of {angle} would "
-        "be {without:deg.3} deg instead of {sigma:deg.3} deg."
+        "be {without:deg.4} deg instead of {sigma:deg.4} deg."
     ),
     "propose.target_needed": N_(
         "Observed on {lines:n} lines. Without this target the angles are not determined."

@@ -57,7 +57,7 @@ TEXTS: Mapping[str, Template] = {
     "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4} deg"),
     "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
     "item.angle_changed": N_(
-        "{angle} by {change:deg.3+} deg ({ratio:x.1} times its standard deviation)"
+        "{angle} by {change:deg.4+} deg ({ratio:x.1} times its standard deviation)"
     ),
     "item.without_line": N_(
         "without line {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} times its standard "

@@ -43,27 +43,27 @@ TEXTS: Mapping[str, Template] = {
     # -- further line ------------------------------------------------------------------------------
     "further_line.port": N_(
         "A further line at heading {heading:deg.0} deg, with the middle of the targets "
-        "{distance:m.1} m to port, would reduce the standard deviation of {angle} from {now:deg.3} "
-        "to {then:deg.3} deg."
+        "{distance:m.1} m to port, would reduce the standard deviation of {angle} from {now:deg.4} "
+        "to {then:deg.4} deg."
     ),
     "further_line.starboard": N_(
         "A further line at heading {heading:deg.0} deg, with the middle of the targets "
         "{distance:m.1} m to starboard, would reduce the standard deviation of {angle} from "
-        "{now:deg.3} to {then:deg.3} deg."
+        "{now:deg.4} to {then:deg.4} deg."
     ),
     "further_line.port_of_face": N_(
         "A further line at heading {heading:deg.0} deg ({off:deg.0} deg from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to port, would reduce the "
-        "standard deviation of {angle} from {now:deg.3} to {then:deg.3} deg."
+        "standard deviation of {angle} from {now:deg.4} to {then:deg.4} deg."
     ),
     "further_line.starboard_of_face": N_(
         "A further line at heading {heading:deg.0} deg ({off:deg.0} deg from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to starboard, would reduce the "
-        "standard deviation of {angle} from {now:deg.3} to {then:deg.3} deg."
+        "standard deviation of {angle} from {now:deg.4} to {then:deg.4} deg."
     ),
     "further_line.insufficient": N_(
         "No single further line past these targets, {distance:m.1} m from their middle, would "
-        "reduce the standard deviation of {angle} from {now:deg.3} to less than {limit:deg.3} deg. "
+        "reduce the standard deviation of {angle} from {now:deg.4} to less than {limit:deg.4} deg. "
         "Add targets elsewhere, or repeat the survey later, when the POS error is different."
     ),
     "further_line.prior": N_(

@@ -41,17 +41,8 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the data sheet or of the processing report, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The given standard deviations are conservative: the residuals are smaller than they "
-        "predict. Unless there is another warning, the standard deviations of the angles are "
-        "probably too large."
-    ),
-    "report.lidar_noise": N_(
-        "The residuals show a LiDAR standard deviation of {measured:mm.1} mm instead of "
-        "{given:mm.1} mm. Use the measured value in step 1 and estimate again."
-    ),
-    "report.lidar_noise_ratio": N_(
-        "The residuals show LiDAR standard deviations of {ratio:x.2} times the given ones. Use the "
-        "measured values in step 1 and estimate again."
+        "The residuals are smaller than the given standard deviations predict. The standard "
+        "deviations of the angles are computed with the given values and are probably too large."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."
@@ -85,20 +76,16 @@ TEXTS: Mapping[str, Template] = {
         "Validation plane {target} is used on only {count:n} of {total:n} lines ({lines:names})."
     ),
     "report.not_found_target": Plural(
-        "Target {names:names} was not found on {lines:names}. The section on targets gives the "
-        "reasons.",
-        "Targets {names:names} were not found on {lines:names}. The section on targets gives the "
-        "reasons.",
+        "Target {names:names} was not found on {lines:names}. {reasons:sentences}",
+        "Targets {names:names} were not found on {lines:names}. {reasons:sentences}",
     ),
     "report.not_found_plane": Plural(
-        "Validation plane {names:names} was not found on {lines:names}. The section on targets "
-        "gives the reasons.",
-        "Validation planes {names:names} were not found on {lines:names}. The section on targets "
-        "gives the reasons.",
+        "Validation plane {names:names} was not found on {lines:names}. {reasons:sentences}",
+        "Validation planes {names:names} were not found on {lines:names}. {reasons:sentences}",
     ),
     "report.sightings": N_(
-        "{total:n} sightings are used, including {poor:n} poor and {doubtful:n} doubtful ones (see "
-        "the section on their quality). The worst is {target} on {line}: {reasons:sentences}"
+        "Of {targets:n} sightings of targets and {planes:n} of validation planes, {poor:n} are "
+        "poor and {doubtful:n} doubtful. The worst is {target} on {line}: {reasons:sentences}"
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(
@@ -182,8 +169,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.absolute_rms": N_(
         "The distances to the reference have an RMS of {rms:mm.1} mm after the calibration, "
-        "{factor:x.1} times the {expected:mm.1} mm expected from reference, POS and boresight. See "
-        "the section on the absolute check."
+        "{factor:x.1} times the {expected:mm.1} mm expected from reference, POS and boresight. "
+        "Check the reference and the trajectory."
     ),
     "report.absolute_line_off": Plural(
         "After the calibration {count:n} of {total:n} lines deviates from the reference by more "

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value
+from lispac.adjustment.diagnostics.warnings import has_raised_sigmas
 from lispac.adjustment.model.parameters import OUTPUT_UNITS
 from lispac.adjustment.result import (
     ANGLES,
@@ -111,8 +112,13 @@ TOO_LARGE_ASSUMED_TEXT = N_(
     "of the processing report."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. If there "
-    "is no other warning, the sigmas of the angles are too large as well."
+    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
+    "sigmas of the angles are computed with the given ones and are probably too large as well."
+)
+TOO_SMALL_RAISED_TEXT = N_(
+    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
+    "sigmas of the angles were increased nevertheless, because angles computed from subsets of the "
+    "data scatter more than predicted."
 )
 
 
@@ -141,7 +147,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     if test.outcome == "passed":
         finding = PASSED_TEXT
     elif test.outcome == "conservative":
-        finding = TOO_SMALL_TEXT
+        finding = TOO_SMALL_RAISED_TEXT if has_raised_sigmas(result) else TOO_SMALL_TEXT
     elif result.unestimated_sigmas:
         finding = TOO_LARGE_ASSUMED_TEXT
     elif not result.model.correlated:
@@ -196,6 +202,8 @@ class AdjustmentValues:
     steep, of small rotations about the body axes; ``rotation_text`` is empty unless the pitch is
     steep. ``correlation`` is the correlation matrix of the three angles, ``correlation_all`` that
     of all ``estimated`` values.
+    ``points`` are those used, after averaging or thinning the ``picked_points`` of the targets; the
+    latter is None if the number is unknown.
     ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
     targets are planes with the same normal.
     """
@@ -222,6 +230,7 @@ class AdjustmentValues:
     chi_square: VarianceFactorTest
     iterations: int
     points: int
+    picked_points: int | None
     excluded_outliers: int
     rms_before_m: float
     rms_after_m: float
@@ -241,13 +250,16 @@ class AdjustmentValues:
 
 
 def adjustment_values(
-    result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
+    result: AdjustmentResult,
+    headings_deg: Mapping[str, float] | None = None,
+    picked_points: int | None = None,
 ) -> AdjustmentValues:
     """Result of an adjustment as values.
 
     Parameters
     ----------
     headings_deg : degrees by name of the line, where they are known
+    picked_points : number of points of all sightings used, before averaging or thinning
     """
     is_steep = result.mounting.axes is not None
     return AdjustmentValues(
@@ -273,6 +285,7 @@ def adjustment_values(
         chi_square=_variance_factor_test(result),
         iterations=result.iterations,
         points=result.points,
+        picked_points=picked_points,
         excluded_outliers=result.excluded_outliers,
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,

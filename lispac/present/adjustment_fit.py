@@ -18,16 +18,18 @@ VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components, "
     "without the LiDAR noise estimated from the residuals"
 )
+AVERAGED_POINTS_TEXT = N_("{points:n}, averaged from {picked:n} points of the targets")
+THINNED_POINTS_TEXT = N_("{points:n}, thinned from {picked:n} points of the targets")
 EXCLUDED_OUTLIERS_TEXT = Plural(
-    "{points:n}; {count:n} outlier excluded from the averages",
-    "{points:n}; {count:n} outliers excluded from the averages",
+    "{points}; {count:n} outlier excluded from the averages",
+    "{points}; {count:n} outliers excluded from the averages",
 )
 
 
 def fit_facts(values: AdjustmentValues) -> list[Fact]:
     """Facts about the fit, in the language in use."""
     return [
-        _point_count(values),
+        Fact(gettext("Points used"), points_used_text(values)),
         Fact(gettext("Iterations"), values.iterations),
         Fact(gettext("Degrees of freedom"), values.degrees_of_freedom),
         Fact(gettext("Variance factor"), _variance_factor_text(values)),
@@ -42,11 +44,17 @@ def fit_facts(values: AdjustmentValues) -> list[Fact]:
     ]
 
 
-def _point_count(values: AdjustmentValues) -> Fact:
+def points_used_text(values: AdjustmentValues) -> str:
+    """Number of points used, and that of the points from which they were averaged or thinned."""
+    text = grouped_number(values.points)
+    if values.picked_points is not None and values.picked_points > values.points:
+        text = gettext(
+            AVERAGED_POINTS_TEXT if values.pos_errors == "correlated" else THINNED_POINTS_TEXT,
+            points=values.points, picked=values.picked_points,
+        )  # fmt: skip
     if not values.excluded_outliers:
-        return Fact(gettext("Points"), values.points)
-    text = gettext(EXCLUDED_OUTLIERS_TEXT, points=values.points, count=values.excluded_outliers)
-    return Fact(gettext("Points"), text)
+        return text
+    return gettext(EXCLUDED_OUTLIERS_TEXT, points=text, count=values.excluded_outliers)
 
 
 def _variance_factor_text(values: AdjustmentValues) -> str | None:

@@ -183,13 +183,20 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         )
     if used.accept_single_orientation:
         values.append(Fact(gettext("Targets of a single orientation"), gettext("accepted")))
-    return [*values, Fact(gettext("Point spacing"), _subsampling_text(used))]
+    has_spheres = adjustment is None or any(t.shape == "sphere" for t in adjustment.targets)
+    return [*values, Fact(gettext("Point spacing"), _subsampling_text(used, has_spheres))]
 
 
-def _subsampling_text(used: SettingsUsed) -> str:
+def _subsampling_text(used: SettingsUsed, has_spheres: bool) -> str:
     if not used.subsample_m:
         return gettext("none: all points are used")
     spacing = fixed_number(used.subsample_m, 3)
+    if used.averaged and not has_spheres:
+        return gettext(
+            "averaged: the points of a plane within a square of {spacing} m are replaced by their "
+            "mean",
+            spacing=spacing,
+        )
     if used.averaged:
         return gettext(
             "averaged: the points of a plane within a square of {spacing} m are replaced by their "

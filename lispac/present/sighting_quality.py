@@ -90,7 +90,7 @@ def rating_text(quality: SightingQualityValues) -> str:
 
 
 QUALITY_TABLE = Table[SightingQualityValues](
-    N_("Quality of each sighting"),
+    N_("Quality of each sighting of targets and validation planes"),
     (
         Column("target", N_("Target")),
         Column("line", N_("Line")),

@@ -184,7 +184,7 @@ HEADING_COLUMN = Column[SightingValues](
     Format("deg", 1),
 )  # fmt: skip
 POINTS_COLUMN = Column[SightingValues](
-    "points", N_("Points"), COUNT, N_("Points used, after averaging or thinning")
+    "points", N_("Points\nused"), COUNT, N_("Points used, after averaging or thinning")
 )
 RMS_BEFORE_COLUMN = Column[SightingValues](
     "rms_before_m", N_("Before"), MILLIMETRES,

@@ -177,6 +177,10 @@ class Table(Generic[Row]):
     title: str | LazyText
     columns: tuple[Column[Row], ...]
 
+    def without(self, title: str) -> "Table[Row]":
+        """Copy of the table without the column of this English title."""
+        return replace(self, columns=tuple(each for each in self.columns if each.title != title))
+
 
 @dataclass(frozen=True)
 class Fact:

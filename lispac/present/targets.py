@@ -72,7 +72,8 @@ def shape_text(shape: str, radius_m: float | None) -> str:
     return gettext("sphere, radius\u00a0{radius:mm.1}\u00a0mm", radius=radius_m)
 
 
-def _target_finding(target: TargetValues) -> str:
+def target_finding(target: TargetValues) -> str:
+    """Finding about a target in the language in use; empty if there is none."""
     if target.rejected_lines:
         return gettext("rejected in {lines:names}", lines=target.rejected_lines)
     if target.noise_factor is not None and target.noise_factor > NOISE_FACTOR_LIMIT:
@@ -88,7 +89,9 @@ TARGETS_TABLE = Table[TargetValues](
         Column(
             "sightings", N_("Lines"), COUNT, N_("Number of lines with a sighting of the target")
         ),
-        Column("points", N_("Points"), COUNT, N_("Points used, after averaging or thinning")),
+        Column(
+            "points", N_("Points\nused"), COUNT, N_("Points used, after averaging or thinning")
+        ),
         Column(
             "rms_before_m", N_("RMS\nbefore"), MILLIMETRES,
             N_("RMS distance to the best-fitting surface with the prior boresight"),
@@ -111,6 +114,6 @@ TARGETS_TABLE = Table[TargetValues](
                 "Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE
             ),
         ),
-        Column(_target_finding, N_("Finding"), tip=N_("Finding that should be checked")),
+        Column(target_finding, N_("Finding"), tip=N_("Finding that should be checked")),
     ),
 )  # fmt: skip

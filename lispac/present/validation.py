@@ -533,7 +533,7 @@ POOLED_DISTANCES_TABLE = Table[PooledDistances](
     (
         Column("plane", N_("Plane")),
         Column("state", N_("State"), texts=STATE_TEXTS),
-        Column("distances.n", N_("Points"), COUNT),
+        Column("distances.n", N_("Compared\npoints"), COUNT),
         Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
         Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
         *spread_columns("distances"),
@@ -552,7 +552,7 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
         Paths of the fields of a row that contain the `DistanceValues`.
     """
     return (
-        Column(f"{before}.n", N_("Points"), COUNT),
+        Column(f"{before}.n", N_("Compared\npoints"), COUNT),
         Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),
         Column(f"{after}.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES),
         Column(f"{before}.rms_m", N_("RMS\nbefore"), PLAIN_MILLIMETRES),

@@ -129,21 +129,28 @@ def convention_blocks(content: ReportContent) -> list[Block]:
 
 def convention_tables(convention: ConventionValues) -> list[Block]:
     """Tables of the boresight and lever arm in the convention of one program."""
+    return [*angle_tables(convention), *rule_tables(convention)]
+
+
+def angle_tables(convention: ConventionValues) -> list[Block]:
+    """Table of the boresight in the convention of one program; none if it uses a matrix."""
+    if not convention.angles:
+        return []
     # Some names of programs contain translated words.
+    title = gettext_lazy(
+        "Boresight for {program}: convention {status}",
+        program=gettext(convention.name), status=convention.status_text,
+    )  # fmt: skip
+    return [report_table(angles_table(convention, title), convention.angles)]
+
+
+def rule_tables(convention: ConventionValues) -> list[Block]:
+    """Table of the rules and of the lever arm of one program, and its notes."""
     program = gettext(convention.name)
-    blocks: list[Block] = []
-    if convention.angles:
-        title = gettext_lazy(
-            "Boresight for {program}: convention {status}",
-            program=program, status=convention.status_text,
-        )  # fmt: skip
-        blocks.append(report_table(angles_table(convention, title), convention.angles))
-    blocks.append(
-        facts_table(
-            gettext("Convention of {program}", program=program), convention_facts(convention)
-        )
+    rules = facts_table(
+        gettext("Convention of {program}", program=program), convention_facts(convention)
     )
-    return [*blocks, *(Paragraph(sentence_text(each)) for each in convention.notes)]
+    return [rules, *(Paragraph(sentence_text(each)) for each in convention.notes)]
 
 
 def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:

@@ -26,11 +26,12 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent
 
 SIGHTING_TEST_TEXT = N_(
-    "Each sighting is compared with the result of all others. Shift: distance of the sighting "
-    "from the surface of its target, along the normal. w: shift divided by its sigma; above "
-    "{limit} the sighting disagrees (1 % probability that any of {count:n} sightings without a "
-    "blunder does so). Detectable shift: smallest shift that the test finds with 80 % "
-    "probability. Effect: change of the angles caused by a shift of that size that is not found."
+    "Each sighting of a target is compared with the result of all others. Shift: distance of the "
+    "sighting from the surface of its target, along the normal. w: shift divided by its sigma; "
+    "above {limit} the sighting disagrees (1 % probability that any of {count:n} sightings of "
+    "targets without a blunder does so). Detectable shift: smallest shift that the test finds with "
+    "80 % probability. Effect: change of the angles caused by a shift of that size that is not "
+    "found."
 )
 POINT_TEST_TEXT = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "

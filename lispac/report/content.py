@@ -101,7 +101,11 @@ def report_content(
         for line in project.lines
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
-    adjustment = adjustment_values(project.result, headings_deg) if project.result else None
+    adjustment = (
+        adjustment_values(project.result, headings_deg, project.picked_points)
+        if project.result
+        else None
+    )
     # The prior that the adjustment started from, since the residuals "before" refer to it.
     prior = adjustment.prior_boresight_deg if adjustment else angles(project.settings.boresight_deg)
     true = None if project.truth_deg is None else angles(project.truth_deg)

@@ -1,7 +1,7 @@
 """Maps of the distances between two lines on a plane, before and after the calibration."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -42,6 +42,9 @@ MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.8
 row."""
 MAX_TEXT_SHARE = 0.95
 """Largest share of the distance between the centres of two panels that a text may fill."""
+INCHES_PER_TICK, MIN_TICKS, MAX_TICKS = 0.3, 2, 4
+"""Width that the number of a tick needs, and the numbers of ticks; a narrower map has one tick at
+its right end."""
 ONE_ROW_RATIO = 1.4
 """Ratio of height to width of a plane above which the maps of all its pairs are in one row."""
 
@@ -54,16 +57,18 @@ class _Size:
     ----------
     width : width of the figure, inches
     max_panel_height : largest height of a panel, inches
+    max_tall_height : the same if the panels of all pairs are in one row
     states : number of panels of a pair, from the start of `PANEL_TITLES`
     """
 
     width: float
     max_panel_height: float
+    max_tall_height: float
     states: int
 
 
-FULL_SIZE = _Size(6.3, 3.2, 3)
-SMALL_SIZE = _Size(3.3, 0.75, 2)
+FULL_SIZE = _Size(6.3, 3.2, 3.2, 3)
+SMALL_SIZE = _Size(3.3, 0.75, 1.3, 2)
 MAX_SMALL_MAPS = 2
 """Largest number of pairs in a figure that is half as wide as a page."""
 
@@ -115,19 +120,25 @@ def _draw_maps(
         )  # fmt: skip
         return figure
     sides = np.max([_map_size(each) for each in maps], axis=0)
-    tall = form is FULL_SIZE and bool(sides[1] > ONE_ROW_RATIO * sides[0])
+    tall = bool(sides[1] > ONE_ROW_RATIO * sides[0])
+    if tall:
+        form = replace(form, max_panel_height=form.max_tall_height)
     figure, places = _map_panels(figure, len(maps), sides, tall, form)
     common = max(_colour_limit(each.before_m + each.after_m) for each in maps)
     own = max(_colour_limit(each.after_m) for each in maps)
     named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
     across, up = gettext("Horizontal (m)"), gettext("Up (m)")
+    # The labels of small panels in one row would overlap.
+    has_common_label = tall and form.states < len(PANEL_TITLES)
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _cell_grids(pair)
         for axes, values, end, state in zip(
             row, (before, after, after), (common, common, own), PANEL_TITLES, strict=False
         ):
             _draw_map(axes, values, end, pair.cell_m)
+            _set_ticks(axes, values.shape, pair.cell_m, figure.get_size_inches())
             last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
+            last = last and not has_common_label
             style_axes(axes, across if last else "", up if first else "")
             axes.grid(False)
             title = gettext(state) if not k else ""
@@ -138,6 +149,13 @@ def _draw_maps(
             axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
     for columns in ((0, 1), (2,))[: form.states - 1]:
         _draw_colour_bar(figure, [row[k] for row in places for k in columns])
+    if has_common_label:
+        left, right = (axes.get_position(original=True) for axes in (places[0][0], places[-1][-1]))
+        below = left.y0 - 0.24 / figure.get_size_inches()[1]
+        figure.text(
+            (left.x0 + right.x1) / 2, below, across, ha="center", va="top",
+            fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
+        )  # fmt: skip
     figure.suptitle(
         short_name(name),
         x=0.01,
@@ -207,7 +225,10 @@ def _map_panels(
         return figure, panels
     # The panels with the common scale are adjacent, above their colour bar.
     (one,) = panels
-    return figure, [[one[2 * k], one[2 * k + 1], one[2 * pairs + k]] for k in range(pairs)]
+    return figure, [
+        [one[2 * k], one[2 * k + 1], *one[2 * pairs + k : 2 * pairs + k + form.states - 2]]
+        for k in range(pairs)
+    ]
 
 
 def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
@@ -235,7 +256,19 @@ def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
         extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
     )  # fmt: skip
     axes.set_facecolor("#eeeeee")
-    axes.locator_params(axis="x", nbins=4)
+
+
+def _set_ticks(axes: Axes, shape: tuple[int, ...], cell: float, inches: Array) -> None:
+    """Set as many ticks across as their numbers have space for."""
+    rows, columns = shape
+    # Equal scales make the map of a narrow plane narrower than its panel.
+    box = axes.get_position(original=True)
+    width = min(box.width * inches[0], box.height * inches[1] * columns / rows)
+    if width >= INCHES_PER_TICK * MIN_TICKS:
+        axes.locator_params(axis="x", nbins=min(MAX_TICKS, int(width / INCHES_PER_TICK)))
+    else:
+        tenths = int(10 * columns * cell)
+        axes.set_xticks([tenths / 10 if tenths else columns * cell])
 
 
 def _cell_grids(pair: DistanceMapValues) -> tuple[Array, Array]:

@@ -71,8 +71,8 @@ def undrawn_document(
     summary: list[Block]
     if options.extent == "short":
         notes = short_report.shortened_notes(notes)
-        summary = short_report.summary_blocks(content)
-        parts = short_report.short_sections(content, views, closing)
+        summary = short_report.summary_blocks(content, closing)
+        parts = short_report.short_sections(content, views)
     else:
         signature = sections.signature_lines(content)
         summary = [*sections.summary_blocks(content), *closing, signature]

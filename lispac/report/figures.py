@@ -22,7 +22,7 @@ from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.language import current_language, gettext, in_language
+from lispac.language import current_language, degree_signs, gettext, in_language
 from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
 from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.text_format import (
@@ -250,7 +250,7 @@ def render_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[bytes, ...]:
     """Figures that ``draw`` creates from pickled values, as SVG in the given language; cached."""
-    with in_language(language):
+    with in_language(language), degree_signs():
         made = draw(*pickle.loads(values))
         figures = [made] if isinstance(made, Figure) else made
         return tuple(map(svg_of, figures))

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 
-from lispac.language import LazyText
+from lispac.language import LazyText, degree_signs
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Picture
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
@@ -29,7 +29,9 @@ def html_text(
     environment.filters["data_uri"] = _data_uri
     template = files("lispac.report") / "templates" / "report.html.j2"
     page = environment.from_string(template.read_text(encoding="utf-8"))
-    return page.render(document=report_document(content, pictures, options)) + "\n"
+    with degree_signs():
+        document = report_document(content, pictures, options)
+    return page.render(document=document) + "\n"
 
 
 def write_html(

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import LispacError
-from lispac.language import LazyText
+from lispac.language import LazyText, degree_signs
 from lispac.messages import error
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Document
@@ -94,7 +94,8 @@ def _typesetter(
     """
     import typst
 
-    document = report_document(content, pictures, options)
+    with degree_signs():
+        document = report_document(content, pictures, options)
     with tempfile.TemporaryDirectory(prefix="lispac-report-") as temporary:
         folder = Path(temporary)
         text = _write_template_input(document, folder)

@@ -7,12 +7,14 @@ module use the report content only, with one function for each rule.
 from collections.abc import Iterator, Sequence
 from statistics import NormalDist
 
+from lispac.adjustment.diagnostics.warnings import LARGE_RESIDUAL_CODES
 from lispac.adjustment.model.parameters import (
     OUTPUT_UNITS,
     mounting_value_name,
     mounting_value_names,
     signed_change,
 )
+from lispac.message_texts import english_text
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.adjustment import VarianceFactorTest
@@ -28,12 +30,13 @@ DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (
     Cause.of_step(name) for name in ("Data", "Adjust", "Validate")
 )
 
-LARGE_RESIDUAL_CODES = {
-    "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
-    "adjustment.cause_not_identified",
+CHI_SQUARE_LOW_CODE = "report.chi_square_low"
+SMALL_RESIDUAL_CODES = {
+    "adjustment.sigmas_raised_conservative", "adjustment.lidar_noise_conservative",
+    "adjustment.lidar_noise_ratio_conservative",
 }  # fmt: skip
-"""Codes of messages on large residuals. If there is one of them, the messages on the noise of all
-targets are omitted."""
+"""Codes of messages that say what small residuals mean for the sigmas of the angles. If there is
+one of them, or one on large residuals of a target, the note on the chi-square test is omitted."""
 NORMAL_FACTOR_95 = NormalDist().inv_cdf(0.975)
 """Half the width of the 95 % interval of a normal variable, in standard deviations."""
 NOTE_RMS_RATIO, WARNING_RMS_RATIO = 2.0, 3.0
@@ -50,14 +53,16 @@ def report_warnings(
     ----------
     warnings_found : about the result, as the window and the command line show them
     """
-    has_large_residuals = any(each.code in LARGE_RESIDUAL_CODES for each in warnings_found)
+    has_small_residuals_explained = any(
+        each.code in SMALL_RESIDUAL_CODES | LARGE_RESIDUAL_CODES for each in warnings_found
+    )
     return sort_by_level(
         [
             *_calibration_warnings(content),
             *(
                 each
                 for each in _fit_warnings(content)
-                if not (has_large_residuals and each.code in NOISE_CODES)
+                if not (has_small_residuals_explained and each.code == CHI_SQUARE_LOW_CODE)
             ),
             *warnings_found,
             *_parameter_warnings(content),
@@ -98,14 +103,6 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
     noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
     test = content.adjustment.chi_square
     yield from _chi_square_warnings(test, independent, noisy)
-    if (ratio := test.lidar_noise_ratio) is None:
-        return
-    settings, field = content.settings, Cause.of_field("lidar_sigma")
-    if settings.lidar_sigma_xyz_m is None and settings.lidar_range_sigma_m is None:
-        given = settings.lidar_sigma_m
-        yield note("report.lidar_noise", given=given, measured=ratio * given, subject=field)
-    else:
-        yield note("report.lidar_noise_ratio", ratio=ratio, subject=field)
 
 
 def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
@@ -130,10 +127,6 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
             change=signed_change(parameter.name, (parameter.value - parameter.prior) / factor),
             subject=field,
         )
-
-
-CHI_SQUARE_LOW_CODE = "report.chi_square_low"
-NOISE_CODES = {CHI_SQUARE_LOW_CODE, "report.lidar_noise", "report.lidar_noise_ratio"}
 
 
 def _chi_square_warnings(
@@ -208,20 +201,35 @@ def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Messa
 
 
 def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
-    """Notes on targets that were not found, one for all targets missing on the same lines."""
-    groups: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    """Notes on targets that were not found: one for all targets missing on the same lines.
+
+    If the reasons of a target differ, it has a note for each of them.
+    """
+    groups: dict[tuple[str, tuple[str, ...], str], list[str]] = {}
+    reasons: dict[str, Message] = {}
     for plane in content.planes:
-        if plane.used and plane.missing:
-            groups.setdefault((plane.role, tuple(plane.missing)), []).append(plane.name)
-    for (role, lines), names in groups.items():
+        if not plane.used:
+            continue
+        lines_of_reason: dict[str, list[str]] = {}
+        for line, reason in plane.missing.items():
+            text = english_text(reason)
+            reasons[text] = reason
+            lines_of_reason.setdefault(text, []).append(line)
+        for text, lines in lines_of_reason.items():
+            groups.setdefault((plane.role, tuple(lines), text), []).append(plane.name)
+    for (role, lines_missing, text), names in groups.items():
         yield note(
             "report.not_found_target" if role == "target" else "report.not_found_plane",
-            count=len(names), names=names, lines=lines, subject=Cause.of_target(names[0]),
+            count=len(names), names=names, lines=lines_missing, reasons=[reasons[text]],
+            subject=Cause.of_target(names[0]),
         )  # fmt: skip
 
 
 def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
-    """Note with the number of poor and doubtful sightings in use, and the worst of them."""
+    """Note with the number of poor and doubtful sightings in use, and the worst of them.
+
+    Sightings of targets and of validation planes are counted separately.
+    """
     is_target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
     rated = [each for each in content.qualities if (each.target, each.line) in used]
@@ -238,8 +246,10 @@ def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
     worst = max((*poor, *doubtful), key=severity)
     yield note(
         "report.sightings",
-        total=len(rated), poor=len(poor), doubtful=len(doubtful), target=worst.target,
-        line=worst.line, reasons=worst.reasons,
+        targets=sum(is_target[each.target] for each in rated),
+        planes=sum(not is_target[each.target] for each in rated),
+        poor=len(poor), doubtful=len(doubtful), target=worst.target, line=worst.line,
+        reasons=worst.reasons,
         subject=Cause.of_sighting(worst.target, worst.line),
     )  # fmt: skip
 

@@ -8,16 +8,16 @@ from collections.abc import Sequence
 from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.messages import note
 from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
 from lispac.present.adjustment import AdjustmentValues, boresight_table
+from lispac.present.adjustment_fit import points_used_text
 from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
 from lispac.present.settings import model_facts, system_facts
 from lispac.present.sighting_quality import QUALITY_TABLE
 from lispac.present.sightings import SIGHTING_FIT_TABLE
 from lispac.present.survey_data import FILES_TABLE, LINES_TABLE, TRAJECTORY_TABLE, planes_table
 from lispac.present.tables import Fact
-from lispac.present.targets import TARGETS_TABLE
+from lispac.present.targets import TARGETS_TABLE, target_finding
 from lispac.present.text_format import (
     parameter_name,
     quantity_text,
@@ -37,6 +37,10 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 
+SYSTEM_FIELDS = (
+    "scanner", "scanner_serial", "pos", "pos_serial", "lever_arm_origin", "processing_software",
+)  # fmt: skip
+"""Fields of the equipment, which the short report gives with the lever arm."""
 COMMON_SURFACE_TEXT = N_(
     "RMS and mean are distances from the common surface of all lines. After the adjustment they "
     "still contain the POS error of each sighting, which the boresight cannot correct."
@@ -51,8 +55,9 @@ TRAJECTORY_COLUMNS_TEXT = N_(
     "largest 1 sigma of the POS on the line, as given."
 )
 COLUMNS_TEXT = N_(
-    "RMS: distance of the points from the surface fitted to this sighting alone. Incidence: angle "
-    "between the beams and the normal of the surface."
+    "Points: all points of the sighting, before averaging or thinning. RMS: distance of the points "
+    "from the surface fitted to this sighting alone. Incidence: angle between the beams and the "
+    "normal of the surface."
 )
 EXTENT_TEXT = N_(
     "Extent observed: size of the sighting, in percent of the size observed on all other lines "
@@ -154,12 +159,12 @@ def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
 
 def _fit_text(adjustment: AdjustmentValues) -> str:
     return gettext(
-        "RMS distance of {points:n} points from the surfaces of the targets: "
-        "{before:mm.1}\u00a0mm before, {after:mm.1}\u00a0mm after. Targets: {targets:n}; "
-        "sightings: {sightings:n}; lines: {lines:n}.",
-        points=adjustment.points, before=adjustment.rms_before_m, after=adjustment.rms_after_m,
-        targets=len(adjustment.targets), sightings=len(adjustment.sightings),
-        lines=len({s.line for s in adjustment.sightings}),
+        "Targets: {targets:n}; their sightings: {sightings:n}, on {lines:n} lines. Points used: "
+        "{points}. RMS distance of these points from the surfaces of the targets: "
+        "{before:mm.1}\u00a0mm before, {after:mm.1}\u00a0mm after.",
+        points=points_used_text(adjustment), before=adjustment.rms_before_m,
+        after=adjustment.rms_after_m, targets=len(adjustment.targets),
+        sightings=len(adjustment.sightings), lines=len({s.line for s in adjustment.sightings}),
     )  # fmt: skip
 
 
@@ -178,14 +183,10 @@ def residual_blocks(content: ReportContent) -> list[Block]:
     """Blocks on targets, validation planes and residuals."""
     blocks: list[Block] = []
     if content.planes:
-        blocks.append(report_table(planes_table(len(content.lines)), content.planes))
-    reasons = tuple(
-        message_text(note("project.not_found_on_line", target=plane.name, line=line, reason=reason))
-        for plane in content.planes
-        for line, reason in plane.missing.items()
-    )
-    if reasons:
-        blocks += [Paragraph(gettext("Targets not found on some lines:")), Bullets(reasons)]
+        table = planes_table(len(content.lines))
+        if all(plane.shape == "plane" for plane in content.planes):
+            table = table.without("Shape")
+        blocks.append(report_table(table, content.planes))
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
@@ -194,7 +195,11 @@ def residual_blocks(content: ReportContent) -> list[Block]:
 def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of
 
-    targets = report_table(TARGETS_TABLE, adjustment.targets)
+    are_planes = all(target.shape == "plane" for target in adjustment.targets)
+    table = TARGETS_TABLE.without("Shape") if are_planes else TARGETS_TABLE
+    if not any(map(target_finding, adjustment.targets)):
+        table = table.without("Finding")
+    targets = report_table(table, adjustment.targets)
     sightings = report_table(SIGHTING_FIT_TABLE, adjustment.sightings)
     bars = UndrawnPictures(
         gettext("RMS of each sighting, before and after the calibration."),
@@ -230,15 +235,18 @@ def identity_table(content: ReportContent) -> Table:
 
 
 def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Table:
-    """Details of the survey that are not in the letterhead or beside the signatures, as a form.
+    """Details of the survey that are not elsewhere in the report, as a form.
+
+    The others are in the letterhead, beside the signatures, or in `measuring_system_table`.
 
     Parameters
     ----------
     letterhead : text of the letterhead
-    blank : whether to print empty fields, as lines to fill in by hand
+    blank : whether to print empty fields, as lines to fill in by hand, and all those of the
+        equipment; the short report has neither
     """
     known = content.identity
-    elsewhere = {*SIGNATURE_FIELDS}
+    elsewhere = {*SIGNATURE_FIELDS} if blank else {*SIGNATURE_FIELDS, *SYSTEM_FIELDS}
     if known.company and known.company in letterhead.splitlines():
         elsewhere.add("company")
     return _details_form(
@@ -252,6 +260,33 @@ def _details_form(content: ReportContent, names: Sequence[str]) -> Table:
         gettext("Details of the survey"),
         [Fact(gettext(FIELD_LABELS[name]), getattr(content.identity, name)) for name in names],
     )
+
+
+def measuring_system_table(content: ReportContent) -> Table:
+    """Scanner, INS/GNSS, lever arm and point spacing, for the short report."""
+    known = content.identity
+    facts = [
+        Fact(gettext(FIELD_LABELS[name]), _instrument_text(*instrument))
+        for name, instrument in (
+            ("scanner", (known.scanner, known.scanner_serial)),
+            ("pos", (known.pos, known.pos_serial)),
+        )
+    ]
+    facts += system_facts(content.settings, content.adjustment)
+    facts += [
+        Fact(gettext(FIELD_LABELS[name]), text)
+        for name in ("lever_arm_origin", "processing_software")
+        if (text := getattr(known, name))
+    ]
+    return facts_table(gettext("Measuring system and processing"), facts)
+
+
+def _instrument_text(model: str, serial: str) -> str:
+    if not serial:
+        return model or gettext("not given")
+    if not model:
+        return gettext("serial number {serial}", serial=serial)
+    return gettext("{model}, serial number {serial}", model=model, serial=serial)
 
 
 def signature_lines(content: ReportContent) -> SignatureLines:

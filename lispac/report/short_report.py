@@ -1,4 +1,4 @@
-"""The short report: result, validation and pictures on a few pages, to be signed.
+"""The short report: result, validation, signatures, system and pictures on a few pages.
 
 All errors and warnings are complete. Of a large survey, the validation planes with the largest RMS
 and the first notes are shown, with a sentence on what is omitted.
@@ -10,7 +10,7 @@ from lispac.acceptance import planes_to_show
 from lispac.language import gettext
 from lispac.present.validation import ValidationPlane
 from lispac.report import sections
-from lispac.report.boresight_section import convention_tables
+from lispac.report.boresight_section import angle_tables, rule_tables
 from lispac.report.document_blocks import (
     Block,
     Paragraph,
@@ -27,7 +27,7 @@ MAX_MAPPED_PLANES = 6
 """Largest number of validation planes with maps."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 62.0, 70.0, 45.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 72.0, 80.0, 45.0
 """Largest heights of a map, the site plan and a small picture on the page, millimetres."""
 
 
@@ -42,34 +42,49 @@ def shortened_notes(notes: Sequence[str]) -> tuple[str, ...]:
     return (*kept, omitted)
 
 
-def summary_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the angles, for the first page."""
-    return [*sections.angle_blocks(content), sections.convention_paragraph(content)]
+def summary_blocks(content: ReportContent, closing: Sequence[Paragraph]) -> list[Block]:
+    """Blocks on the angles, the validation and the acceptance, then the signatures.
+
+    Parameters
+    ----------
+    closing : text above the signatures
+    """
+    # Angles need their signs beside them: those of the other program, or those of the body frame.
+    angles: list[Block] = (
+        [sections.convention_paragraph(content)]
+        if content.in_convention is None
+        else angle_tables(content.in_convention)
+    )
+    return [
+        *sections.angle_blocks(content),
+        *angles,
+        *_validation(content, _planes_to_show(content, MAX_PLANES)),
+        *closing,
+        sections.signature_lines(content),
+    ]
 
 
-def short_sections(
-    content: ReportContent, pictures: Sequence[Picture], closing: Sequence[Paragraph]
-) -> list[Section]:
-    """The sections after the first page; the last one has the signatures.
+def short_sections(content: ReportContent, pictures: Sequence[Picture]) -> list[Section]:
+    """The sections after the signatures.
 
     Parameters
     ----------
     pictures : views before and after, alternately; those of the whole survey are first
-    closing : text above the signatures
     """
-    planes = _planes_to_show(content, MAX_PLANES)
-    figures = _figures(content, pictures)
-    angles = [] if content.in_convention is None else convention_tables(content.in_convention)
+    rules: list[Block] = []
+    if content.in_convention is not None:
+        rules = [*rule_tables(content.in_convention), sections.convention_paragraph(content)]
     remainder = gettext(
-        "The full report also contains the residuals, the cross-checks, the settings, the input "
-        "files, and the sections that warnings and notes refer to."
+        "The full report also contains residuals, cross-checks, all settings and the input files."
     )
-    signed: list[Block] = [Paragraph(remainder), *closing, sections.signature_lines(content)]
+    system = (
+        sections.measuring_system_table(content),
+        *rules,
+        Paragraph(remainder),
+    )
     return [
-        Section(gettext("Values for other programs"), tuple(angles)),
-        Section(gettext("Validation"), tuple(_validation(content, planes))),
-        Section(gettext("Pictures"), tuple(figures)),
-        Section(gettext("Signatures"), tuple(signed)),
+        Section(gettext("System and conventions"), system),
+        Section(gettext("Pictures"), tuple(_figures(content, pictures))),
     ]
 
 

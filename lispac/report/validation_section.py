@@ -42,8 +42,10 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent
 
 POOLED_TEXTS: Mapping[str, str] = {
-    "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
-    "all pairs": N_("Histograms and totals use all pairs of lines."),
+    "reciprocal pairs": N_(
+        "Histograms and totals of {planes:names}: reciprocal pairs of lines only."
+    ),
+    "all pairs": N_("Histograms and totals of {planes:names}: all pairs of lines."),
 }
 """Texts on the pairs of lines in the statistics of a plane, by `ValidationPlane.pooled_from`."""
 
@@ -125,13 +127,15 @@ def validation_blocks(content: ReportContent) -> list[Block]:
     if not content.validation:
         return [Paragraph(gettext("The lines have not been compared on any validation plane."))]
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
-    pooled = sorted({plane.pooled_from for plane in content.validation})
+    pooled: dict[str, list[str]] = {}
+    for plane in content.validation:
+        pooled.setdefault(plane.pooled_from, []).append(plane.name)
     blocks: list[Block] = [
         Paragraph(gettext(DISTANCES_TEXT)),
         Bullets(
             (
                 gettext("Surface model of a line: {models:names}.", models=models),
-                *(gettext(POOLED_TEXTS[each]) for each in pooled),
+                *(gettext(POOLED_TEXTS[each], planes=names) for each, names in pooled.items()),
             )
         ),
         report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),

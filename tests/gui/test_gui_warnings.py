@@ -323,7 +323,7 @@ def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
 ) -> None:
     noisy = replace(estimated, result=replace(estimated.result, lidar_noise_ratio=0.5))
     driver.window.document.open(noisy, demo.survey)
-    row = row_with_code(driver, "report.lidar_noise")
+    row = row_with_code(driver, "adjustment.lidar_noise_conservative")
     open_list(driver)
     panel = driver.window.warnings
     panel.list.scrollToItem(panel.list.item(row))
@@ -332,7 +332,7 @@ def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
     place = button.mapTo(panel.list.viewport(), button.rect().center())
     assert panel.list.visualItemRect(panel.list.item(row)).contains(place)
     click(driver, button)
-    assert driver.project.settings.lidar_sigma == pytest.approx(0.5 * noisy.settings.lidar_sigma)
+    assert driver.project.settings.lidar_sigma == pytest.approx(0.5 * noisy.settings.used_lidar_sigma)
     press(driver, Key.Key_Z, Control)
     assert driver.project.settings == noisy.settings
 

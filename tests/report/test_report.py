@@ -11,6 +11,7 @@ import zipfile
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,6 +22,8 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError, LispacError
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
+from lispac.present.adjustment import TOO_SMALL_RAISED_TEXT, adjustment_values
+from lispac.present.adjustment_fit import points_used_text
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
@@ -29,6 +32,8 @@ from lispac.report.histograms import histogram_figure
 from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
+from lispac.warning_causes import Cause
+from lispac.workflow.checking.warnings import warnings_of
 from tests.support.error_codes import has_code
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
@@ -207,12 +212,7 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     low = replace(result, chi_square=replace(test, statistic=test.lower * 0.9))
     none = replace(result, degrees_of_freedom=0, variance_factor=float("nan"))
     assert "report.chi_square_high" in _codes(sample_content(replace(project, result=high)))
-    conservative = sample_content(replace(project, result=replace(low, lidar_noise_ratio=0.5)))
-    assert "report.chi_square_low" in _codes(conservative)
-    (noise,) = (each for each in conservative.warnings if each.code == "report.lidar_noise")
-    assert not noise.is_serious
-    given = project.settings.used_lidar_sigma
-    assert noise.params == {"given": given, "measured": pytest.approx(given / 2)}
+    assert "report.chi_square_low" in _codes(sample_content(replace(project, result=low)))
     assert "report.no_redundancy" in _codes(sample_content(replace(project, result=none)))
     thesis = replace(result, model=StochasticModel("independent"))
     assert "adjustment.independent_pos_errors" in _codes(
@@ -226,6 +226,57 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     assert found.warnings[0].level is Level.WARNING
 
 
+def _small_residuals(project: Project, **changes: Any) -> Project:
+    """Project whose residuals show half the given LiDAR noise."""
+    result = project.result
+    assert result is not None
+    test = replace(result.chi_square, statistic=result.chi_square.lower * 0.9)
+    return replace(
+        project, result=replace(result, chi_square=test, lidar_noise_ratio=0.5, **changes)
+    )
+
+
+def test_one_note_says_what_a_smaller_noise_means_for_the_sigmas(project: Project) -> None:
+    content = sample_content(_small_residuals(project))
+    (noise,) = content.warnings
+    assert (noise.code, noise.level) == ("adjustment.lidar_noise_conservative", Level.NOTE)
+    given = project.settings.used_lidar_sigma
+    assert noise.params == {"given": given, "measured": pytest.approx(given / 2)}
+    (action,) = noise.actions
+    assert (action.code, action.params) == (
+        "use_lidar_noise",
+        {"given": given, "measured": given / 2},
+    )
+    assert noise.subject == Cause.of_field("lidar_sigma")
+    beam = replace(project.settings, lidar_beam_sigma=(0.01, 0.05))
+    (noise,) = sample_content(replace(_small_residuals(project), settings=beam)).warnings
+    assert noise.code == "adjustment.lidar_noise_ratio_conservative"
+    assert noise.params == {"ratio": 0.5}
+
+
+def test_raised_sigmas_are_not_said_to_be_too_large(project: Project) -> None:
+    raised = _small_residuals(project, angle_sigma_factors=np.array([1.0, 2.5, 1.0]))
+    codes = [each.code for each in sample_content(raised).warnings]
+    assert codes == ["adjustment.lidar_noise", "adjustment.sigmas_raised_conservative"]
+    also = [each.code for each in warnings_of(raised, None)]
+    assert set(codes) <= set(also)
+    assert not {"report.chi_square_low", "adjustment.sigmas_raised"} & set(also)
+    assert raised.result is not None
+    assert str(adjustment_values(raised.result).chi_square.text) == TOO_SMALL_RAISED_TEXT
+
+
+def test_the_points_used_and_those_picked_are_given(project: Project) -> None:
+    content = sample_content(project)
+    assert content.adjustment is not None
+    assert content.adjustment.picked_points == sum(
+        len(s.indices) for t in project.targets if t.role == "target" for s in t.sightings
+    )
+    many = replace(content.adjustment, points=2_088, picked_points=22_517, excluded_outliers=3)
+    assert re.findall(r"\d[\d,]*\b", points_used_text(many)) == ["2,088", "22,517", "3"]
+    all_used = replace(many, picked_points=2_088, excluded_outliers=0)
+    assert points_used_text(all_used) == "2,088"
+
+
 def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     first, second, *rest = project.targets
     few = replace(first, sightings=first.sightings[:1], missing={"L2": note("finder.not_alike")})
@@ -236,9 +287,10 @@ def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     (few,) = [each for each in content.warnings if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     html = html_text(content, {}, FULL_REPORT)
+    (missing,) = [each for each in content.warnings if each.code == "report.not_found_target"]
     reason = note("finder.not_alike")
-    missing = note("project.not_found_on_line", target="T1", line="L2", reason=reason)
-    assert message_text(missing) in html
+    assert (missing.params["lines"], missing.params["reasons"]) == (("L2",), [reason])
+    assert message_text(reason) in html
 
 
 def test_truth_of_a_simulated_survey_is_reported(project: Project) -> None:

@@ -21,8 +21,15 @@ from lispac.report import pdf
 from lispac.report.content import ReportContent
 from lispac.report.distance_maps import small_map_figure_of
 from lispac.report.document import undrawn_document
-from lispac.report.document_blocks import Bullets, Document, Paragraph, Section, Table
-from lispac.report.options import PAGE_SIZES, Page, ReportOptions
+from lispac.report.document_blocks import (
+    Bullets,
+    Document,
+    Paragraph,
+    Section,
+    SignatureLines,
+    Table,
+)
+from lispac.report.options import EXTENTS, PAGE_SIZES, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
 from lispac.report.short_report import MAX_MAPPED_PLANES, MAX_NOTES, MAX_PLANES
 from tests.report.test_identity import FULL
@@ -170,7 +177,7 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     document = undrawn_document(content, {})
     assert len(document.warnings) == len(warnings)
     assert len(document.notes) == MAX_NOTES
-    tables = [b for s in document.sections for b in s.blocks if isinstance(b, Table)]
+    tables = [block for block in document.summary if isinstance(block, Table)]
     (distances,) = (table for table in tables if len(table.rows) > 10)
     assert len(distances.rows) == MAX_PLANES
     assert len(list(undrawn_pictures(b for s in document.sections for b in s.blocks))) == (
@@ -178,6 +185,50 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     )
     made = preview_of(content, {}, ReportOptions("letter"), ppi=PPI)
     assert len(made.pages) <= 4
+
+
+def test_the_short_report_is_signed_below_the_verdict_and_has_the_system(
+    project: Project, tmp_path: Path
+) -> None:
+    content = _survey_content(project)
+    document = undrawn_document(content, {})
+    assert isinstance(document.summary[-1], SignatureLines)
+    ends = {row[-1] for b in document.summary if isinstance(b, Table) for row in b.rows}
+    assert ends & {"pass", "fail"}  # the verdicts are above the signatures
+    (system,) = (b for b in document.sections[0].blocks[:1] if isinstance(b, Table))
+    facts = dict(system.rows)
+    assert FULL.scanner in facts["Scanner"]
+    assert FULL.scanner_serial in facts["Scanner"]
+    assert FULL.pos in facts["INS/GNSS"]
+    (lever_arm,) = (text for name, text in system.rows if name.endswith("(forward, left, up)"))
+    lever_arm = lever_arm.replace("\u2212", "-")
+    numbers = [float(number) for number in re.findall(r"-?[\d.]+", lever_arm)]
+    assert numbers == list(content.settings.lever_arm_m)
+    write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions())
+    pages = _pdf_text(tmp_path / "r.pdf").split("\f")
+    assert "Place and date" in pages[0]
+
+
+def test_the_report_has_no_columns_on_spheres_without_spheres(project: Project) -> None:
+    content = _survey_content(project)
+    assert all(plane.shape == "plane" for plane in content.planes)
+
+    def titles(shown: ReportContent) -> set[str]:
+        document = undrawn_document(shown, {}, ReportOptions(extent="full"))
+        tables = [b for s in document.sections for b in s.blocks if isinstance(b, Table)]
+        return {column.title for table in tables for column in table.columns}
+
+    assert "Shape" not in titles(content)
+    ball = replace(content.planes[0], shape="sphere")
+    assert "Shape" in titles(replace(content, planes=(ball, *content.planes[1:])))
+
+
+def test_degrees_are_written_in_one_way_in_print(project: Project, tmp_path: Path) -> None:
+    for extent in EXTENTS:
+        write_pdf(_survey_content(project), tmp_path / "r.pdf", {}, ReportOptions(extent=extent))
+        text = _pdf_text(tmp_path / "r.pdf")
+        assert "°" in text
+        assert not re.search(r"\bdeg\b", text)
 
 
 def test_the_pairs_with_the_largest_distances_are_mapped_in_a_short_report(

@@ -377,7 +377,9 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
         qualities={(target.name, line): quality for line in (first.line, second.line)},
         generated=MADE,
     )  # fmt: skip
-    table = _tables(report_document(content, {}, FULL_REPORT))["Quality of each sighting"]
+    table = _tables(report_document(content, {}, FULL_REPORT))[
+        "Quality of each sighting of targets and validation planes"
+    ]
     assert [row[-1].endswith("were edited manually.") for row in table.rows] == [
         False, True,
     ]  # fmt: skip
@@ -413,15 +415,16 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     assert "report.sightings" not in {message.code for message in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
     assert _warning(content(*some), "report.sightings") == {
-        "total": 3, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
+        "targets": 3, "planes": 0, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
         "reasons": oblique[1].reasons,
     }  # fmt: skip
     worse = content(*some, (second.name, one, rough))
     assert _warning(worse, "report.sightings") == {
-        "total": 4, "poor": 1, "doubtful": 2, "target": second.name, "line": one, "reasons": few,
+        "targets": 4, "planes": 0, "poor": 1, "doubtful": 2, "target": second.name, "line": one,
+        "reasons": few,
     }  # fmt: skip
     french = report_document(worse, {}, ReportOptions(language="fr", extent="full")).notes
-    assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
+    assert any("4 observations de cibles" in t and "que 7 points" in t for t in french)
     # A sighting that is not used is not counted.
     excluded = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
     out = report_content(

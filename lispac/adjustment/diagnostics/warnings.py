@@ -51,6 +51,18 @@ HIGH_CORRELATION = 0.9
 MAX_FLAT_FORM_SIGMA = 0.005
 """Largest sigma of the form errors of flat boards, metres."""
 
+LARGE_RESIDUAL_CODES = {
+    "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
+    "adjustment.cause_not_identified",
+}  # fmt: skip
+"""Codes of messages on large residuals. If there is one of them, the messages on the noise of all
+targets are omitted."""
+LIDAR_NOISE_CODES = {
+    "adjustment.lidar_noise", "adjustment.lidar_noise_ratio",
+    "adjustment.lidar_noise_conservative", "adjustment.lidar_noise_ratio_conservative",
+}  # fmt: skip
+"""Codes of the notes on a LiDAR noise in the residuals that differs from the given one."""
+
 
 def result_warnings(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
@@ -58,9 +70,10 @@ def result_warnings(
     """All warnings about a result, then the notes; ``also`` are messages about its data."""
     also = tuple(also)
     found = [message for rule in WARNING_RULES for message in rule(result, checks)]
-    return sort_by_level(
-        (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
-    )
+    all_found = (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
+    if any(each.code in LARGE_RESIDUAL_CODES for each in all_found):
+        all_found = tuple(each for each in all_found if each.code not in LIDAR_NOISE_CODES)
+    return sort_by_level(all_found)
 
 
 def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -348,7 +361,18 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
     ]
     if raised:
         page = Cause.of_page("Cross-checks")
-        yield note("adjustment.sigmas_raised", angles=raised, subject=page)
+        is_conservative = result.chi_square.outcome == "conservative"
+        yield note(
+            "adjustment.sigmas_raised_conservative"
+            if is_conservative
+            else "adjustment.sigmas_raised",
+            angles=raised, subject=page,
+        )  # fmt: skip
+
+
+def has_raised_sigmas(result: AdjustmentResult) -> bool:
+    """Whether the sigma of an angle was raised by an amount that is reported."""
+    return any(_raised_sigma_note(result, None))
 
 
 _SIGMA_FIELDS: dict[SigmaGroup, str] = {

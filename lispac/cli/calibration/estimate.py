@@ -173,7 +173,10 @@ def run(arguments: Namespace) -> None:
         print_json(project_result_values(project) | {"qualities": json_values(quality_list(found))})
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, project_warnings(project))
+        print_result(
+            project.result, project.cross_checks, project_warnings(project),
+            picked_points=project.picked_points,
+        )  # fmt: skip
         print_sigmas(project)
         print_weak_sightings(found)
 
@@ -293,7 +296,7 @@ def print_weak_sightings(qualities: Mapping[tuple[str, str], SightingQuality]) -
     listed = [(key, quality) for key, quality in qualities.items() if quality.rating != "good"]
     if not listed:
         return
-    print("\nSightings of doubtful or poor quality:")
+    print("\nSightings of targets and validation planes of doubtful or poor quality:")
     for (target, line), quality in sorted(listed, key=lambda each: each[1].rating != "poor"):
         text = rating_text(sighting_quality_values(target, line, quality))
         print(f"- {target} on {line}: {to_plain_text(text)}")

@@ -24,7 +24,10 @@ from lispac.survey.conventions.mounting_texts import orientation_text
 def project_result_values(project: Project) -> dict[str, Any]:
     """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
-    values = result_values(project.result, project.cross_checks, project_warnings(project))
+    values = result_values(
+        project.result, project.cross_checks, project_warnings(project),
+        picked_points=project.picked_points,
+    )  # fmt: skip
     return values | {
         "subsample_m": project.settings.subsample,
         "standard_deviations": json_values(sigmas_used(project)),
@@ -32,10 +35,14 @@ def project_result_values(project: Project) -> dict[str, Any]:
 
 
 def result_values(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
+    result: AdjustmentResult,
+    checks: CrossChecks | None,
+    also: Sequence[Message] = (),
+    *,
+    picked_points: int | None = None,
 ) -> dict[str, Any]:
     """Result of an adjustment as plain values, with the keys of the JSON report."""
-    values: dict[str, Any] = json_values(adjustment_values(result))
+    values: dict[str, Any] = json_values(adjustment_values(result, picked_points=picked_points))
     return values | {
         "elapsed_s": result.elapsed,
         "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
@@ -49,9 +56,10 @@ def print_result(
     also: Sequence[Message] = (),
     *,
     truth_deg: Sequence[float] | None = None,
+    picked_points: int | None = None,
 ) -> None:
     """Print the result of an adjustment as text, with the true values of a simulated survey."""
-    values = adjustment_values(result)
+    values = adjustment_values(result, picked_points=picked_points)
     true = None if truth_deg is None else angles(truth_deg)
     print_table(
         boresight_table(calibrated=True, simulated=true is not None),
@@ -68,7 +76,7 @@ def print_result(
         *fit_facts(values),
         Fact("Stochastic model", _error_model_text(result)),
         Fact("Targets", len(values.targets)),
-        Fact("Sightings", len(values.sightings)),
+        Fact("Sightings of targets", len(values.sightings)),
         Fact("Time of computation", f"{result.elapsed:.3f} s"),
     ]
     print_facts(FIT_TITLE, facts)

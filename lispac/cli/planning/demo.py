@@ -49,8 +49,9 @@ def run(arguments: Namespace) -> None:
     else:
         assert project.result is not None
         print_result(
-            project.result, project.cross_checks, project_warnings(project), truth_deg=truth_deg
-        )
+            project.result, project.cross_checks, project_warnings(project),
+            truth_deg=truth_deg, picked_points=project.picked_points,
+        )  # fmt: skip
         print_sigmas(project)
         print_validation(project, true)
         print(f"project    {project.folder}")

@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint, QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
+from lispac.duplicate_targets import NOISE_ACTIONS
 from lispac.gui.app import docks
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
@@ -55,7 +56,6 @@ from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 from lispac.messages import Action, Message
 from lispac.project import Project
-from lispac.workflow.checking.warnings import NOISE_ACTIONS
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -421,7 +421,7 @@ class MainWindow(QMainWindow):
         if project is None or project.result is None:
             return
         ratio = project.result.lidar_noise_ratio
-        if action.code in NOISE_ACTIONS.values() and ratio is not None:
+        if action.code in NOISE_ACTIONS and ratio is not None:
             self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
             self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
 

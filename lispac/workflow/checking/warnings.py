@@ -6,14 +6,13 @@ of the targets are checked here.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
 
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.duplicate_targets import all_warnings
-from lispac.messages import Action, Level, Message, note, sort_by_level, warning
+from lispac.messages import Level, Message, note, sort_by_level, warning
 from lispac.project import Project
 from lispac.report.content import report_content
 from lispac.report.report_warnings import report_warnings
@@ -32,11 +31,6 @@ SUMMARY_CODES = {
 """Codes of summaries in a report; the list contains the summarised messages instead."""
 REPORT_ONLY_CODES = {"report.not_calibrated"}
 """Codes used only in a report: in the window, the steps show what remains to be done."""
-
-NOISE_ACTIONS = {
-    "report.lidar_noise": "use_lidar_noise", "report.lidar_noise_ratio": "scale_lidar_noise",
-}  # fmt: skip
-"""Actions that give the LiDAR the noise found in the residuals, by the code of the message."""
 
 
 def warnings_of(
@@ -167,12 +161,11 @@ def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Me
         project, headings_deg={}, counts={}, track_local={}, notes=(),
         generated=datetime.now(UTC), digests=False,
     )  # fmt: skip
-    yield from all_warnings(project, also)
-    for message in report_warnings(content, ()):
-        if message.code not in SUMMARY_CODES | REPORT_ONLY_CODES:
-            code = NOISE_ACTIONS.get(message.code)
-            actions = () if code is None else (Action(code, message.params),)
-            yield replace(message, actions=(*message.actions, *actions))
+    found = all_warnings(project, also)
+    yield from found
+    for message in report_warnings(content, found):
+        if message not in found and message.code not in SUMMARY_CODES | REPORT_ONLY_CODES:
+            yield message
 
 
 def _planes_not_compared(project: Project) -> Iterator[Message]:
