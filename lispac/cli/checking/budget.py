@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option, add_triple_option, positive_number
 from lispac.cli.console import ConsoleProgress, print_json, print_table
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -50,4 +50,4 @@ def run(arguments: Namespace) -> None:
     for beam in found.beams:
         print_table(*budget_table(found, beam))
     for assumption in found.messages:
-        print(message_text(assumption))
+        print(console_text(assumption))
