@@ -45,7 +45,7 @@ TEXTS: Mapping[str, Template] = {
         "The beam divergence must be from 0 to {most:x.0} mrad. Correct it."
     ),
     "adjustment.budget_incidence": N_(
-        "The angle of incidence must be from 0 to {most:deg.0} deg. Correct it."
+        "The angle of incidence must be from 0 to {most:deg.0}°. Correct it."
     ),
     # -- geometry ----------------------------------------------------------------------------------
     "adjustment.singular": N_(
@@ -86,11 +86,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.add_target": N_(
         "Add another target, or lines in other directions. With a vertical target, lines parallel "
-        "to it determine roll, and lines at 45 deg to it determine pitch and yaw."
+        "to it determine roll, and lines at 45° to it determine pitch and yaw."
     ),
     "adjustment.add_orientation": N_(
         "Add a target with a different orientation, or lines in other directions. With a vertical "
-        "target, lines parallel to it determine roll, and lines at 45 deg to it determine pitch "
+        "target, lines parallel to it determine roll, and lines at 45° to it determine pitch "
         "and yaw."
     ),
     "adjustment.only_plane": N_(
@@ -105,8 +105,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(
-        "The adjustment did not converge in {iterations:n} iterations (last change: {angles:deg} "
-        "deg in the angles, {rest:mm} mm in the other parameters). Check that each target is the "
+        "The adjustment did not converge in {iterations:n} iterations (last change: {angles:deg}°"
+        " in the angles, {rest:mm} mm in the other parameters). Check that each target is the "
         "same surface on every line, and check the prior boresight."
     ),
     "adjustment.diverged": N_(
@@ -128,7 +128,7 @@ TEXTS: Mapping[str, Template] = {
         "the boresight is not determined. Measure the range offset again, or estimate it."
     ),
     "adjustment.contradicts_scan_angle_offset": N_(
-        "The best-fitting scan-angle offset differs by {change:deg.4+} deg from the given one, "
+        "The best-fitting scan-angle offset differs by {change:deg.4+}° from the given one, "
         "with which the boresight is not determined. Measure the scan-angle offset again, or "
         "estimate it."
     ),
@@ -138,16 +138,16 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- observability -----------------------------------------------------------------------------
     "observability.directions": N_(
-        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.3} "
-        "deg. Most precisely determined: {strongest}, with {strongest_sigma:deg.3} deg."
+        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.3}°"
+        ". Most precisely determined: {strongest}, with {strongest_sigma:deg.3}°."
     ),
     "observability.main_lines": Plural(
         "Line {lines:names} contributes most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
-        "deg.",
+        "{line}, the standard deviation of {angle} is {without:deg.4}° instead of {sigma:deg.4}°"
+        ".",
         "Lines {lines:names} contribute most to the determination of {angle}. Without line "
-        "{line}, the standard deviation of {angle} is {without:deg.4} deg instead of {sigma:deg.4} "
-        "deg.",
+        "{line}, the standard deviation of {angle} is {without:deg.4}° instead of {sigma:deg.4}°"
+        ".",
     ),
     "observability.no_main_line": N_(
         "The standard deviation of {angle} does not depend on any single line."

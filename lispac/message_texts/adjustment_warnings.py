@@ -98,7 +98,7 @@ TEXTS: Mapping[str, Template] = {
         "separated. Give the standard deviation of the prior {second}, or do not estimate it."
     ),
     "adjustment.steep_pitch": N_(
-        "The boresight pitch exceeds 60 deg, so roll and yaw can hardly be separated; the standard "
+        "The boresight pitch exceeds 60°, so roll and yaw can hardly be separated; the standard "
         "deviations are those of small rotations about the body axes. Use the rotation matrix "
         "instead of the three angles."
     ),

@@ -193,7 +193,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "budget.pos": N_(
         "POS errors are the median accuracies on the lines: {north:mm.1}, {east:mm.1}, {up:mm.1} "
-        "mm (north, east, up) and {roll:deg.4}, {pitch:deg.4}, {heading:deg.4} deg (roll, pitch, "
+        "mm (north, east, up) and {roll:deg.4}, {pitch:deg.4}, {heading:deg.4}° (roll, pitch, "
         "heading)."
     ),
     "budget.boresight": N_(
@@ -207,7 +207,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "budget.footprint": N_(
         "The beam footprint is computed for a divergence of {divergence:x.2} mrad and an angle of "
-        "incidence of {incidence:deg.0} deg. Along the beam, it is proportional to the tangent of "
+        "incidence of {incidence:deg.0}°. Along the beam, it is proportional to the tangent of "
         "this angle."
     ),
     "budget.footprint_unknown": N_(
@@ -221,7 +221,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "budget.latency": N_(
         "The latency error is computed for the speed of the lines, {speed:x.1} m/s, and their RMS "
-        "rotation rates, {roll:deg.2}, {pitch:deg.2}, {heading:deg.2} deg/s (roll, pitch, heading)."
+        "rotation rates, {roll:deg.2}, {pitch:deg.2}, {heading:deg.2}°/s (roll, pitch, heading)."
     ),
     "budget.no_latency": N_(
         "The latency error is not included, because the latency was not estimated."
@@ -229,7 +229,7 @@ TEXTS: Mapping[str, Template] = {
     # -- reasons for proposed targets ------------------------------------------------------
     "propose.target": N_(
         "Observed on {lines:n} lines. Without this target the standard deviation of {angle} would "
-        "be {without:deg.4} deg instead of {sigma:deg.4} deg."
+        "be {without:deg.4}° instead of {sigma:deg.4}°."
     ),
     "propose.target_needed": N_(
         "Observed on {lines:n} lines. Without this target the angles are not determined."

@@ -192,11 +192,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "patch_test.order_matters": N_(
         "Determined one after another instead of together, the angles differ: {angle} changes by "
-        "{difference:deg.4} deg."
+        "{difference:deg.4}°."
     ),
     "patch_test.object_disagrees": N_(
         "Object {object} disagrees with the other objects: alone, it gives a {angle} that differs "
-        "by {difference:deg.4+} deg (up to {usual:deg.4} deg is usual)."
+        "by {difference:deg.4+}° (up to {usual:deg.4}° is usual)."
     ),
     "patch_test.not_met": N_("No two of the lines overlap at these objects: {objects:names}."),
     # -- targetless --------------------------------------------------------------------------------

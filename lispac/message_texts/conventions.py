@@ -19,12 +19,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- angles ------------------------------------------------------------------------------------
     "convention.gimbal_lock": N_(
-        "The {middle} is {angle:deg.0} deg, so {first} and {last} rotate about the same axis "
+        "The {middle} is {angle:deg.0}°, so {first} and {last} rotate about the same axis "
         "(gimbal lock). {last} is set to zero, {first} contains both rotations, and neither has a "
         "standard deviation."
     ),
     "convention.near_gimbal_lock": N_(
-        "The {middle} is within 10 deg of 90 deg, so {first} and {last} are very sensitive to "
+        "The {middle} is within 10° of 90°, so {first} and {last} are very sensitive to "
         "small rotations. Enter the angles with all digits."
     ),
     # -- lever arm ---------------------------------------------------------------------------------

@@ -173,12 +173,12 @@ TEXTS: Mapping[str, Template] = {
         "clockwise from north."
     ),
     "trajectory.heading_differs": N_(
-        "{file}: heading and course over ground differ by {difference:deg.0} deg (median). Check "
+        "{file}: heading and course over ground differ by {difference:deg.0}° (median). Check "
         "the heading, its unit and its sign."
     ),
     "trajectory.other_area": N_(
         "{file}: in {system} ({name}) the positions lie at latitude {latitude:deg.1} and longitude "
-        "{longitude:deg.1} deg, outside the area of this system: {area}. Check the coordinate "
+        "{longitude:deg.1}°, outside the area of this system: {area}. Check the coordinate "
         "system, and the unit and order of eastings and northings."
     ),
     "trajectory.speed_differs": N_(
@@ -258,8 +258,8 @@ TEXTS: Mapping[str, Template] = {
         "another file."
     ),
     "accuracy.large": N_(
-        "{file}: the standard deviations are large (median {position:m} m and {attitude:deg} "
-        "deg). Check their unit."
+        "{file}: the standard deviations are large (median {position:m} m and {attitude:deg}°"
+        "). Check their unit."
     ),
     # -- SBET and CIDCO binary ---------------------------------------------------------------
     "sbet.big_endian": N_(
@@ -287,7 +287,7 @@ TEXTS: Mapping[str, Template] = {
         "degrees. Export the file in radians."
     ),
     "sbet.longitude_first": N_(
-        "{file}: the first coordinate exceeds 90 deg, so longitude is read before latitude. Check "
+        "{file}: the first coordinate exceeds 90°, so longitude is read before latitude. Check "
         "that the positions lie in the survey area."
     ),
     "sbet.longitude_first_by_velocity": N_(
@@ -318,16 +318,16 @@ TEXTS: Mapping[str, Template] = {
     ),
     "sbet.heading_less_wander": N_(
         "{file}: the wander angle is subtracted from the heading. The heading then agrees with "
-        "the course within {used:deg.1} deg instead of {other:deg.1} deg; if this is wrong, "
+        "the course within {used:deg.1}° instead of {other:deg.1}°; if this is wrong, "
         "choose as-is."
     ),
     "sbet.heading_as_is": N_(
         "{file}: the heading is read as true heading, without subtracting the wander angle. It "
-        "then agrees with the course within {used:deg.1} deg instead of {other:deg.1} deg; if "
+        "then agrees with the course within {used:deg.1}° instead of {other:deg.1}°; if "
         "this is wrong, choose minus-wander."
     ),
     "sbet.heading_uncertain": N_(
-        "{file}: the wander angle (up to {wander:deg.2} deg) is subtracted from the heading, as "
+        "{file}: the wander angle (up to {wander:deg.2}°) is subtracted from the heading, as "
         "defined by Applanix, but the velocities refer to true north. Ask the producer of the file "
         "whether the heading does too."
     ),

@@ -8,13 +8,13 @@ TEXTS: Mapping[str, Template] = {
     # -- trajectory accuracy -----------------------------------------------------------------
     "accuracy.too_large": N_(
         "{file}: {count:n} records ({share:percent.2} %) have standard deviations over 10,000 m or "
-        "180 deg, so points at these times have no weight in the adjustment. Export the file "
+        "180°, so points at these times have no weight in the adjustment. Export the file "
         "again, or check the solution at these times."
     ),
     # -- points of a line --------------------------------------------------------------------
     "audit.time_resolution": N_(
         "{line}: the point times have a resolution of only {step:ms} ms, which causes systematic "
-        "errors of up to {shift:mm} mm and {turn:deg} deg (about {points:n} points share one "
+        "errors of up to {shift:mm} mm and {turn:deg}° (about {points:n} points share one "
         "time). Export the line with exact times (64 bits)."
     ),
     "audit.time_steps": N_(
@@ -83,7 +83,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "trajectory.rate_too_low": N_(
         "{line}: the trajectory has only {rate:hz} states per second, so its interpolation has "
-        "errors of up to {shift:mm} mm and {turn:deg} deg ({share:percent} % of the given "
+        "errors of up to {shift:mm} mm and {turn:deg}° ({share:percent} % of the given "
         "accuracy). Export the trajectory at a higher rate."
     ),
     # -- recovery of georeferenced lines -----------------------------------------------------
@@ -138,7 +138,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "recovery.recorded_mounting": N_(
         "{line}: the file records the boresight with which the cloud was computed (roll "
-        "{roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg). It is used to recover the "
+        "{roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4}°). It is used to recover the "
         "scanner points from the cloud."
     ),
     "recovery.other_lever_arm": N_(
@@ -147,8 +147,8 @@ TEXTS: Mapping[str, Template] = {
         "scanner, correct the prior lever arm."
     ),
     "recovery.boresight_used": N_(
-        "{line}: the beams recovered from the cloud lie in a plane that is rotated by {turn:deg.1} "
-        "deg from the scanner axes. If the scanner measures along its axes, give the boresight of "
+        "{line}: the beams recovered from the cloud lie in a plane that is rotated by {turn:deg.1}°"
+        " from the scanner axes. If the scanner measures along its axes, give the boresight of "
         "the cloud as the prior boresight."
     ),
     # -- several lines ---------------------------------------------------------------------
@@ -181,11 +181,11 @@ TEXTS: Mapping[str, Template] = {
     # -- trajectories ----------------------------------------------------------------------
     "trajectory.angles_in_radians": N_(
         "{file}: the angles are read as degrees, but heading and course differ by "
-        "{difference:deg.0} deg and agree only in radians. Choose radians."
+        "{difference:deg.0}° and agree only in radians. Choose radians."
     ),
     "trajectory.angles_in_degrees": N_(
         "{file}: the angles are read as radians, but heading and course differ by "
-        "{difference:deg.0} deg and agree only in degrees. Choose degrees."
+        "{difference:deg.0}° and agree only in degrees. Choose degrees."
     ),
     "trajectory.rates_not_used": N_(
         "The velocities or angular rates of the trajectory do not agree with its {names:names}, "

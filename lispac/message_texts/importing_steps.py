@@ -321,7 +321,7 @@ TEXTS: Mapping[str, Template] = {
         "{limit:s.1} s. They are excluded."
     ),
     "import.excluded_steep": N_(
-        "{file}: {count:n} of {total:n} points were recorded at a pitch above 80 deg, at which "
+        "{file}: {count:n} of {total:n} points were recorded at a pitch above 80°, at which "
         "roll and heading cannot be separated. They are excluded."
     ),
     "import.shift_possible": N_(

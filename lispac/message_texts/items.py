@@ -22,13 +22,13 @@ TEXTS: Mapping[str, Template] = {
     "quantity.scan_angle_offset": N_("scan-angle offset"),
     "quantity.latency": N_("latency"),
     "amount.m": N_("{value:m.4} m"),
-    "amount.deg": N_("{value:deg.4} deg"),
+    "amount.deg": N_("{value:deg.4}°"),
     "amount.ms": N_("{value:ms.2} ms"),
     "change.m": N_("{value:m.4+} m"),
-    "change.deg": N_("{value:deg.4+} deg"),
+    "change.deg": N_("{value:deg.4+}°"),
     "change.ms": N_("{value:ms.2+} ms"),
     "item.range_offset": N_("range offset {value:m.4+} m"),
-    "item.scan_angle_offset": N_("scan-angle offset {value:deg.4+} deg"),
+    "item.scan_angle_offset": N_("scan-angle offset {value:deg.4+}°"),
     "item.latency": N_("latency {value:ms.4+} ms"),
     # -- sightings and targets ---------------------------------------------------------------
     "item.sighting": N_("{target} on line {line}"),
@@ -40,7 +40,7 @@ TEXTS: Mapping[str, Template] = {
     "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
     "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
     "item.apart": N_(
-        "{distance:mm.0} mm and {angle:deg.2} deg at an inclination of {inclination:deg.0} deg"
+        "{distance:mm.0} mm and {angle:deg.2}° at an inclination of {inclination:deg.0}°"
     ),
     "item.other_surface": N_("{line} (at {places:n} of {total:n} places, {distance:m.2} m away)"),
     "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
@@ -50,25 +50,25 @@ TEXTS: Mapping[str, Template] = {
         "position {north:m.3} m, {east:m.3} m, {down:m.3} m (north, east, down)"
     ),
     "item.assumed_attitude": N_(
-        "attitude {roll:deg.4} deg, {pitch:deg.4} deg, {heading:deg.4} deg (roll, pitch, heading)"
+        "attitude {roll:deg.4}°, {pitch:deg.4}°, {heading:deg.4}° (roll, pitch, heading)"
     ),
-    "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
-    "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
-    "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4} deg"),
-    "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
+    "item.angle_sigma": N_("{angle} {sigma:deg.2}°"),
+    "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4}°"),
+    "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4}°"),
+    "item.angle_difference": N_("{angle} {difference:deg.2+}°"),
     "item.angle_changed": N_(
-        "{angle} by {change:deg.4+} deg ({ratio:x.1} times its standard deviation)"
+        "{angle} by {change:deg.4+}° ({ratio:x.1} times its standard deviation)"
     ),
     "item.without_line": N_(
-        "without line {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} times its standard "
+        "without line {name} ({angle} {difference:deg.4+}°, {ratio:x.1} times its standard "
         "deviation)"
     ),
     "item.without_target": N_(
-        "without target {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} times its standard "
+        "without target {name} ({angle} {difference:deg.4+}°, {ratio:x.1} times its standard "
         "deviation)"
     ),
     "item.halves": N_(
-        "second minus first half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} times "
+        "second minus first half of the data ({angle} {difference:deg.4+}°, {ratio:x.1} times "
         "its standard deviation)"
     ),
     "suspect.heights": N_("heights"),

@@ -96,7 +96,7 @@ TEXTS: Mapping[str, Template] = {
     # -- georeferenced lines -----------------------------------------------------------------
     "export.excluded_in_gaps": N_(
         "{file}: {count:n} of {total:n} points were recorded in gaps of the trajectory or at a "
-        "pitch above 80 deg. They are excluded."
+        "pitch above 80°. They are excluded."
     ),
     "export.file_gone": N_(
         "{line}: its file no longer exists. The points, attributes and header records stored at "

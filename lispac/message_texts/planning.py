@@ -27,43 +27,43 @@ TEXTS: Mapping[str, Template] = {
     ),
     "visibility.offset_as_roll": N_(
         "A scan-angle offset moves the points exactly as a roll error does, so both have the same "
-        "best inclination. Table 3.2 of Shahraji's thesis gives different ones: -50 deg and "
-        "-40 deg."
+        "best inclination. Table 3.2 of Shahraji's thesis gives different ones: -50° and "
+        "-40°."
     ),
     "visibility.offset_not_kept": N_(
-        "Table 3.2 of Shahraji's thesis gives -60 deg as the best inclination, but its appendix "
-        "C.2.6 accepts only -40 to 10 deg. At -60 deg a range offset moves the points of all lines "
+        "Table 3.2 of Shahraji's thesis gives -60° as the best inclination, but its appendix "
+        "C.2.6 accepts only -40 to 10°. At -60° a range offset moves the points of all lines "
         "by nearly the same amount."
     ),
     "visibility.leaning_back": N_(
-        "The beams rise to the board at 18 deg, so that a board that leans back is more sensitive "
-        "to roll than a vertical one. Shahraji's thesis considers only inclinations from 0 to 90 "
-        "deg; among these, the vertical board is the best here too."
+        "The beams rise to the board at 18°, so that a board that leans back is more sensitive "
+        "to roll than a vertical one. Shahraji's thesis considers only inclinations from 0 to 90°"
+        "; among these, the vertical board is the best here too."
     ),
     # -- further line ------------------------------------------------------------------------------
     "further_line.port": N_(
-        "A further line at heading {heading:deg.0} deg, with the middle of the targets "
+        "A further line at heading {heading:deg.0}°, with the middle of the targets "
         "{distance:m.1} m to port, would reduce the standard deviation of {angle} from {now:deg.4} "
-        "to {then:deg.4} deg."
+        "to {then:deg.4}°."
     ),
     "further_line.starboard": N_(
-        "A further line at heading {heading:deg.0} deg, with the middle of the targets "
+        "A further line at heading {heading:deg.0}°, with the middle of the targets "
         "{distance:m.1} m to starboard, would reduce the standard deviation of {angle} from "
-        "{now:deg.4} to {then:deg.4} deg."
+        "{now:deg.4} to {then:deg.4}°."
     ),
     "further_line.port_of_face": N_(
-        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg from the face of "
+        "A further line at heading {heading:deg.0}° ({off:deg.0}° from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to port, would reduce the "
-        "standard deviation of {angle} from {now:deg.4} to {then:deg.4} deg."
+        "standard deviation of {angle} from {now:deg.4} to {then:deg.4}°."
     ),
     "further_line.starboard_of_face": N_(
-        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg from the face of "
+        "A further line at heading {heading:deg.0}° ({off:deg.0}° from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to starboard, would reduce the "
-        "standard deviation of {angle} from {now:deg.4} to {then:deg.4} deg."
+        "standard deviation of {angle} from {now:deg.4} to {then:deg.4}°."
     ),
     "further_line.insufficient": N_(
         "No single further line past these targets, {distance:m.1} m from their middle, would "
-        "reduce the standard deviation of {angle} from {now:deg.4} to less than {limit:deg.4} deg. "
+        "reduce the standard deviation of {angle} from {now:deg.4} to less than {limit:deg.4}°. "
         "Add targets elsewhere, or repeat the survey later, when the POS error is different."
     ),
     "further_line.prior": N_(

@@ -97,8 +97,8 @@ TEXTS: Mapping[str, Template] = {
         "{missing} With it the boresight angles would be determined."
     ),
     "plan_survey.smaller_sigma": N_(
-        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4} deg instead of "
-        "{without:deg.4} deg."
+        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4}° instead of "
+        "{without:deg.4}°."
     ),
     # -- campaign ------------------------------------------------------------------------------
     "campaign.sigma_too_small": N_(
@@ -111,7 +111,7 @@ TEXTS: Mapping[str, Template] = {
         "surveys allow."
     ),
     "campaign.mean_error": N_(
-        "The mean error of {angle} is significant: {mean:deg.4+} deg. Add targets or lines, or "
+        "The mean error of {angle} is significant: {mean:deg.4+}°. Add targets or lines, or "
         "allow for this error."
     ),
     "campaign.errors_agree": N_(

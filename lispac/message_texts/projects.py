@@ -83,8 +83,8 @@ TEXTS: Mapping[str, Template] = {
         "the value."
     ),
     "settings.angle_out_of_range": N_(
-        "{setting}: {value:deg} deg is outside the allowed range from {least:deg} to {most:deg} "
-        "deg. Correct the value."
+        "{setting}: {value:deg}° is outside the allowed range from {least:deg} to {most:deg}°"
+        ". Correct the value."
     ),
     "settings.time_out_of_range": N_(
         "{setting}: {value:s} s is outside the allowed range from {least:s} to {most:s} s. Correct "
@@ -131,7 +131,7 @@ TEXTS: Mapping[str, Template] = {
         "A parameter to be estimated is given twice. Give each parameter once."
     ),
     "settings.boresight_too_large": N_(
-        "A prior boresight angle of {value:deg} deg exceeds 360 deg. Check that the angles are in "
+        "A prior boresight angle of {value:deg}° exceeds 360°. Check that the angles are in "
         "degrees."
     ),
     "settings.lever_arm_too_long": N_(
@@ -139,7 +139,7 @@ TEXTS: Mapping[str, Template] = {
         "metres."
     ),
     "settings.latitude_out_of_range": N_(
-        "The latitude of the origin, {latitude:deg} deg, exceeds 90 deg. Give latitude and "
+        "The latitude of the origin, {latitude:deg}°, exceeds 90°. Give latitude and "
         "longitude in degrees, then the height in metres."
     ),
     # -- names of settings, before a colon -----------------------------------------------------

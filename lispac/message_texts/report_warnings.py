@@ -123,8 +123,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(
-        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5} deg, "
-        "the limit is {limit:deg.5} deg. Add targets or lines."
+        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5}°, "
+        "the limit is {limit:deg.5}°. Add targets or lines."
     ),
     "acceptance.rms": N_(
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "

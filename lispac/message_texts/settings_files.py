@@ -131,11 +131,11 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {key} is missing. Add a table [[pos]] for each error of the POS."
     ),
     "vessel.boresight_too_large": N_(
-        "A simulated boresight angle of {value:deg} deg is larger than {most:deg} deg. Give a "
+        "A simulated boresight angle of {value:deg}° is larger than {most:deg}°. Give a "
         "smaller angle."
     ),
     "vessel.scan_angle_offset_too_large": N_(
-        "A simulated scan-angle offset of {value:deg} deg is larger than {most:deg} deg. Give a "
+        "A simulated scan-angle offset of {value:deg}° is larger than {most:deg}°. Give a "
         "smaller angle."
     ),
     "vessel.lever_arm_error_too_large": N_(
@@ -149,7 +149,7 @@ TEXTS: Mapping[str, Template] = {
         "A simulated latency of {value:s} s is larger than {most:s} s. Give a smaller latency."
     ),
     "scanner.window": N_(
-        "{file}: the second angle of {key} must exceed the first, by at most 360 deg. Correct the "
+        "{file}: the second angle of {key} must exceed the first, by at most 360°. Correct the "
         "angles."
     ),
     "scanner.no_elevations": N_("{file}: {key} is empty. Give the elevation of each beam."),

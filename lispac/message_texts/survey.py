@@ -40,7 +40,7 @@ TEXTS: Mapping[str, Template] = {
         "of a vertical system, or a geoid grid (.gtx, .tif)."
     ),
     "crs.meant_elsewhere": N_(
-        "The trajectory (latitude {latitude:deg.1}, longitude {longitude:deg.1} deg) lies outside "
+        "The trajectory (latitude {latitude:deg.1}, longitude {longitude:deg.1}°) lies outside "
         "the area of {system}: {area}. Check the coordinate system; the UTM zone of the trajectory "
         "is {zone}."
     ),
@@ -130,7 +130,7 @@ TEXTS: Mapping[str, Template] = {
         "from the first GNSS fix on."
     ),
     "survey.trajectory_steep": N_(
-        "The pitch of the trajectory exceeds {limit:deg.0} deg most of the time, so roll and "
+        "The pitch of the trajectory exceeds {limit:deg.0}° most of the time, so roll and "
         "heading cannot be separated. Export the trajectory for a vessel or reference frame with a "
         "level X axis, not for the frame of a tilted IMU."
     ),

@@ -47,7 +47,7 @@ TEXTS: Mapping[str, Template] = {
     # -- settings of the search --------------------------------------------------------------------
     "finder.setting": N_("The setting {name} of the plane search cannot be {value}. Correct it."),
     "finder.expected_size": N_("The expected width and height must be above zero. Correct them."),
-    "finder.expected_tilt": N_("The expected tilt must be from 0 to 90 deg. Correct it."),
+    "finder.expected_tilt": N_("The expected tilt must be from 0 to 90°. Correct it."),
     "finder.radii": N_(
         "The radius range from {least:m} to {most:m} m of the sphere search is not valid. Give two "
         "values above zero, the smaller one first."
@@ -159,7 +159,7 @@ TEXTS: Mapping[str, Template] = {
         "limit of {limit:m.2} m. It is another sphere."
     ),
     "agreement.other_plane": N_(
-        "The plane found is tilted by {tilt:deg.1} deg and displaced by {offset:m.2} m from the "
+        "The plane found is tilted by {tilt:deg.1}° and displaced by {offset:m.2} m from the "
         "target on the other lines. It is another surface."
     ),
     "agreement.plane_beside": N_(
@@ -184,7 +184,7 @@ TEXTS: Mapping[str, Template] = {
         "The surface is not flat: it deviates by {rms:mm.1} mm (RMS) from a smooth shape."
     ),
     "quality.oblique": N_(
-        "The angle between the beams and the surface normal is {angle:deg.0} deg, which is too "
+        "The angle between the beams and the surface normal is {angle:deg.0}°, which is too "
         "oblique."
     ),
     "quality.sparse": N_(
@@ -238,12 +238,12 @@ TEXTS: Mapping[str, Template] = {
         "The surface is {size:m.2} m high, {off:m.2} m less than the expected {expected:m.2} m."
     ),
     "quality.steeper": N_(
-        "The surface is tilted by {tilt:deg.1} deg, {off:deg.1} deg more than the expected "
-        "{expected:deg.1} deg."
+        "The surface is tilted by {tilt:deg.1}°, {off:deg.1}° more than the expected "
+        "{expected:deg.1}°."
     ),
     "quality.less_steep": N_(
-        "The surface is tilted by {tilt:deg.1} deg, {off:deg.1} deg less than the expected "
-        "{expected:deg.1} deg."
+        "The surface is tilted by {tilt:deg.1}°, {off:deg.1}° less than the expected "
+        "{expected:deg.1}°."
     ),
     # -- targets with points in common -------------------------------------------------------------
     "overlap.same_surface": N_(

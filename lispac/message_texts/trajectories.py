@@ -33,12 +33,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "trajectory.attitude_in_row": N_(
         "{file}, row {number:n}: roll {roll:deg.2}, pitch {pitch:deg.2} and heading "
-        "{heading:deg.2} deg are impossible. Choose degrees if the angles were read as radians, or "
+        "{heading:deg.2}° are impossible. Choose degrees if the angles were read as radians, or "
         "check the columns."
     ),
     "trajectory.attitude_in_record": N_(
         "{file}, record {number:n}: roll {roll:deg.2}, pitch {pitch:deg.2} and heading "
-        "{heading:deg.2} deg are impossible. Choose degrees if the angles were read as radians, or "
+        "{heading:deg.2}° are impossible. Choose degrees if the angles were read as radians, or "
         "check the columns."
     ),
     "trajectory.negative_sigma": N_(
@@ -46,15 +46,15 @@ TEXTS: Mapping[str, Template] = {
         "standard deviations, or export the file again."
     ),
     "trajectory.exchanged_position": N_(
-        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
+        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3}° are "
         "impossible and may be swapped. Check the order of the two columns."
     ),
     "trajectory.position_in_degrees": N_(
-        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
+        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3}° are "
         "impossible. The values are in degrees but were read as radians: choose degrees."
     ),
     "trajectory.not_on_earth": N_(
-        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
+        "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3}° are "
         "impossible. Check the columns and their unit."
     ),
     "trajectory.sign_and_hemisphere": N_(

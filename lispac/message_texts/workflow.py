@@ -189,8 +189,8 @@ TEXTS: Mapping[str, Template] = {
         "The project contains estimated angles, but they cannot be estimated again now: {reason}"
     ),
     "script.other_angles": N_(
-        "The angles of this script differ from those of the project by up to {difference:deg.4} "
-        "deg ({angle}), because the project was estimated with other points or in another version. "
+        "The angles of this script differ from those of the project by up to {difference:deg.4}°"
+        " ({angle}), because the project was estimated with other points or in another version. "
         "Run Estimate again in the project to get the angles of the script."
     ),
     "script.no_reference": N_(

@@ -279,7 +279,7 @@ def test_wrong_options_of_simulate_are_reported(
     for option, value, reason in (
         ("--latency", 100, "latency of 100 s is larger than 10.0 s"),
         ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
-        ("--scan-angle-offset", 400, "scan-angle offset of 400 deg is larger than 180 deg"),
+        ("--scan-angle-offset", 400, "scan-angle offset of 400° is larger than 180°"),
     ):  # fmt: skip
         printed = run_refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
         assert reason in printed

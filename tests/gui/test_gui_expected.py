@@ -20,7 +20,7 @@ def test_the_candidate_is_compared_with_the_expected_values(opened: Driver) -> N
     click(opened, opened.window.targets.candidate.reject)
     type_expected(opened, "expected_tilt", "45")
     seed(opened, "T1")
-    assert "more than the expected 45.0 deg" in detail.text()
+    assert "more than the expected 45.0°" in detail.text()
     assert "more than the expected" not in agreeing
     click(opened, opened.window.targets.candidate.accept)
     assert opened.project.target("T1").expected.width == 1.23

@@ -111,7 +111,7 @@ def test_a_candidate_has_quality_lights_before_it_is_accepted(opened: Driver) ->
     assert "Quality: good" in tips["L1_000"]
     assert " points, " in tips["L1_000"]
     assert "Quality: doubtful\n" in tips["L3_045"]
-    assert "surface normal is 73 deg" in tips["L3_045"]
+    assert "surface normal is 73°" in tips["L3_045"]
     box = opened.window.targets.candidate
     assert box.lights.height() < 60, "six lines are two or three rows"
     press(opened, Key.Key_Return)

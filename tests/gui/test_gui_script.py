@@ -104,7 +104,7 @@ def test_a_difference_between_window_and_script_is_reported(
     shown_script(opened, read)
     moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
     assert moved > 0
-    assert f"by up to {moved:.4f} deg" in texts[0]
+    assert f"by up to {moved:.4f}°" in texts[0]
     assert texts[1] == ""
 
 

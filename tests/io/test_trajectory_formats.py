@@ -157,7 +157,7 @@ def test_delph_standard_deviations_are_read(tmp_path: Path) -> None:
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[7], SIGMAS[:3])
     np.testing.assert_allclose(np.degrees(accuracy.attitude[7]), [SIGMAS[4], SIGMAS[5], SIGMAS[3]])
-    assert message_text(format.preview(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080 deg"
+    assert message_text(format.preview(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080°"
     assert recognise_formats(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
 
 

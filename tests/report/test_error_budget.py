@@ -17,6 +17,7 @@ from lispac.adjustment.diagnostics.error_budget import (
 )
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
+from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.json_values import json_values
@@ -215,7 +216,7 @@ def test_the_command_and_the_report_give_the_same_budget(
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
     for message in found["messages"]:
-        assert message["text"] in out
+        assert to_plain_text(message["text"]) in out
     content = replace(sample_content(sample), budget=budget)
     section = report_document(content, {}, FULL_REPORT).sections[0]
     tables = [b for b in section.blocks if isinstance(b, Table) and "Error of a point" in b.title]

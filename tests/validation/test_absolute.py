@@ -13,6 +13,7 @@ from pyproj import CRS
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.language import to_plain_text
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
 from lispac.present.absolute import AbsoluteCheckValues
@@ -403,7 +404,7 @@ def test_the_command(
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err
     for message in found["messages"]:
-        assert message["text"] in out
+        assert to_plain_text(message["text"]) in out
     assert read_project(project.folder).absolute == check
     none = tmp_path / "none.laz"
     words = ("check", project.folder, "--reference", none)

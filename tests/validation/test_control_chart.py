@@ -132,7 +132,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "undated" not in error  # that survey is of the other vessel
     code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
     assert "autumn differs significantly from" in out
-    assert "+0.300 deg" in out
+    assert "+0.2995 deg" in out
 
 
 def test_folders_without_a_history_are_refused(

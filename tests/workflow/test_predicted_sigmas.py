@@ -53,7 +53,7 @@ def test_sigmas_that_differ_by_a_fifth_are_named(
             assert tuple(angle for angle in ANGLES if f"{angle} 0." in text) == named
             for k in map(ANGLES.index, named):
                 sigma_deg = np.degrees(project.result.sigma[k])
-                assert f"{sigma_deg:.4f} instead of {sigma_deg / factors[k]:.4f} deg" in text
+                assert f"{sigma_deg:.4f} instead of {sigma_deg / factors[k]:.4f}°" in text
 
 
 def test_edits_of_targets_or_settings_discard_the_prediction(

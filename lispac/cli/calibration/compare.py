@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.cli.messages import print_messages
+from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
 if TYPE_CHECKING:
@@ -151,7 +150,7 @@ def _compare_methods(arguments: Namespace) -> None:
     _print_methods(rows, comparison_messages(found))
     sys.stdout.flush()
     for method, why in refused.items():
-        print(f"note: {method}: {message_text(why)}", file=sys.stderr)
+        print(f"note: {method}: {console_text(why)}", file=sys.stderr)
     for method in missing_methods(project):
         if method not in refused:
             print(f"note: not run yet: {method} ({METHOD_TEXTS[method]})", file=sys.stderr)
@@ -180,7 +179,7 @@ def _print_methods(rows: Sequence[MethodValues], messages: Sequence[Message]) ->
     if len(rows) > 1:
         print_table(*method_differences(rows))
     for message in messages:
-        print(message_text(message))
+        print(console_text(message))
     for each in rows:
         for message in each.messages:
-            print(f"{each.method}: {message_text(message)}")
+            print(f"{each.method}: {console_text(message)}")

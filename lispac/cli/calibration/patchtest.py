@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, get_args
 
 from lispac.cli.argument_types import add_json_option, split_named_value, whole_number_from
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 
 if TYPE_CHECKING:
     from lispac.patchtest.line_pairs import LinePair
@@ -107,7 +107,7 @@ def print_patch_test(values: PatchTestValues) -> None:
         print_table(table, [values])
     print_table(PATCH_OBJECTS_TABLE, values.objects)
     for message in values.messages:
-        print(message_text(message))
+        print(console_text(message))
 
 
 def _parse_object(name: str, text: str) -> PatchObject:

@@ -24,8 +24,7 @@ from lispac.cli.console import (
     print_json,
     print_table,
 )
-from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text, print_messages
 from lispac.messages import Message, note
 from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
@@ -291,7 +290,7 @@ def _print_target(
             f"RMS {sighting.rms * 1000:.1f} mm, {qualities[sighting.line].rating}"
         )
         for reason in qualities[sighting.line].reasons:
-            print(f"    {message_text(reason)}")
+            print(f"    {console_text(reason)}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]
             north, west, up = patch.centre
@@ -302,7 +301,7 @@ def _print_target(
                 f"{100 * patch.share:.0f} % of the surface seen"
             )
     for line, missing in target.missing.items():
-        print(f"{target.name} on {line:20s} not found: {message_text(missing)}")
+        print(f"{target.name} on {line:20s} not found: {console_text(missing)}")
 
 
 def _pick_list(

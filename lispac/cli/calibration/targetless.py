@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 from lispac.messages import Message, note
 from lispac.present.json_values import json_values
 
@@ -80,9 +80,9 @@ def run(arguments: Namespace) -> None:
     print_result(found.result, None)
     print_sigmas(found.project)
     for message in found.messages:
-        print(message_text(message))
+        print(console_text(message))
     if arguments.save:
-        print(message_text(_kept_note(project, found)))
+        print(console_text(_kept_note(project, found)))
 
 
 def _kept_note(project: Project, found: TargetlessResult) -> Message:

@@ -11,7 +11,7 @@ from lispac.cli.argument_types import (
     positive_number,
 )
 from lispac.cli.console import ConsoleProgress, print_json, print_table
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -69,4 +69,4 @@ def run(arguments: Namespace) -> None:
     for beam in found.beams:
         print_table(*budget_table(found, beam))
     for assumption in found.messages:
-        print(message_text(assumption))
+        print(console_text(assumption))

@@ -10,8 +10,7 @@ from lispac.cli.argument_types import (
     positive_number,
 )
 from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
-from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text, print_messages
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -68,6 +67,6 @@ def run(arguments: Namespace) -> None:
     if found.points:
         print_table(SURVEYED_POINTS_TABLE, found.points)
     for message in found.messages:
-        print(message_text(message))
+        print(console_text(message))
     for reason in found.not_compared:
-        print(f"not compared: {message_text(reason)}")
+        print(f"not compared: {console_text(reason)}")

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, picture_file
 from lispac.cli.console import ConsoleProgress, print_json, print_table
-from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text, print_messages
 
 if TYPE_CHECKING:
     from lispac.workflow.checking.calibration_history import CalibrationHistory
@@ -60,7 +59,7 @@ def _print_history(history: CalibrationHistory) -> None:
     for table in (DATED_CALIBRATIONS_TABLE, CHANGES_TABLE):
         print_table(table, history.calibrations)
     for each in history.calibrations:
-        print(message_text(each.message))
+        print(console_text(each.message))
     print()
 
 

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, finite_number
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text, print_messages
 
 if TYPE_CHECKING:
     from lispac.messages import Message
@@ -116,7 +115,7 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
         table = replace(table, columns=(*table.columns, with_truth))
     print_table(table, [ValidationPlane.of(each) for each in project.validation])
     for reason in project.not_compared.values():
-        print(f"not compared: {message_text(reason)}")
+        print(f"not compared: {console_text(reason)}")
     print_acceptance(project)
     print_messages(_warnings(project), sys.stdout)
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option, positive_number, whole_number_from
 from lispac.cli.console import ConsoleProgress, print_json, print_table
+from lispac.cli.messages import console_text
 from lispac.cli.planning.worker_options import add_worker_options, cluster_access
-from lispac.message_texts import message_text
 
 CRITERION_NAMES = ("largest", "roll", "pitch", "yaw", "A", "D")
 """Names of `lispac.design.objective.CRITERION_TEXTS`."""
@@ -95,6 +95,6 @@ def run(arguments: Namespace) -> None:
     plans = f"{found.evaluated:,} survey plans evaluated"
     print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
     for message in observability_messages(found.plan):
-        print(message_text(message))
+        print(console_text(message))
     if arguments.output is not None:
         print(arguments.output)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import print_json, print_table
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -49,4 +49,4 @@ def run(arguments: Namespace) -> None:
     print_table(*planning.points_table(plan, values))
     print_table(planning.GAINS_TABLE, gains)
     for message in messages:
-        print(message_text(message))
+        print(console_text(message))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, print_json, print_table
-from lispac.message_texts import message_text
+from lispac.cli.messages import console_text
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -85,6 +85,6 @@ def run(arguments: Namespace) -> None:
         print_table(visibility.CONFIGURATIONS_TABLE, compared)
         for row in compared:
             if row.thesis.reason is not None:
-                print(f"{row.name}: {message_text(row.thesis.reason)}")
+                print(f"{row.name}: {console_text(row.thesis.reason)}")
         print(visibility.fewest_lines_text(found))
     print(f"{len(written)} files in {arguments.output}")
