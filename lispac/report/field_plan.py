@@ -115,7 +115,7 @@ def _predicted_sigma_text(plan: Plan) -> str:
         return gettext("This survey plan does not determine the boresight angles.")
     roll, pitch, yaw = found.sigma
     return gettext(
-        "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg. Time on "
+        "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4}°. Time on "
         "site: {minutes} min.",
         roll=roll, pitch=pitch, yaw=yaw, minutes=fixed_number(plan.duration / 60, 0),
     )  # fmt: skip
@@ -124,7 +124,7 @@ def _predicted_sigma_text(plan: Plan) -> str:
 def _assumptions_text(plan: Plan) -> str:
     pos = plan.system.pos
     return gettext(
-        "Prediction for POS sigmas of {position} mm (north, east, up) and {attitude} deg (roll, "
+        "Prediction for POS sigmas of {position} mm (north, east, up) and {attitude}° (roll, "
         "pitch, heading), and for targets with a form error of {flatness} mm.",
         position=_triple_text([shortest_number(1000 * value) for value in pos.sigma_position]),
         attitude=_triple_text(

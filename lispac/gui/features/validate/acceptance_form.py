@@ -141,7 +141,7 @@ def _reason(check: AcceptanceCheckValues) -> str:
     assert check.value is not None
     if check.unit == "deg":
         return gettext(
-            "{what}: {value:deg.4} deg, limit {limit:deg.4} deg",
+            "{what}: {value:deg.4}°, limit {limit:deg.4}°",
             what=what, value=radians(check.value), limit=radians(check.limit),
         )  # fmt: skip
     return gettext(
