@@ -1,5 +1,7 @@
 """Tests of the panel that converts the boresight to another program's convention."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
@@ -302,7 +304,8 @@ def test_the_panel_shows_the_boresight_of_the_window(
     assert panel.inputs.source.text() == "User-defined values."
     click(driver, panel.inputs.use_project)
     assert "1 sigma" in rows(panel)
-    window.document.edit("settings", driver.project.with_settings(driver.project.settings))
+    changed = replace(driver.project.settings, position_time=200.0)
+    window.document.edit("settings", driver.project.with_settings(changed))
     driver.rest()
     assert panel.inputs.source.text().startswith("Prior boresight")
     assert "1 sigma" not in rows(panel)

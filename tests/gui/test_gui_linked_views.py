@@ -132,7 +132,10 @@ def test_former_views_by_keys_and_menu(real: Driver, demo: Demo) -> None:
 
 
 def test_the_view_moves_only_on_request(real: Driver, demo: Demo, estimated: Project) -> None:
-    """Selecting, renaming, picking and estimating do not move it; a double click does."""
+    """Selecting, renaming and picking do not move it; a double click does.
+
+    When the panel of the results opens, the direction remains and the scene stays in place.
+    """
     window, viewport = real.window, real.viewport
     window.document.open(demo.picked, demo.survey)
     wait_until_idle(real)
@@ -152,9 +155,11 @@ def test_the_view_moves_only_on_request(real: Driver, demo: Demo, estimated: Pro
     assert window.scene.selected == ("T2", "")
     window._rename("T2", "Board")
     seed(real, "V1")
+    assert viewport.camera is camera
     window.document.edit("estimate", estimated)
     wait_until_idle(real)
-    assert viewport.camera is camera
+    former, camera = camera, viewport.camera
+    assert (camera.azimuth, camera.elevation) == (former.azimuth, former.elevation)
     double_click(real, listed, 0, 1)
     assert viewport.camera is not camera
     np.testing.assert_allclose(
