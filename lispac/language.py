@@ -213,18 +213,24 @@ def gettext(template: Template, /, **params: Any) -> str:
 
 def format_text(template: Template, params: Mapping[str, Any]) -> str:
     """Translate a text and fill its placeholders from a mapping."""
-    catalogue = _catalogue(current_language())
-    if isinstance(template, Plural):
-        text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
-    else:
-        text = catalogue.gettext(template) if template else ""
-    if _has_degree_signs.get():
-        text = _DEGREES_IN_TEXT.sub("°", text)
+    count = int(params["count"]) if isinstance(template, Plural) else 0
+    text = _translated(template, count, current_language(), _has_degree_signs.get())
     if not params:
         return text
     if _shown_units and _block_language.get() is None:
         text = _with_shown_units(text)
     return _FORMATTER.vformat(text, (), params)
+
+
+@lru_cache(maxsize=8192)
+def _translated(template: Template, count: int, language: str, has_degree_signs: bool) -> str:
+    """Text of the catalogue for a number of things, with its placeholders."""
+    catalogue = _catalogue(language)
+    if isinstance(template, Plural):
+        text = catalogue.ngettext(template.singular, template.plural, count)
+    else:
+        text = catalogue.gettext(template) if template else ""
+    return _DEGREES_IN_TEXT.sub("°", text) if has_degree_signs else text
 
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:

@@ -143,6 +143,8 @@ class Actions(QObject):
 
         No other code enables or disables actions of menus.
         """
+        if name in self._reasons and self._reasons[name] == reason:
+            return  # all actions are updated after every change
         self._reasons[name] = reason
         menu = self.submenus.get(name)
         action = self[name] if menu is None else menu.menuAction()
