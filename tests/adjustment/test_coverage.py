@@ -74,7 +74,7 @@ def test_sigmas_do_not_depend_on_subsampling(times: tuple[float, float]) -> None
     assert (most < 1.10).all(), table
 
 
-@pytest.mark.parametrize("kind", ["none", "POS time / 10"])
+@pytest.mark.parametrize("kind", ["none", pytest.param("POS time / 10", marks=pytest.mark.long)])
 def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> None:
     """Three surveys; an angle misses two of the intervals with a probability of 1/46."""
     results = study_of_errors(kind, 3, workers=1)

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.design.objective import CRITERION_TEXTS, PlanObjective
+from lispac.design.objective import CRITERION_TEXTS, Criterion, PlanObjective
 from lispac.design.plan import Line
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.plan_search import MAX_EXHAUSTIVE_PLANS, information_gains, search
@@ -81,21 +81,19 @@ def test_the_result_does_not_depend_on_the_mapper(best, monkeypatch: pytest.Monk
     assert one.value == other.value
 
 
-def test_the_search_finds_better_plans_than_the_thesis() -> None:
+@pytest.mark.parametrize("criterion", ["largest", pytest.param("A", marks=pytest.mark.long)])
+def test_the_search_finds_better_plans_than_the_thesis(criterion: Criterion) -> None:
     """Two boards and six lines, as the thesis recommends, but at other places."""
-    for criterion, gain in (("largest", 1.5), ("A", 1.5)):
-        objective = PlanObjective(criterion)
-        usual = objective.of(thesis_plan(LARGE))
-        found = search(LARGE, objective, plans=400)
-        print(f"{criterion}: {np.degrees(usual):.4f} -> {np.degrees(found.value):.4f} deg")
-        assert found.value < usual / gain
-        assert len(found.plan.lines) == 6
-        assert len(found.plan.targets) == 2
-        for course, (start, stop) in zip(
-            found.plan.courses, found.plan.straight_extents, strict=True
-        ):
-            west = course.abeam[1] + np.array([start, stop]) * course.direction[1]
-            assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the face of the wall is at -15
+    objective = PlanObjective(criterion)
+    usual = objective.of(thesis_plan(LARGE))
+    found = search(LARGE, objective, plans=400)
+    print(f"{criterion}: {np.degrees(usual):.4f} -> {np.degrees(found.value):.4f} deg")
+    assert found.value < usual / 1.5
+    assert len(found.plan.lines) == 6
+    assert len(found.plan.targets) == 2
+    for course, (start, stop) in zip(found.plan.courses, found.plan.straight_extents, strict=True):
+        west = course.abeam[1] + np.array([start, stop]) * course.direction[1]
+        assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the face of the wall is at -15
 
 
 def test_the_search_never_returns_a_worse_plan_than_the_start() -> None:

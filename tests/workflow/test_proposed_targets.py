@@ -84,7 +84,8 @@ def mostly_on(scene_site: Site, name: str, indices: Mapping[str, np.ndarray]) ->
     )
 
 
-@pytest.mark.parametrize("noise", [0.0017, pytest.param(0.0025, marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("noise", [0.0017, 0.0025])
 def test_a_rippled_sheet_is_detected_and_not_proposed(
     detected: list[DetectedPlane], noise: float
 ) -> None:
