@@ -18,7 +18,7 @@ from lispac.gui.features.warnings.warnings_panel import (
 )
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
-from lispac.messages import Level, Message, error, note, warning
+from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.warning_causes import Cause
 from tests.gui.support import (
@@ -336,6 +336,14 @@ def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
     assert driver.project.settings.lidar_sigma == pytest.approx(0.5 * given)
     press(driver, Key.Key_Z, Control)
     assert driver.project.settings == noisy.settings
+
+
+def test_actions_on_files_have_no_button(driver: Driver) -> None:
+    message = note("assumed.las_time", actions=(Action("set_option", {"name": "a", "value": 1}),))
+    panel = driver.window.warnings
+    panel.show_warnings([message])
+    assert panel.list.count() == 1
+    assert panel.findChildren(QPushButton) == []
 
 
 def row_with_code(driver: Driver, code: str) -> int:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.duplicate_targets import NOISE_ACTIONS
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.language import N_, Plural, gettext
@@ -137,9 +138,9 @@ class WarningsPanel(QWidget):
             if message not in texts:
                 texts[message] = message_text(message)
             self.list.addItem(_message_item(message, texts[message]))
-            if message.actions:
+            if actions := _possible_actions(message):
                 item = self.list.item(self.list.count() - 1)
-                self.list.setItemWidget(item, self._action_buttons(message.actions))
+                self.list.setItemWidget(item, self._action_buttons(actions))
             if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
@@ -214,9 +215,14 @@ class _WarningListWidget(QListWidget):
             super().keyPressEvent(event)
 
 
+def _possible_actions(message: Message) -> tuple[Action, ...]:
+    """Actions that the window can carry out; those on files belong to the import."""
+    return tuple(action for action in message.actions if action.code in NOISE_ACTIONS)
+
+
 def _message_item(message: Message, text: str) -> QListWidgetItem:
     icon, colour, level = LEVEL_STYLES[message.level]
-    shown = f"{text}\n{ACTION_LINE}" if message.actions else text
+    shown = f"{text}\n{ACTION_LINE}" if _possible_actions(message) else text
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), shown)
     action = gettext("Click, or press Enter, to go to the cause")
     made.setToolTip(widgets.plain_tip(f"{gettext(level)}\n{action}"))
