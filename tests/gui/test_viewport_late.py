@@ -143,3 +143,16 @@ def test_every_query_returns_a_value() -> None:
     theirs = queries - set(vars(LazyViewport))
     assert {name for name in theirs if not name.startswith("_")} <= METHODS_WITH_RESULT
     assert set(vars(Viewport)) > METHODS_BY_OBJECT
+
+
+def test_a_method_taken_before_the_creation_acts_on_the_viewport(
+    late: LazyViewport, made: ViewportFactory
+) -> None:
+    """Actions and signals are connected to methods before the viewport exists."""
+    fit, set_line_visible = late.fit, late.set_line_visible
+    late.show_clouds(CLOUDS, COLOURS)
+    (view,) = made.all
+    view.calls.clear()
+    fit()
+    set_line_visible("A", False)
+    assert view.calls == [("fit", (None,)), ("set_line_visible", ("A", False))]

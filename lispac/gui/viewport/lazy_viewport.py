@@ -74,9 +74,16 @@ class LazyViewport:
             return getattr(self._real_viewport(), name)
         if name.startswith("_") or not hasattr(Viewport, name):
             raise AttributeError(name)
-        return partial(self._store_call, name)
+        return partial(self._call_or_store, name)
 
-    def _store_call(self, name: str, *arguments: object, **named: object) -> None:
+    def _call_or_store(self, name: str, *arguments: object, **named: object) -> None:
+        """Call a method; store the call while there is no real viewport.
+
+        Actions are connected to methods before the real viewport exists, and use them later.
+        """
+        if self._view is not None:
+            getattr(self._view, name)(*arguments, **named)
+            return
         key = (name, str(arguments[0])) if name in METHODS_BY_OBJECT else (name,)
         self._stored_calls.pop(key, None)  # keeps the order of the last calls
         self._stored_calls[key] = lambda view: getattr(view, name)(*arguments, **named)
