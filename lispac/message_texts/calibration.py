@@ -235,11 +235,11 @@ TEXTS: Mapping[str, Template] = {
         "Observed on {lines:n} lines. Without this target the angles are not determined."
     ),
     "propose.validation_plane": N_(
-        "Plane of {area:x.1} m², {height:m.0} m high, observed on {lines:n} lines."
+        "Plane of {area:x.1} m² at a height of {height:m.0} m, observed on {lines:n} lines."
     ),
     "propose.validation_plane_reciprocal": N_(
-        "Plane of {area:x.1} m², {height:m.0} m high, observed on {lines:n} lines, including "
-        "reciprocal lines."
+        "Plane of {area:x.1} m² at a height of {height:m.0} m, observed on {lines:n} lines, "
+        "including reciprocal lines."
     ),
     "propose.validation_plane_poor": N_("{plane} Poorly observed on {lines:names}: {reason}"),
 }

@@ -112,11 +112,11 @@ TOO_LARGE_ASSUMED_TEXT = N_(
     "of the processing report."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
-    "sigmas of the angles are computed with the given ones and are probably too large as well."
+    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "
+    "sigmas of the angles are therefore probably too large as well."
 )
 TOO_SMALL_RAISED_TEXT = N_(
-    "Conservative: the residuals are smaller than the given LiDAR or POS sigmas predict. The "
+    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "
     "sigmas of the angles were increased nevertheless, because angles computed from subsets of the "
     "data scatter more than predicted."
 )

@@ -140,7 +140,7 @@ def test_existing_targets_are_not_proposed_and_names_are_unique(
     [
         (0, "deviations of the boresight with the proposed targets: roll 0.0"),
         (1, "with the proposed and the existing targets (A1): roll 0.0"),
-        (9, "all suitable surfaces are already targets: A1, A2"),
+        (9, "already targets or validation planes: A1, A2"),
     ],
 )
 def test_the_heading_names_the_targets_of_the_sigmas(

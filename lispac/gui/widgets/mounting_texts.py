@@ -7,7 +7,11 @@ from numpy.typing import NDArray
 
 from lispac.gui.appearance import units
 from lispac.language import N_, gettext
-from lispac.survey.conventions.mounting_texts import decimals_of, lever_arm_text, orientation_text
+from lispac.survey.conventions.mounting_texts import (
+    common_decimals,
+    lever_arm_text,
+    orientation_text,
+)
 
 _FRAMES_TEXT = N_(
     "The boresight rotates LiDAR coordinates into the body frame (forward, left, up):"
@@ -39,7 +43,7 @@ def convention_html() -> str:
 def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:
     """Texts of absolute values with their unit; empty for zero."""
     sizes = [float(abs(value)) for value in values]
+    decimals = common_decimals(sizes)
     return [
-        units.local_amount(size, base, f".{decimals_of(size)}f") if round(size, 4) else ""
-        for size in sizes
+        units.local_amount(size, base, f".{decimals}f") if round(size, 4) else "" for size in sizes
     ]

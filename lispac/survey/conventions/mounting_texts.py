@@ -26,12 +26,12 @@ LARGE_ANGLE_RAD = np.radians(10.0)
 
 
 def angle_amounts(values: Sequence[float]) -> list[LazyText | str]:
-    """Texts of absolute angles (radians) in degrees; see `decimals_of` for their decimals."""
+    """Texts of absolute angles (radians) in degrees; see `common_decimals` for their decimals."""
     return _formatted_amounts(values, float(np.degrees(1.0)), _DEGREES_TEXTS)
 
 
 def length_amounts(values: Sequence[float]) -> list[LazyText | str]:
-    """Texts of absolute lengths in metres; see `decimals_of` for their decimals."""
+    """Texts of absolute lengths in metres; see `common_decimals` for their decimals."""
     return _formatted_amounts(values, 1.0, _METRES_TEXTS)
 
 
@@ -138,18 +138,17 @@ def offsets_note(mounting: Mounting) -> Message | None:
     return note("convention.offsets", offsets=parts) if parts else None
 
 
-def decimals_of(size: float) -> int:
-    """Number of decimals of a value in degrees or metres: four below 0.1, otherwise three."""
-    return 4 if size < 0.1 else 3
+def common_decimals(sizes: Sequence[float]) -> int:
+    """Number of decimals of values in one sentence: four if one that is shown is below 0.1."""
+    return 4 if any(size < 0.1 for size in sizes if round(size, 4)) else 3
 
 
 def _formatted_amounts(
     values: Sequence[float], factor: float, templates: Mapping[int, str]
 ) -> list[LazyText | str]:
-    sizes = [(abs(value), abs(value) * factor) for value in values]
+    sizes = [abs(value) * factor for value in values]
+    decimals = common_decimals(sizes)
     return [
-        gettext_lazy(templates[decimals_of(size)], value=value)
-        if round(size, decimals_of(size))
-        else ""
-        for value, size in sizes
+        gettext_lazy(templates[decimals], value=abs(value)) if round(size, 4) else ""
+        for value, size in zip(values, sizes, strict=True)
     ]

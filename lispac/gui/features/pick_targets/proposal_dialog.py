@@ -135,8 +135,8 @@ def _targets_text(proposal: Proposal) -> str:
     """Text on the predicted precision, or that all useful targets are picked."""
     if not any(target.role == "target" for target in proposal.targets):
         return gettext(
-            "No more targets are proposed because all suitable surfaces are already targets: "
-            "{targets:names}.",
+            "No more targets are proposed because all suitable surfaces are already targets or "
+            "validation planes: {targets:names}.",
             targets=proposal.picked,
         )
     sigmas = dict(zip(ANGLES, map(_angle_text, proposal.sigma), strict=True))

@@ -87,8 +87,8 @@ class IdentityDialog(QDialog):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "Empty fields are omitted in the short report, and printed blank in the full "
-                    "report, to be filled in by hand."
+                    "Empty fields are omitted in the short report, except for the names beside the "
+                    "signatures, and printed blank in the full report, to be filled in by hand."
                 ),
                 wrap=True,
             )
