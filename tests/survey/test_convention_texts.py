@@ -54,7 +54,7 @@ def test_the_sentence_about_a_boresight() -> None:
 def test_angles_have_the_same_number_of_decimals() -> None:
     cases = {
         (0.2, 1.178, 0.3): ["1.178", "0.300", "0.200"],
-        (0.0, 1.2, 0.0251): ["1.200", "0.0251"],
+        (0.0, 1.2, 0.0251): ["1.2000", "0.0251"],
         (1e-6, 1.178, 90.0): ["1.178", "90.000"],
     }
     for angles, expected in cases.items():
@@ -77,7 +77,7 @@ def test_the_text_agrees_with_the_matrix(sign: int) -> None:
 
 def test_the_sentence_about_a_lever_arm() -> None:
     assert offsets_in((-0.185596, 0.037658, 2.419063)) == [
-        ("0.186", "aft"), ("0.0377", "port"), ("2.419", "above"),
+        ("0.1856", "aft"), ("0.0377", "port"), ("2.4191", "above"),
     ]  # fmt: skip
     assert offsets_in((0, -1.5, -2)) == [("1.500", "starboard"), ("2.000", "below")]
     assert offsets_in((0, 0, 0)) == []
