@@ -78,14 +78,14 @@ def processor_s() -> float:
 def start(began: float, words: list[str]) -> None:
     """Run the program until its window is usable, and close it."""
     from PySide6.QtCore import QTimer
-    from PySide6.QtWidgets import QApplication, QSplashScreen
+    from PySide6.QtWidgets import QApplication, QLabel
 
     from lispac.gui.window import program
 
     run, found = QApplication.exec, {}
     show_splash_screen = program.show_splash_screen
 
-    def show_and_note(icon: QIcon) -> QSplashScreen:
+    def show_and_note(icon: QIcon) -> QLabel:
         splash = show_splash_screen(icon)
         found["splash_s"] = time.time() - began
         return splash

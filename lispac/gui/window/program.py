@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QFileOpenEvent, QIcon
-from PySide6.QtWidgets import QApplication, QSplashScreen
+from PySide6.QtWidgets import QApplication, QLabel
 
 import lispac
 from lispac import caches
@@ -77,7 +77,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
-    splash.finish(session.window)
+    splash.close()
     importing = threading.Thread(target=_prepare_in_background, name="lispac-import")
     QTimer.singleShot(IMPORT_DELAY_MS, importing.start)
     if isinstance(application, Application):
@@ -107,9 +107,17 @@ def _import_viewport() -> "type[Viewport]":
     return VtkViewport
 
 
-def show_splash_screen(icon: QIcon) -> QSplashScreen:
-    """Show the icon while the modules of the window are imported."""
-    splash = QSplashScreen(icon.pixmap(SPLASH_SIZE))
+def show_splash_screen(icon: QIcon) -> QLabel:
+    """Show the icon while the modules of the window are imported.
+
+    `QSplashScreen` is not used: it waits up to a second until the system has shown it.
+    """
+    splash = QLabel()
+    splash.setWindowFlags(Qt.WindowType.SplashScreen | Qt.WindowType.FramelessWindowHint)
+    splash.setAttribute(Qt.WidgetAttribute.WA_TranslucentBackground)
+    splash.setPixmap(icon.pixmap(SPLASH_SIZE))
+    splash.adjustSize()
+    splash.move(splash.screen().availableGeometry().center() - splash.rect().center())
     splash.show()
     QApplication.processEvents()
     return splash
