@@ -213,12 +213,6 @@ TEXTS: Mapping[str, Template] = {
         "Targets were excluded because none of their points agrees with the other targets and "
         "lines: {targets:names}. Pick these targets again, or remove them."
     ),
-    "adjustment.target_grazing": Plural(
-        "All lines observe target {targets:names} at more than {limit:deg.0}° incidence, so its "
-        "ranges may be biased. Add a line that observes it less obliquely, or exclude it.",
-        "All lines observe targets {targets:names} at more than {limit:deg.0}° incidence, so their "
-        "ranges may be biased. Add a line that observes them less obliquely, or exclude them.",
-    ),
     "adjustment.target_cut": N_(
         "The lines cover different areas of these targets, which may not be flat, so only the "
         "common area is used: {targets:names}. Pick smaller targets."

@@ -209,16 +209,6 @@ def _displaced(project: Project) -> Project:
     return replace(project, result=replace(project.result, surface=1e-5, offset=0.0071))
 
 
-def _grazing(project: Project) -> Project:
-    """All lines observe the first target at 76 deg, only five of them the second."""
-    assert project.result is not None
-    sightings = tuple(
-        replace(each, incidence=np.radians(76.0 if k < 11 else 74.0))
-        for k, each in enumerate(project.result.sightings)
-    )
-    return replace(project, result=replace(project.result, sightings=sightings))
-
-
 def _not_flat(project: Project) -> Project:
     return _noise(1.0, 2.4)(_unchecked("line", lines=2)(project))
 
@@ -250,7 +240,6 @@ CASES = [
     ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
     ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
     ("target_parts", False, _cut(0.0), "may not be flat: T1"),
-    ("target_grazing", True, _grazing, "observe target T1 at more than 75 deg incidence"),
     ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
     ("radii_pitch_sign", True, _radii("pitch_sign"), "but agrees with the opposite sign of pitch"),
     ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),

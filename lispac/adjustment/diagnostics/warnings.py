@@ -51,9 +51,6 @@ HIGH_CORRELATION = 0.9
 MAX_FLAT_FORM_SIGMA = 0.005
 """Largest sigma of the form errors of flat boards, metres."""
 
-GRAZING_INCIDENCE_DEG = 75.0
-"""Angle of incidence at which the beam footprint is four times as long as at right angles."""
-
 LARGE_RESIDUAL_CODES = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
     "adjustment.cause_not_identified",
@@ -306,22 +303,6 @@ def _common_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
         yield note("adjustment.target_parts", targets=shortened_list(excluded), subject=first)
 
 
-def _grazing_target_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Warning about targets that no line observes at less than `GRAZING_INCIDENCE_DEG`."""
-    grazing = []
-    for target in result.targets:
-        angles = [s.incidence for s in result.sightings if s.sighting.target == target.target]
-        known = [np.degrees(angle) for angle in angles if angle is not None]
-        if len(known) == len(angles) and min(known, default=0.0) > GRAZING_INCIDENCE_DEG:
-            grazing.append(target.target)
-    if grazing:
-        yield warning(
-            "adjustment.target_grazing",
-            count=len(grazing), targets=grazing, limit=float(np.radians(GRAZING_INCIDENCE_DEG)),
-            subject=Cause.of_target(grazing[0]),
-        )  # fmt: skip
-
-
 RADIUS_CAUSE_CODES = {
     "": "adjustment.radii_differ",
     "roll_sign": "adjustment.radii_roll_sign",
@@ -432,7 +413,6 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     _unchecked_part_warnings,
     _excluded_target_notes,
     _common_part_warnings,
-    _grazing_target_warning,
     _radius_warnings,
     _correlation_time_note,
     _raised_sigma_note,
