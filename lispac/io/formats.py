@@ -18,7 +18,6 @@ from lispac.io.trajectory.trajectory_formats import (
     CIDCO_STATES_FORMAT,
     EXAIL_ACCURACY_FORMAT,
     EXAIL_FORMAT,
-    NOVATEL_FORMAT,
     POSPAC_ACCURACY_FORMAT,
     POSPAC_FORMAT,
     SBET_FORMAT,
@@ -40,7 +39,6 @@ TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
     SBET_FORMAT,
     EXAIL_FORMAT,
     POSPAC_FORMAT,
-    NOVATEL_FORMAT,
     ASCII_FORMAT,
     CIDCO_STATES_FORMAT,
 )

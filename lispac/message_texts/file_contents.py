@@ -10,7 +10,6 @@ TEXTS: Mapping[str, Template] = {
     "format.smrmsg": N_("Applanix smrmsg"),
     "format.exail": N_("Exail (iXblue) APPS or Delph INS text"),
     "format.pospac": N_("Applanix POSPac text"),
-    "format.novatel": N_("NovAtel INSPVA logs"),
     "format.ascii": N_("Text with given columns"),
     "format.cidco_states": N_("CIDCO binary, states of the points"),
     "format.cidco_sigmas": N_("CIDCO binary, standard deviations of the states"),

@@ -152,10 +152,6 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {column} is in degrees, minutes and seconds, or in hours. Export decimal degrees "
         "and seconds."
     ),
-    "trajectory.novatel_log": N_(
-        "{file}, row {row:n}: the INSPVA log is damaged or its checksum is wrong. Export the file "
-        "again."
-    ),
     "trajectory.not_a_row": N_(
         '{file}, row {row:n}: "{text}" is not a row of numbers. Export the file again.'
     ),

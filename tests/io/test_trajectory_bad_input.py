@@ -13,13 +13,7 @@ from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACY_FORMATS, TRAJECTORY_FORMATS, format_of, recognise_formats
 from lispac.message_texts import message_text
 from tests.support.message_codes import codes
-from tests.support.trajectory_files import (
-    vessel,
-    write_delph,
-    write_novatel,
-    write_pospac,
-    write_records,
-)
+from tests.support.trajectory_files import vessel, write_delph, write_pospac, write_records
 
 BINARY = ("sbet", "smrmsg")
 TEXT = ("exail-text", "pospac-text", "ascii-trajectory", "exail-sigmas", "pospac-sigmas")
@@ -48,8 +42,6 @@ def write_valid(key: str, path: Path) -> Path:
         return write_delph(path, records, sigmas=key == "exail-sigmas")
     if key.startswith("pospac"):
         return write_pospac(path, records)
-    if key == "novatel-inspva":
-        return write_novatel(path, records)
     angles = np.degrees(records[:, [1, 2, 7, 8, 9]])
     table = [records[:, 0], angles[:, 0], angles[:, 1], records[:, 3], *angles[:, 2:].T]
     np.savetxt(path, np.stack(table, axis=1), "%.12f")

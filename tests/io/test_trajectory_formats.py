@@ -28,14 +28,11 @@ from tests.support.trajectory_files import (
     truth,
     vessel,
     write_delph,
-    write_novatel,
     write_pospac,
     write_records,
 )
 
-ASCII, EXAIL, POSPAC, NOVATEL = (
-    format_of(key) for key in ("ascii-trajectory", "exail-text", "pospac-text", "novatel-inspva")
-)
+ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-text", "pospac-text"))
 
 
 def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11) -> None:
@@ -198,36 +195,6 @@ def test_pospac_units_come_from_the_header(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text(without)
     finding = POSPAC.preview(tmp_path / "a.txt", {})
     assert "trajectory.degrees_assumed" in codes(finding.file_warnings)
-
-
-RECEIVER_LOG = """\
-#INSPVAA,USB1,0,67.5,FINESTEERING,2209,490558.000,02000020,18bc,16809;2209,490558.000000000,\
-51.15043714042,-114.03067871718,1080.3548,0.0051,-0.0014,-0.0012,-0.296402993,0.311887972,\
-157.992156267,INS_SOLUTION_GOOD*cc698020
-"""
-
-
-def test_novatel_logs_are_read(tmp_path: Path) -> None:
-    """The signs are those of Applanix; the last log is from a receiver."""
-    records = vessel(500)
-    path = write_novatel(tmp_path / "a.txt", records)
-    assert recognise_formats(path, "trajectory")[0] == (NOVATEL, SURE)
-    finding = NOVATEL.preview(path, {})
-    assert finding.file_warnings == ()
-    agrees(NOVATEL.read(path, finding.choice), records)
-    real = RECEIVER_LOG.strip()
-    path.write_text(path.read_text().splitlines()[0] + f"\n$GPGGA,1,2*3f\n{real}\n")
-    trajectory = NOVATEL.read(path, {})
-    assert np.degrees(trajectory.attitude[1]) == pytest.approx(
-        (-0.296402993, -0.311887972, 157.992156267)
-    )
-    path.write_text(path.read_text().replace("-0.2964", "-0.2974"))
-    with pytest.raises(InputError) as refused:
-        NOVATEL.read(path, {})
-    assert (refused.value.code, refused.value.message.params["row"]) == (
-        "trajectory.novatel_log",
-        3,
-    )
 
 
 def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:

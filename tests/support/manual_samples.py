@@ -8,13 +8,7 @@ from lispac.io.formats import format_of
 from lispac.messages import Message
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.support import point_files
-from tests.support.trajectory_files import (
-    vessel,
-    write_delph,
-    write_novatel,
-    write_pospac,
-    write_records,
-)
+from tests.support.trajectory_files import vessel, write_delph, write_pospac, write_records
 
 
 def samples(folder: Path) -> dict[str, Path]:
@@ -43,7 +37,6 @@ def samples(folder: Path) -> dict[str, Path]:
         "exail-sigmas": write_delph(folder / "sigmas.txt", records, sigmas=True),
         "pospac-text": pospac,
         "pospac-sigmas": pospac,
-        "novatel-inspva": write_novatel(folder / "novatel.txt", records),
         "ascii-trajectory": folder / "columns.txt",
         "smrmsg": folder / "smrmsg.out",
         "cidco-states": cidco,

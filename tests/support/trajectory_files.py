@@ -1,7 +1,6 @@
 """Trajectory files as written by other programs, made with struct and as plain text."""
 
 import struct
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -124,21 +123,6 @@ def write_pospac(path: Path, records: np.ndarray) -> Path:
         north, east, height, of_heading, of_roll, of_pitch = SIGMAS
         sigmas = f"{east} {north} {height} {of_roll} {of_pitch} {of_heading}"
         text += f"{row[0]:14.5f} {place} {row[3]:10.4f} {angles} 0 0 0 {sigmas}\n"
-    path.write_text(text, encoding="utf-8")
-    return path
-
-
-def write_novatel(path: Path, records: np.ndarray) -> Path:
-    """Write INSPVA logs of a NovAtel receiver, with their checksums."""
-    text = ""
-    for row in records:
-        lat, lon, roll, pitch, heading = np.degrees([row[1], row[2], row[7], row[8], row[9]])
-        log = (
-            f"INSPVAA,COM1,0,58.5,FINESTEERING,2001,{row[0]:.3f},00000000,54e2,13386;2001,"
-            f"{row[0]:.9f},{lat:.11f},{lon:.11f},{row[3]:.4f},{row[4]:.4f},{-row[5]:.4f},"
-            f"{row[6]:.4f},{roll:.9f},{pitch:.9f},{heading % 360:.9f},INS_SOLUTION_GOOD"
-        )
-        text += f"#{log}*{zlib.crc32(log.encode(), 0xFFFFFFFF) ^ 0xFFFFFFFF:08x}\n"
     path.write_text(text, encoding="utf-8")
     return path
 

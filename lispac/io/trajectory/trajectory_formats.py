@@ -47,7 +47,6 @@ from lispac.io.trajectory.exail import (
     sniff_exail,
     sniff_exail_accuracy,
 )
-from lispac.io.trajectory.novatel import preview_novatel, read_novatel, sniff_novatel
 from lispac.io.trajectory.pospac_text import (
     preview_pospac,
     preview_pospac_accuracy,
@@ -298,17 +297,6 @@ POSPAC_FORMAT = _make_format(
     sniff_pospac,
     preview_pospac,
     read_pospac,
-)
-
-NOVATEL_FORMAT = _make_format(
-    note("format.novatel"),
-    "novatel-inspva",
-    "trajectory",
-    (".txt", ".log", ".asc"),
-    (TIME_OPTION,),
-    sniff_novatel,
-    preview_novatel,
-    read_novatel,
 )
 
 ASCII_FORMAT = _make_format(

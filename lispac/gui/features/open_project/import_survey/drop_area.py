@@ -11,10 +11,7 @@ _FILE_KINDS = (
     (
         "ferry",
         N_("Trajectory"),
-        N_(
-            "SBET file, POSPac, Exail (iXblue) or NovAtel text file, or another text file with "
-            "columns"
-        ),
+        N_("SBET file, POSPac or Exail (iXblue) text file, or another text file with columns"),
     ),
     (
         "chart-bell-curve",
