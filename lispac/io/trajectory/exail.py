@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.text.units import direction_of, parse_unit
 from lispac.io.trajectory.trajectory_columns import (
@@ -31,6 +31,13 @@ from lispac.io.trajectory.trajectory_columns import (
     accuracy_of,
     role_of,
     trajectory_of,
+)
+from lispac.io.trajectory.trajectory_options import (
+    GRID_SYSTEM_OPTION,
+    PITCH_OPTION,
+    ROLL_OPTION,
+    TIME_OPTION,
+    trajectory_format,
 )
 from lispac.io.trajectory.trajectory_preview import (
     TextLayout,
@@ -264,3 +271,32 @@ def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
         time=choice["time"],
         crs="" if geographic else choice.get("crs", ""),
     )
+
+
+EXAIL_OPTIONS = (
+    FormatOption(PITCH_OPTION.name, PITCH_OPTION.meaning, PITCH_OPTION.choices, "bow-down"),
+    ROLL_OPTION,
+    FormatOption(TIME_OPTION.name, TIME_OPTION.meaning, TIME_OPTION.choices, "unix"),
+    GRID_SYSTEM_OPTION,
+)
+EXAIL_FORMAT = trajectory_format(
+    note("format.exail"),
+    "exail-text",
+    "trajectory",
+    (".txt", ".csv"),
+    EXAIL_OPTIONS,
+    sniff_exail,
+    preview_exail,
+    read_exail,
+    has_time_base=True,  # the exports contain dates, or are in UTC
+)
+EXAIL_ACCURACY_FORMAT = trajectory_format(
+    note("format.exail_sigmas"),
+    "exail-sigmas",
+    "accuracy",
+    (".txt", ".csv"),
+    EXAIL_OPTIONS,
+    sniff_exail_accuracy,
+    preview_exail_accuracy,
+    read_exail_accuracy,
+)

@@ -26,6 +26,11 @@ from lispac.io.trajectory.trajectory_columns import (
     role_of,
     trajectory_of,
 )
+from lispac.io.trajectory.trajectory_options import (
+    GRID_SYSTEM_OPTION,
+    TIME_OPTION,
+    trajectory_format,
+)
 from lispac.io.trajectory.trajectory_preview import (
     TextLayout,
     has_sigmas,
@@ -232,3 +237,26 @@ def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
     return TrajectoryConventions(
         time=choice.get("time", "gps-week"), crs="" if geographic else choice.get("crs", "")
     )
+
+
+POSPAC_OPTIONS = (TIME_OPTION, GRID_SYSTEM_OPTION)
+POSPAC_FORMAT = trajectory_format(
+    note("format.pospac"),
+    "pospac-text",
+    "trajectory",
+    (".txt", ".csv"),
+    POSPAC_OPTIONS,
+    sniff_pospac,
+    preview_pospac,
+    read_pospac,
+)
+POSPAC_ACCURACY_FORMAT = trajectory_format(
+    note("format.pospac_sigmas"),
+    "pospac-sigmas",
+    "accuracy",
+    (".txt", ".csv"),
+    POSPAC_OPTIONS,
+    sniff_pospac_accuracy,
+    preview_pospac_accuracy,
+    read_pospac_accuracy,
+)
