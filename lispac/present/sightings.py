@@ -139,10 +139,16 @@ def _sighting_values(
 ) -> SightingValues:
     sighting = fit.sighting
     values = SightingValues(
-        sighting.target, sighting.line, heading, fit.points, fit.rms_before, fit.rms_after,
-        fit.mean_after, None if fit.incidence is None else math.degrees(fit.incidence),
-        "not tested",
-    )  # fmt: skip
+        target=sighting.target,
+        line=sighting.line,
+        heading_deg=heading,
+        points=fit.points,
+        rms_before_m=fit.rms_before,
+        rms_after_m=fit.rms_after,
+        mean_after_m=fit.mean_after,
+        incidence_deg=None if fit.incidence is None else math.degrees(fit.incidence),
+        status="not tested",
+    )
     if test is None:
         return values
     status: SightingStatus = sighting_status(test, critical)
