@@ -33,8 +33,8 @@ from lispac.gui.features.help.dialogs import KEYS, keys_text
 from lispac.gui.features.open_project.data_panel import DataPanel
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.features.preferences.dialogs import SettingsDialog
 from lispac.gui.features.preferences.preferences import Preferences
-from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
