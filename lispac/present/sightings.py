@@ -270,7 +270,7 @@ SIGHTINGS_TABLE = Table[SightingValues](
 SIGHTING_FIT_TABLE = Table[SightingValues](
     N_("Fit of each sighting to the surface of its target"),
     (
-        TARGET_COLUMN, LINE_COLUMN, HEADING_COLUMN, POINTS_COLUMN, INCIDENCE_COLUMN,
+        TARGET_COLUMN, LINE_COLUMN, HEADING_COLUMN, POINTS_COLUMN,
         RMS_BEFORE_COLUMN.with_title(N_("RMS\nbefore")),
         RMS_AFTER_COLUMN.with_title(N_("RMS\nafter")), MEAN_AFTER_COLUMN,
     ),

@@ -116,7 +116,6 @@ def _shown_numbers(data: dict) -> list[str]:
     fits = [*adjustment["targets"], *adjustment["sightings"]]
     numbers += [f"{1000 * fit[f'rms_{w}_m']:.1f}" for fit in fits for w in ("before", "after")]
     numbers += [f"{1000 * s['mean_after_m']:+.1f}" for s in adjustment["sightings"]]
-    numbers += [f"{s['incidence_deg']:.0f}" for s in adjustment["sightings"]]
     for extra in adjustment["parameters"]:
         numbers += [f"{extra[key]:+.4f}" for key in ("prior", "value")]
         numbers += [f"{extra['sigma']:.4f}", f"{extra['significance']:+.1f}"]

@@ -118,10 +118,9 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
             float(rng.uniform(0.02, 0.09)),
             float(rng.uniform(0.0025, 0.0035)),
             float(rng.normal(0, 0.0008)),
-            float(np.radians(31 + 7 * k)),
         )
         for target in targets
-        for k, line in enumerate(lines)
+        for line in lines
     )
     points = sum(s.points for s in sightings)
     correlated = model == "correlated"
