@@ -75,13 +75,24 @@ def _is_writable(place: Path) -> bool:
     if place.is_relative_to(home) and not home.is_dir():
         return False  # the program does not create home directories
     try:
-        place.mkdir(parents=True, exist_ok=True)
-        trial = place / f".trial-{os.getpid()}"
-        trial.write_bytes(b"")
-        trial.unlink()
+        _try_writing(place)
     except OSError:
         return False
     return True
+
+
+def _try_writing(place: Path) -> None:
+    """Create a folder and a file in it, and remove the file.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written to.
+    """
+    place.mkdir(parents=True, exist_ok=True)
+    trial = place / f".trial-{os.getpid()}"
+    trial.write_bytes(b"")
+    trial.unlink()
 
 
 def require_writable(folder: Path) -> None:
@@ -94,10 +105,7 @@ def require_writable(folder: Path) -> None:
     """
     place, present = cache_folder_in(folder), folder.is_dir()
     try:
-        place.mkdir(parents=True, exist_ok=True)
-        trial = place / f".trial-{os.getpid()}"
-        trial.write_bytes(b"")
-        trial.unlink()
+        _try_writing(place)
     except OSError as failure:
         reason = system_reason(failure)
         raise InputError(

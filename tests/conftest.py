@@ -193,3 +193,12 @@ def shown(qtbot):
 @pytest.fixture
 def viewport(shown):
     return shown()
+
+
+@pytest.fixture
+def cloudcompare() -> str:
+    """Path of CloudCompare; the test is skipped where it is not installed."""
+    program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
+    if program is None:
+        pytest.skip("CloudCompare is not installed")
+    return program

@@ -57,6 +57,9 @@ class SightingResidual:
     points : int
     rms_before, rms_after, mean_after : float, metres
         RMS and mean distance before and after the adjustment. Estimated POS errors are not removed.
+    incidence : float or None, radians
+        Mean angle between the beams and the normals of the surface. None in results of earlier
+        versions.
     """
 
     sighting: Sighting
@@ -64,6 +67,7 @@ class SightingResidual:
     rms_before: float
     rms_after: float
     mean_after: float
+    incidence: float | None = None
 
 
 @accept_script_names

@@ -1,4 +1,4 @@
-"""Options for LiDAR noise and offsets, shared by ``lispac new`` and ``lispac estimate``."""
+"""Options for LiDAR noise, offsets and the error budget, shared by several commands."""
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
@@ -32,41 +32,50 @@ def add_noise_options(parser: ArgumentParser) -> None:
     )
 
 
-def add_offset_options(parser: ArgumentParser) -> None:
-    """Add the options for the range offset, scan angle offset and latency."""
-    for name, unit, text in (
-        ("range-offset", "METRES", "range offset, added to every range (m; default 0)"),
-        (
-            "scan-angle-offset",
-            "DEGREES",
-            "scan-angle offset, rotation of every beam about the x axis of the scanner (deg; "
-            "default 0)",
-        ),
-        (
-            "latency",
-            "SECONDS",
-            "latency, added to the time of every point before the trajectory is interpolated (s; "
-            "default 0)",
-        ),
-    ):
-        parser.add_argument(f"--{name}", type=finite_number, metavar=unit, help=f"prior {text}")
+def add_offset_options(parser: ArgumentParser, kind: str = "prior", default: str = "0") -> None:
+    """Add the options for the range offset, scan angle offset and latency.
+
+    Parameters
+    ----------
+    kind : str
+        Which values they are, for the help: ``prior`` or ``true``.
+    default : str
+        What applies without the option, for the help.
+    """
+    for name, unit, short_unit, text in (
+        ("range-offset", "METRES", "m", "range offset, added to every range"),
+        ("scan-angle-offset", "DEGREES", "deg",
+         "scan-angle offset, rotation of every beam about the x axis of the scanner"),
+        ("latency", "SECONDS", "s",
+         "latency, added to the time of every point before the trajectory is interpolated"),
+    ):  # fmt: skip
+        parser.add_argument(
+            f"--{name}", type=finite_number, metavar=unit,
+            help=f"{kind} {text} ({short_unit}; default {default})",
+        )  # fmt: skip
 
 
-def add_budget_options(parser: ArgumentParser) -> None:
-    """Add the options for values that only the error budget uses."""
+def add_budget_options(
+    parser: ArgumentParser,
+    lever_default: str = "not included",
+    divergence_default: str = "that of --scanner, or not included",
+) -> None:
+    """Add the options for values that only the error budget uses.
+
+    Parameters
+    ----------
+    lever_default, divergence_default : str
+        What applies without the option, for the help.
+    """
     add_triple_option(
-        parser,
-        "--lever-arm-sigma",
-        ("X", "Y", "Z"),
-        "1 sigma of the lever arm for the error budget (m; default: not included)",
-    )
+        parser, "--lever-arm-sigma", ("X", "Y", "Z"),
+        f"1 sigma of the lever arm for the error budget (m; default: {lever_default})",
+    )  # fmt: skip
     parser.add_argument(
-        "--beam-divergence",
-        type=positive_number,
-        metavar="MRAD",
-        help="full angle of the beam divergence for the error budget (mrad; default: that of "
-        "--scanner, or not included)",
-    )
+        "--beam-divergence", type=positive_number, metavar="MRAD",
+        help="full angle of the beam divergence for the error budget (mrad; default: "
+        f"{divergence_default})",
+    )  # fmt: skip
 
 
 def noise_and_offset_settings(arguments: Namespace) -> Mapping[str, Any]:

@@ -11,18 +11,12 @@ from lispac.io.points.ply import PLY_FORMAT
 from lispac.io.text.plane_points import PLANE_FORMAT
 from lispac.io.text.target_points import TARGET_FORMAT
 from lispac.io.text.text_chunks import TEXT_FORMAT
+from lispac.io.trajectory.ascii_trajectory import ASCII_FORMAT
 from lispac.io.trajectory.cidco import CIDCO_FORMAT
-from lispac.io.trajectory.trajectory_formats import (
-    ASCII_FORMAT,
-    CIDCO_ACCURACY_FORMAT,
-    CIDCO_STATES_FORMAT,
-    EXAIL_ACCURACY_FORMAT,
-    EXAIL_FORMAT,
-    POSPAC_ACCURACY_FORMAT,
-    POSPAC_FORMAT,
-    SBET_FORMAT,
-    SMRMSG_FORMAT,
-)
+from lispac.io.trajectory.cidco_states import CIDCO_ACCURACY_FORMAT, CIDCO_STATES_FORMAT
+from lispac.io.trajectory.exail import EXAIL_ACCURACY_FORMAT, EXAIL_FORMAT
+from lispac.io.trajectory.pospac_text import POSPAC_ACCURACY_FORMAT, POSPAC_FORMAT
+from lispac.io.trajectory.sbet_formats import SBET_FORMAT, SMRMSG_FORMAT
 from lispac.messages import error
 
 POINT_FORMATS: tuple[FileFormat, ...] = (

@@ -87,6 +87,7 @@ class SightingValues:
     rms_before_m: float
     rms_after_m: float
     mean_after_m: float
+    incidence_deg: float | None
     status: SightingStatus
     shift_m: float | None = None
     w: float | None = None
@@ -138,9 +139,16 @@ def _sighting_values(
 ) -> SightingValues:
     sighting = fit.sighting
     values = SightingValues(
-        sighting.target, sighting.line, heading, fit.points, fit.rms_before, fit.rms_after,
-        fit.mean_after, "not tested",
-    )  # fmt: skip
+        target=sighting.target,
+        line=sighting.line,
+        heading_deg=heading,
+        points=fit.points,
+        rms_before_m=fit.rms_before,
+        rms_after_m=fit.rms_after,
+        mean_after_m=fit.mean_after,
+        incidence_deg=None if fit.incidence is None else math.degrees(fit.incidence),
+        status="not tested",
+    )
     if test is None:
         return values
     status: SightingStatus = sighting_status(test, critical)
@@ -186,6 +194,10 @@ HEADING_COLUMN = Column[SightingValues](
 POINTS_COLUMN = Column[SightingValues](
     "points", N_("Points\nused"), COUNT, N_("Points used, after averaging or thinning")
 )
+INCIDENCE_COLUMN = Column[SightingValues](
+    "incidence_deg", N_("Incidence"), Format("deg", 0),
+    N_("Mean angle between the beams and the normal of the surface"),
+)  # fmt: skip
 RMS_BEFORE_COLUMN = Column[SightingValues](
     "rms_before_m", N_("Before"), MILLIMETRES,
     N_("RMS distance to the surface with the prior boresight"),
@@ -248,10 +260,10 @@ FINDING_COLUMN = Column[SightingValues](
 SIGHTINGS_TABLE = Table[SightingValues](
     N_("Sightings"),
     (
-        TARGET_COLUMN, LINE_COLUMN, POINTS_COLUMN, RMS_BEFORE_COLUMN, RMS_AFTER_COLUMN,
-        SHIFT_COLUMN, W_COLUMN, DETECTABLE_SHIFT_COLUMN, LARGEST_EFFECT_COLUMN, OUTLIERS_COLUMN,
-        LARGEST_W_COLUMN, LARGEST_W_TIME_COLUMN, REDUNDANCY_COLUMN, POS_POSITION_COLUMN,
-        POS_ATTITUDE_COLUMN, FINDING_COLUMN,
+        TARGET_COLUMN, LINE_COLUMN, POINTS_COLUMN, INCIDENCE_COLUMN, RMS_BEFORE_COLUMN,
+        RMS_AFTER_COLUMN, SHIFT_COLUMN, W_COLUMN, DETECTABLE_SHIFT_COLUMN, LARGEST_EFFECT_COLUMN,
+        OUTLIERS_COLUMN, LARGEST_W_COLUMN, LARGEST_W_TIME_COLUMN, REDUNDANCY_COLUMN,
+        POS_POSITION_COLUMN, POS_ATTITUDE_COLUMN, FINDING_COLUMN,
     ),
 )  # fmt: skip
 """Table of the window with all values of a sighting; the report has the following tables."""

@@ -32,9 +32,10 @@ from lispac.adjustment.solve.group_sums import (
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.text.plane_file import read_plane_files
 from lispac.progress import Step
-from lispac.survey.georeferencing import Mounting
+from lispac.survey.georeferencing import Mounting, place_points
+from lispac.survey.trajectory import Poses
 from tests.support.error_codes import has_code
-from tests.support.surveys import disturbed, planar_survey
+from tests.support.surveys import TARGETS, disturbed, planar_survey
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
 INDEPENDENT, CORRELATED = StochasticModel("independent"), StochasticModel("correlated")
@@ -205,6 +206,22 @@ def test_true_boresight_is_recovered_without_noise(
     np.testing.assert_allclose(np.degrees(result.boresight), truth_deg, rtol=0, atol=1e-6)
     assert result.rms_before > 0.05
     assert result.rms_after < 1e-9
+
+
+def test_incidence_is_the_angle_between_beam_and_normal() -> None:
+    truth = mounting(2.0, -1.0, 0.5)
+    observations = planar_survey(truth)
+    result = adjust(observations, mounting(), CORRELATED)
+    poses = Poses(observations.position, observations.attitude)
+    scanner, points = (
+        place_points(xyz, poses, truth)
+        for xyz in (np.zeros_like(observations.points_lidar), observations.points_lidar)
+    )
+    beams = (points - scanner) / np.linalg.norm(points - scanner, axis=1)[:, None]
+    for k, fit in enumerate(result.sightings):
+        normal = TARGETS[fit.sighting.target][1]
+        angles = np.arccos(np.abs(beams[observations.sighting == k] @ normal))
+        assert fit.incidence == pytest.approx(angles.mean(), abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -56,18 +56,23 @@ def write_densified_line(line: SimulatedLine, count: int, path: Path) -> None:
     np.save(path.with_suffix(".npy"), np.concatenate(labels))
 
 
-@pytest.mark.parametrize(
-    "count", [10**6, pytest.param(2 * 10**7, marks=pytest.mark.long)], ids="{:.0e}".format
-)
-def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
-    project = make_demo(tmp_path / "six")
-    survey = port_survey()
-    for line, source in zip(survey.lines, project.lines, strict=True):
+def make_dense_demo(folder: Path, count: int) -> Path:
+    """Make the project of the built-in survey, with about ``count`` points a line."""
+    project = make_demo(folder)
+    for line, source in zip(port_survey().lines, project.lines, strict=True):
         write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
     written = project.folder / PROJECT_FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
-    command = [sys.executable, "-m", "tests.benchmarks.bench_seed_store", str(project.folder)]
+    return project.folder
+
+
+@pytest.mark.parametrize(
+    "count", [10**6, pytest.param(2 * 10**7, marks=pytest.mark.long)], ids="{:.0e}".format
+)
+def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
+    folder = make_dense_demo(tmp_path / "six", count)
+    command = [sys.executable, "-m", "tests.benchmarks.bench_seed_store", str(folder)]
     run = subprocess.run(
         command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2]
     )

@@ -3,9 +3,6 @@
 Run with ``pytest -s tests/benchmarks/bench_sphere_finder.py``.
 """
 
-import time
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,21 +11,11 @@ from lispac.geometry.radius_search import PointGrid
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
+from tests.benchmarks.bench_finder import median_time
 
 Array = NDArray[np.float64]
 CENTRE = np.array([0.0, 20.0, 4.0])
 RADIUS = 0.1
-
-
-def median_time(work: Callable[[], object], rounds: int = 5) -> float:
-    """Median time of some runs, s, after a first run that compiles."""
-    work()
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - start)
-    return float(np.median(times))
 
 
 def line(rng: np.random.Generator, points: int) -> tuple[Array, Array, Array]:

@@ -14,27 +14,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.project.project_file import PROJECT_FILE_NAME
-from lispac.simulation.simulated_survey import port_survey
 from lispac.workflow.calibration.targetless import targetless
-from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.benchmarks.bench_seed_store import write_densified_line
+from tests.benchmarks.bench_seed_store import make_dense_demo
 
 
 @pytest.mark.parametrize(
     "count", [10**6, pytest.param(2 * 10**7, marks=pytest.mark.long)], ids="{:.0e}".format
 )
 def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
-    project = make_demo(tmp_path / "six")
-    survey = port_survey()
-    for line, source in zip(survey.lines, project.lines, strict=True):
-        write_densified_line(line, count, source.path.with_suffix(".las"))
-        source.path.unlink()
-    written = project.folder / PROJECT_FILE_NAME
-    written.write_text(written.read_text().replace(".laz", ".las"))
-    command = [sys.executable, "-m", "tests.benchmarks.bench_targetless", str(project.folder)]
+    folder = make_dense_demo(tmp_path / "six", count)
+    command = [sys.executable, "-m", "tests.benchmarks.bench_targetless", str(folder)]
     for _ in range(2):  # the first run also imports the lines and compiles
         run = subprocess.run(
             command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2]

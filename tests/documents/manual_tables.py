@@ -33,8 +33,8 @@ from lispac.gui.features.help.dialogs import KEYS, keys_text
 from lispac.gui.features.open_project.data_panel import DataPanel
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.features.preferences.dialogs import SettingsDialog
 from lispac.gui.features.preferences.preferences import Preferences
-from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
@@ -47,8 +47,8 @@ from lispac.language import LANGUAGES, Plural, Template, current_language, gette
 from lispac.message_texts import TOPIC_MODULES, message_text
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
+from tests.support import point_files, trajectory_files
 from tests.support.french_catalogue import FRENCH
-from tests.support.manual_samples import assumed, samples
 from tests.support.message_calls import is_part, message_levels
 
 WORDS = {
@@ -162,7 +162,7 @@ def tables(language: str) -> dict[str, str]:
             ("points", POINT_FORMATS),
         )
         with tempfile.TemporaryDirectory() as scratch:
-            files = samples(Path(scratch))
+            files = _samples(Path(scratch))
             for name, formats in kinds:
                 parts = [_format(each, files[each.key], language) for each in formats]
                 made[f"{name}.md"] = "\n".join(parts)
@@ -291,10 +291,22 @@ def _keys(language: str) -> str:
 # -- formats -------------------------------------------------------------------------------------
 
 
+def _samples(folder: Path) -> dict[str, Path]:
+    """Write a valid file of each format; returns the paths by the key of the format."""
+    found = {key: write(folder / key) for key, write in trajectory_files.VALID_FILES.items()}
+    for name, (key, write) in point_files.VALID_FILES.items():
+        if key not in found:
+            found[key] = write(folder / name)
+    columns = found["ascii-trajectory"]
+    names = "Time Lat(deg) Lon(deg) H Roll Pitch Heading\n"
+    columns.write_text(names + columns.read_text(encoding="utf-8"), encoding="utf-8")
+    return found
+
+
 def _format(format: FileFormat, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
     text = f"### {message_text(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
-    texts = [message_text(each) for each in assumed(format.key, file)]
+    texts = [message_text(each) for each in format.preview(file, {}).assumptions]
     if texts:
         text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in texts)
     own = [option for option in format.options if option not in COMMON_POINT_OPTIONS]

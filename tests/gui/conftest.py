@@ -11,6 +11,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.window import DesignWindow
@@ -189,7 +190,7 @@ def design(driver: Driver) -> DesignWindow:
 
 @pytest.fixture
 def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
-    """A session with a window in the light theme."""
+    """A session with a window in English and in the light theme."""
     settings = AppSettings(tmp_path / "settings.ini")
     settings.language, settings.theme = "en", "light"
     made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
@@ -199,4 +200,5 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Sessio
     made.window.deleteLater()
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    set_language("en")
     theme.apply_theme(qapp)

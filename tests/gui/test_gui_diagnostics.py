@@ -111,6 +111,9 @@ def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
     table = turn_to(shown, "Sightings").table
     assert texts(table, "After (mm)") == [f"{s.rms_after * 1000:.1f}" for s in result.sightings]
+    assert texts(table, "Incidence (°)") == [
+        f"{np.degrees(s.incidence):.0f}" for s in result.sightings
+    ]
     assert texts(table, "w") == [f"{r.w:+.2f}".replace("-", "−") for r in result.reliability]
     table = turn_to(shown, "Targets").table
     assert texts(table, "Target") == ["T1", "T2"]

@@ -10,8 +10,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.app.language import set_language
-from lispac.gui.app.settings import AppSettings
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import VerticalScrollArea
 from lispac.gui.widgets.optional_number import OptionalNumber
@@ -21,24 +19,9 @@ from lispac.language import current_language, gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Demo, ScriptedDialogs, show_panel
+from tests.gui.support import Demo, show_panel
 
 SOON_MS = 20_000
-
-
-@pytest.fixture
-def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
-    """A session with a window in English."""
-    settings = AppSettings(tmp_path / "settings.ini")
-    settings.language = "en"
-    made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
-    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
-    yield made
-    made.window.stop_and_hide()
-    made.window.deleteLater()
-    made.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    set_language("en")
 
 
 def test_the_tour_continues_in_another_language(

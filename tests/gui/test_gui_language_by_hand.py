@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.preferences.settings_dialog import SettingsDialog
+from lispac.gui.features.preferences.dialogs import SettingsDialog
 from tests.gui.by_hand import Hands, choose, open_by_keys, open_menu, rename, shows_something
 from tests.gui.support import Control, Demo, Key, Left, click, press
 

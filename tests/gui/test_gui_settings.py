@@ -11,9 +11,9 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.preferences.dialogs import SettingsDialog
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification

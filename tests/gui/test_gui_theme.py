@@ -121,7 +121,7 @@ def perceived_lab(colour: tuple[int, int, int], blindness: str) -> np.ndarray:
 
 @BOTH_SCHEMES
 def test_a_palette_sets_every_colour_role(scheme: ColourScheme) -> None:
-    from lispac.gui.appearance.style import palette
+    from lispac.gui.appearance.theme import palette
 
     made = palette(scheme)
     roles = [role for role in QPalette.ColorRole if role.name not in ("NoRole", "NColorRoles")]

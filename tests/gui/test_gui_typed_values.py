@@ -12,8 +12,8 @@ from pytestqt.qtbot import QtBot
 from lispac.errors import InputError
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.features.design.window import DesignWindow
+from lispac.gui.features.preferences.dialogs import SettingsDialog
 from lispac.gui.features.preferences.preferences import Preferences
-from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.widgets.number_field import NumberField
 from lispac.project import Project
 from lispac.workflow.project.projects import open_project

@@ -41,9 +41,9 @@ from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
 from lispac.targets.finder_settings import FinderChoices
 from lispac.workflow.output.report_options import report_options
-from tests.io.test_trajectory_bad_input import anything, write_valid
+from tests.io.test_trajectory_bad_input import anything
 from tests.simulation.test_meshes import write_mesh
-from tests.support import point_files
+from tests.support import point_files, trajectory_files
 from tests.support.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import write_pts
@@ -99,8 +99,7 @@ def of_format(key: str) -> Subject:
                 if format == key
             ]
         else:
-            made = point_files.cidco if key.startswith("cidco") else partial(write_valid, key)
-            sound = [made(folder / "sound")]
+            sound = [trajectory_files.VALID_FILES[key](folder / "sound")]
         path = folder / f"any{sound[0].suffix}"
 
         def attempt(content: bytes) -> bool:
@@ -167,7 +166,11 @@ def columns_of(key: str) -> Subject:
 
     def subject(folder: Path) -> tuple[Sources, Attempt]:
         named = key == "text"
-        path = point_files.text(folder / "a.csv") if named else write_valid(key, folder / "a.txt")
+        path = (
+            point_files.text(folder / "a.csv")
+            if named
+            else trajectory_files.VALID_FILES[key](folder / "a.txt")
+        )
         roles = [
             "time", "date", "x", "y", "z", "latitude", "longitude", "easting", "height",
             "sea_height", "roll", "pitch", "heading", "sroll", "-", "", "intensity",

@@ -1,7 +1,6 @@
 """Tests of reading PTS files of CloudCompare, Open3D and other writers, and of refusals."""
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -20,15 +19,6 @@ from tests.support.static_scans import write_pts
 
 def places(path: Path) -> np.ndarray:
     return np.concatenate(list(open_static_scan(path).coordinate_chunks(local=True)))
-
-
-@pytest.fixture
-def cloudcompare() -> str:
-    """Return the path of CloudCompare; skip the test if it is not installed."""
-    program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
-    if program is None:
-        pytest.skip("CloudCompare is not installed")
-    return program
 
 
 def test_pts_of_cloudcompare_is_read(cloudcompare: str, tmp_path: Path) -> None:

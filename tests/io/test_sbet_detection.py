@@ -8,7 +8,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, POSSIBLE, SURE, FilePreview
 from lispac.io.formats import format_of, recognise_formats
-from lispac.io.trajectory.sbet_detection import detect_sbet, sample_blocks
+from lispac.io.trajectory.sbet_formats import detect_sbet, sample_blocks
 from lispac.io.trajectory.sbet_motion import velocity_in_axes
 from lispac.message_texts import message_text
 from lispac.messages import error, note, warning
@@ -341,7 +341,7 @@ def test_a_file_that_is_lost_during_detection_is_reported(
     path = write_records(tmp_path / "a.sbet", vessel(200))
     assert len(sample_blocks(path)[0][0]) == sample_blocks(path)[1] == 200
     assert sample_blocks(tmp_path / "absent") == ([], 0)
-    monkeypatch.setattr("lispac.io.trajectory.sbet_detection.np.memmap", raise_io_error)
+    monkeypatch.setattr("lispac.io.trajectory.sbet_formats.np.memmap", raise_io_error)
     with pytest.raises(InputError) as refused:
         detect_sbet(path)
     assert refused.value.message == error("sbet.not_readable", file=str(path))

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
-from lispac.io.format_types import PointChunk
-from lispac.io.formats import format_of, recognise_formats
+from lispac.io.formats import recognise_formats
 from lispac.io.text.text_table import degrees_and_minutes, degrees_minutes_seconds
 from lispac.survey.trajectory import Trajectory
+from tests.io.test_text_units import points
 from tests.support.error_codes import has_code
 
 TIME = 1000.0 + 0.01 * np.arange(50)
@@ -19,15 +19,6 @@ XYZ = np.stack([0.1 * np.arange(50), 5 + 0.02 * np.arange(50), -2 + 0.03 * np.ar
 RANGE = np.linalg.norm(XYZ, axis=1)
 AZIMUTH = np.degrees(np.arctan2(XYZ[:, 1], XYZ[:, 0]))
 ELEVATION = np.degrees(np.arcsin(XYZ[:, 2] / RANGE))
-
-
-def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
-    """Read the points of a file with the detected options."""
-    np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
-    text = format_of("text")
-    (chunk,) = text.read(path, text.preview(path, {}).choice)
-    assert isinstance(chunk, PointChunk)
-    return chunk
 
 
 @pytest.mark.parametrize(

@@ -269,6 +269,7 @@ def test_an_option_that_contradicts_the_header_gives_a_warning(tmp_path: Path) -
 
 
 def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
+    """Write columns of points below ``head``, and read them with the detected options."""
     np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
     text = format_of("text")
     (chunk,) = text.read(path, text.preview(path, {}).choice)

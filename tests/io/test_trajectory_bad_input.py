@@ -13,10 +13,14 @@ from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACY_FORMATS, TRAJECTORY_FORMATS, format_of, recognise_formats
 from lispac.message_texts import message_text
 from tests.support.message_codes import codes
-from tests.support.trajectory_files import vessel, write_delph, write_pospac, write_records
+from tests.support.trajectory_files import (
+    VALID_FILES,
+    vessel,
+    write_records,
+)
 
 BINARY = ("sbet", "smrmsg")
-TEXT = ("exail-text", "pospac-text", "ascii-trajectory", "exail-sigmas", "pospac-sigmas")
+TEXT = tuple(key for key in VALID_FILES if key not in BINARY and not key.startswith("cidco"))
 
 
 def outcome(
@@ -27,25 +31,6 @@ def outcome(
         return task(path, choice), ""
     except InputError as error:
         return None, str(error)
-
-
-def write_valid(key: str, path: Path) -> Path:
-    """Write a valid file of this format."""
-    records = vessel(200)
-    if key == "sbet":
-        return write_records(path, records)
-    if key == "smrmsg":
-        sigmas = np.full((200, 10), 0.02)
-        sigmas[:, 0] = records[:, 0]
-        return write_records(path, sigmas)
-    if key.startswith("exail"):
-        return write_delph(path, records, sigmas=key == "exail-sigmas")
-    if key.startswith("pospac"):
-        return write_pospac(path, records)
-    angles = np.degrees(records[:, [1, 2, 7, 8, 9]])
-    table = [records[:, 0], angles[:, 0], angles[:, 1], records[:, 3], *angles[:, 2:].T]
-    np.savetxt(path, np.stack(table, axis=1), "%.12f")
-    return path
 
 
 def refusal_text(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
@@ -85,7 +70,7 @@ ALL_FORMATS = BINARY + TEXT
 
 @pytest.mark.parametrize("key", ALL_FORMATS)
 def test_a_valid_file_is_read(tmp_path: Path, key: str) -> None:
-    path = write_valid(key, tmp_path / "a.dat")
+    path = VALID_FILES[key](tmp_path / "a.dat")
     format = format_of(key)
     assert format.sniff(path) > 0
     assert len(format.read(path, format.preview(path, {}).choice).time) == 200
@@ -103,7 +88,7 @@ def test_missing_and_empty_files_and_folders_are_refused(tmp_path: Path, key: st
 
 @pytest.mark.parametrize("key", BINARY)
 def test_truncated_binary_files_are_refused(tmp_path: Path, key: str) -> None:
-    path = write_valid(key, tmp_path / "a.out")
+    path = VALID_FILES[key](tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
     assert "file.partial_record" in refusal_text(key, path)
     assert "file.partial_record" in codes(format_of(key).preview(path, {}).file_warnings)
@@ -112,7 +97,7 @@ def test_truncated_binary_files_are_refused(tmp_path: Path, key: str) -> None:
 
 @pytest.mark.parametrize("key", TEXT)
 def test_truncated_text_names_the_row(tmp_path: Path, key: str) -> None:
-    path = write_valid(key, tmp_path / "a.txt")
+    path = VALID_FILES[key](tmp_path / "a.txt")
     path.write_text(path.read_text()[:-75])
     rows = len(path.read_text().splitlines())
     assert f"row {rows}: " in refusal_text(key, path)
@@ -227,7 +212,7 @@ def test_a_single_record_is_refused(tmp_path: Path) -> None:
 
 
 def test_negative_accuracies_of_an_smrmsg_are_refused(tmp_path: Path) -> None:
-    path = write_valid("smrmsg", tmp_path / "a.out")
+    path = VALID_FILES["smrmsg"](tmp_path / "a.out")
     records = np.fromfile(path).reshape(-1, 10)
     records[3, 2] = -1
     records.tofile(path)
@@ -237,7 +222,7 @@ def test_negative_accuracies_of_an_smrmsg_are_refused(tmp_path: Path) -> None:
 
 def edited(key: str, path: Path, edit: Callable[[list[str]], list[str]]) -> Path:
     """Write a valid text file with its rows changed."""
-    write_valid(key, path)
+    VALID_FILES[key](path)
     path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
     return path
 
@@ -307,7 +292,7 @@ def test_text_without_its_header_is_refused(tmp_path: Path, key: str) -> None:
 
 
 def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:
-    path = write_valid("exail-text", tmp_path / "a.txt")
+    path = VALID_FILES["exail-text"](tmp_path / "a.txt")
     message = error_of("exail-sigmas", path).message
     assert message is not None
     assert (message.code, message.params["column"]) == ("trajectory.no_column", "north_sd")
@@ -344,7 +329,7 @@ def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:
 def test_invalid_choices_are_refused(
     tmp_path: Path, choice: dict[str, str], code: str | None, params: dict[str, object]
 ) -> None:
-    path = write_valid("ascii-trajectory", tmp_path / "a.txt")
+    path = VALID_FILES["ascii-trajectory"](tmp_path / "a.txt")
     if code is None:  # both are on Earth: only the course shows the exchange
         assert format_of("ascii-trajectory").read(path, choice)
         return
@@ -386,7 +371,7 @@ def test_wrong_coordinate_systems_of_trajectories_are_refused(
 
 
 def test_a_file_without_permission_is_refused(tmp_path: Path) -> None:
-    path = write_valid("sbet", tmp_path / "a.sbet")
+    path = VALID_FILES["sbet"](tmp_path / "a.sbet")
     path.chmod(0)
     try:
         path.read_bytes()

@@ -13,9 +13,15 @@ from lispac.io.trajectory.trajectory_facts import time_warnings
 from lispac.io.trajectory.trajectory_preview import accuracy_facts
 from lispac.messages import error, note, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
-from tests.io.test_trajectory_bad_input import edited, error_of, field, write_valid
+from tests.io.test_trajectory_bad_input import edited, error_of, field
 from tests.support.message_codes import codes
-from tests.support.trajectory_files import vessel, write_delph, write_pospac, write_records
+from tests.support.trajectory_files import (
+    VALID_FILES,
+    vessel,
+    write_delph,
+    write_pospac,
+    write_records,
+)
 
 ASCII, EXAIL, SBET = (format_of(key) for key in ("ascii-trajectory", "exail-text", "sbet"))
 
@@ -28,7 +34,7 @@ def test_a_negative_standard_deviation_in_text_is_refused(tmp_path: Path) -> Non
 
 
 def test_rows_with_a_date_are_not_in_a_time_of_the_week(tmp_path: Path) -> None:
-    path = write_valid("exail-text", tmp_path / "a.txt")
+    path = VALID_FILES["exail-text"](tmp_path / "a.txt")
     message = error_of("exail-text", path, {"time": "gps-week"}).message
     assert message == error("trajectory.dates", file=str(path), base="gps-week")
 
@@ -146,7 +152,7 @@ def test_comments_at_the_end_of_text_are_skipped(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)
-    path = write_valid("exail-text", tmp_path / "a.txt")
+    path = VALID_FILES["exail-text"](tmp_path / "a.txt")
     plain = EXAIL.preview(path, {})
     with path.open("a") as file:
         file.write("# end of the export\n\n")

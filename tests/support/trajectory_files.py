@@ -1,9 +1,12 @@
 """Trajectory files as written by other programs, made with struct and as plain text."""
 
 import struct
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+
+from tests.support.point_files import cidco
 
 RADIUS = 6378137.0
 
@@ -136,3 +139,35 @@ def truth(records: np.ndarray) -> dict[str, np.ndarray]:
         "height": records[:, 3],
         "attitude": attitude,
     }
+
+
+def _write_smrmsg(path: Path) -> Path:
+    sigmas = np.full((200, 10), 0.02)
+    sigmas[:, 0] = vessel(200)[:, 0]
+    return write_records(path, sigmas)
+
+
+def _write_columns(path: Path) -> Path:
+    """Write text with the default columns of the program, without their names."""
+    records = vessel(200)
+    degrees = np.degrees(records[:, [1, 2, 7, 8, 9]])
+    np.savetxt(
+        path,
+        np.column_stack([records[:, 0], degrees[:, :2], records[:, 3], degrees[:, 2:]]),
+        "%.12f",
+    )
+    return path
+
+
+VALID_FILES: dict[str, Callable[[Path], Path]] = {
+    "sbet": lambda path: write_records(path, vessel(200)),
+    "exail-text": lambda path: write_delph(path, vessel(200)),
+    "exail-sigmas": lambda path: write_delph(path, vessel(200), sigmas=True),
+    "pospac-text": lambda path: write_pospac(path, vessel(200)),
+    "pospac-sigmas": lambda path: write_pospac(path, vessel(200)),
+    "ascii-trajectory": _write_columns,
+    "smrmsg": _write_smrmsg,
+    "cidco-states": cidco,
+    "cidco-sigmas": cidco,
+}
+"""Writer of a valid file of each format of trajectories and accuracies, by its key."""

@@ -1,7 +1,6 @@
 """Tests of cloud-to-cloud distances against a brute-force reference and CloudCompare."""
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -223,15 +222,6 @@ def test_the_computation_reports_progress_and_can_be_cancelled() -> None:
 
     with pytest.raises(Cancelled):
         cloud_to_cloud(cloud, cloud, progress=cancel)
-
-
-@pytest.fixture
-def cloudcompare() -> str:
-    """Path of CloudCompare; the test is skipped where it is not installed."""
-    program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
-    if program is None:
-        pytest.skip("CloudCompare is not installed")
-    return program
 
 
 def by_cloudcompare(program: str, folder: Path, clouds: dict[str, Array], *model: str) -> Array:

@@ -20,7 +20,7 @@ from lispac.io.trajectory.sbet import write_sbet
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.progress import Step
-from lispac.project import LineSource, Project, Reading, Settings
+from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import coordinate_system
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_points
@@ -30,50 +30,22 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.importing.line_points import read_line
 from lispac.workflow.output.georeferencing import georeference_project
 from tests.support.cloud_files import (
+    LINE_POINTS,
     MOUNTING,
-    sweep,
-    track,
-    written_las,
+    states,
+    two_lines,
 )
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.message_codes import is_shown
 from tests.support.point_files import COUNT
-from tests.support.point_files import cloud as open3d_cloud
 
 UTM = "EPSG:32619"
-POINT_COUNT = 3000
-
-
-def states() -> Trajectory:
-    local = track()
-    latitude, longitude, height = local.frame.to_geodetic(local.position)
-    return Trajectory(local.time, latitude, longitude, height, local.attitude)
 
 
 @pytest.fixture
 def project(tmp_path: Path) -> Project:
-    """Return a project of two lines in the scanner frame: LAS with a time shift, and PLY."""
-    write_sbet(tmp_path / "sbet.out", states())
-    points, time = sweep(track(), POINT_COUNT)
-    raw = written_las(tmp_path / "raw.laz", 6, points, time - 18.0)
-    raw.withheld[:] = 0
-    raw.write(tmp_path / "raw.laz")
-    open3d_cloud(tmp_path / "other.ply")
-    shifted = Reading("las", (), 18.0)
-    return Project(
-        tmp_path / "project", tmp_path / "sbet.out",
-        (
-            LineSource("L1", tmp_path / "raw.laz", (), shifted),
-            LineSource("L2", tmp_path / "other.ply", (), Reading("ply", (("time_field", "time"),))),
-        ),
-        Settings(
-            tuple(MOUNTING.lever_arm), tuple(np.degrees(MOUNTING.boresight)), None,
-            range_offset=MOUNTING.range_offset,
-            scan_angle_offset_deg=float(np.degrees(MOUNTING.scan_angle_offset)),
-            latency=MOUNTING.latency,
-        ),
-    )  # fmt: skip
+    return two_lines(tmp_path)
 
 
 def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
@@ -82,7 +54,7 @@ def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
     """From the scanner frame to UTM LAZ and back: within 0.2 mm."""
     done = georeference_project(project, tmp_path / "out", "prior", system=UTM)
     assert [item.path.name for item in done] == ["L1_prior.laz", "L2_prior.laz"]
-    assert [item.points for item in done] == [POINT_COUNT, COUNT]
+    assert [item.points for item in done] == [LINE_POINTS, COUNT]
     trajectory = local_trajectory(project)[0]
     raw = laspy.read(tmp_path / "raw.laz")
     written = laspy.read(done[0].path)
@@ -107,7 +79,7 @@ def test_a_line_without_its_file_is_read_from_the_store(project: Project, tmp_pa
     raw = laspy.read(tmp_path / "raw.laz")
     (tmp_path / "raw.laz").unlink()
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
-    assert done.points == POINT_COUNT
+    assert done.points == LINE_POINTS
     written = laspy.read(done.path)
     order, own = np.argsort(written.gps_time), np.argsort(raw.gps_time)
     np.testing.assert_allclose(
@@ -179,11 +151,11 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
     assert in_gap > 0
     file = "L1_prior.laz"
     assert done.notes[:2] == (
-        note("import.excluded_outside", file=file, count=60, total=POINT_COUNT),
-        note("export.excluded_in_gaps", file=file, count=in_gap, total=POINT_COUNT),
+        note("import.excluded_outside", file=file, count=60, total=LINE_POINTS),
+        note("export.excluded_in_gaps", file=file, count=in_gap, total=LINE_POINTS),
     )
     written = laspy.read(done.path)
-    assert len(written) == done.points == POINT_COUNT - 60 - in_gap
+    assert len(written) == done.points == LINE_POINTS - 60 - in_gap
     keep = (time <= holes[0]) | (time >= holes[1])
     np.testing.assert_array_equal(written.intensity, np.array(raw.intensity)[60:][keep])
 
@@ -280,10 +252,10 @@ def test_georeference_command(
     out, err = capsys.readouterr()
     (line,) = json.loads(out)["lines"]
     assert line == {
-        "file": str(tmp_path / "out" / "L1_prior.las"), "points": POINT_COUNT - 5, "outside": 5,
+        "file": str(tmp_path / "out" / "L1_prior.las"), "points": LINE_POINTS - 5, "outside": 5,
         "in_gaps": 0,
     }  # fmt: skip
-    outside = note("import.excluded_outside", file="L1_prior.las", count=5, total=POINT_COUNT)
+    outside = note("import.excluded_outside", file="L1_prior.las", count=5, total=LINE_POINTS)
     assert message_text(outside) in err
     assert is_shown("assumed.heights_not_named", err)
     assert main([*words, "--crs", "local"]) == 0

@@ -27,22 +27,9 @@ from tests.support.input_file_samples import (
     message_texts,
     named,
     write_line,
-    write_survey,
 )
 from tests.support.message_codes import codes
 from tests.support.trajectory_files import vessel, write_records
-
-
-@pytest.fixture(scope="module")
-def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the folder of a simulated survey."""
-    return write_survey(tmp_path_factory.mktemp("survey"))
-
-
-@pytest.fixture(scope="module")
-def whole(files: Path) -> InputFiles:
-    return import_files(InputFiles(), files)
-
 
 # -- kinds of files ------------------------------------------------------------------------------
 

@@ -48,14 +48,8 @@ from tests.support.input_file_samples import (
     import_files,
     named,
     write_line,
-    write_survey,
 )
 from tests.support.trajectory_files import vessel, write_records
-
-
-@pytest.fixture(scope="module")
-def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return write_survey(tmp_path_factory.mktemp("survey"))
 
 
 @pytest.fixture(scope="module")

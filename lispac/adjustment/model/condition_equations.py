@@ -21,6 +21,7 @@ Array = NDArray[np.float64]
 
 # Columns of `Conditions.rows`
 MOUNTING_COLUMNS = slice(0, 9)  # derivatives by the values of the mounting
+RANGE_OFFSET_COLUMN = 6  # the cosine of the angle of incidence, with a sign
 SHAPE_COLUMNS = slice(9, 13)  # by a, b, c, d of a plane, or centre and radius of a sphere
 POSE_COLUMNS = slice(13, 19)  # by POS position (3) and roll, pitch, heading
 MISCLOSURE_COLUMN = 19
@@ -99,6 +100,19 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
     return evaluate_columns(observations, mounting, shapes, slice(MISCLOSURE_COLUMN, COLUMN_COUNT))[
         :, 0
     ]
+
+
+def incidence_angles(observations: Observations, mounting: Mounting, shapes: Array) -> Array:
+    """Angle between the beam of each point and the normal of its surface, shape (n,), radians.
+
+    Parameters
+    ----------
+    shapes : ndarray of shape (targets, 4), local frame
+        As in `linearise`.
+    """
+    column = slice(RANGE_OFFSET_COLUMN, RANGE_OFFSET_COLUMN + 1)
+    cosines = np.abs(evaluate_columns(observations, mounting, shapes, column)[:, 0])
+    return np.arccos(np.minimum(cosines, 1.0))
 
 
 class PointArrays(NamedTuple):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.condition_equations import misclosures
+from lispac.adjustment.model.condition_equations import incidence_angles, misclosures
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import ParameterEstimate
 from lispac.adjustment.model.target_shapes import shapes_relative_to
@@ -73,6 +73,7 @@ class Solution:
         statistic = _weighted_residual_sum(self.linearised, state, standardised)
         targets, sightings, rms = _residual_statistics(
             observations, misclosures(observations, problem.prior, self.fitted), after,
+            incidence_angles(observations, state.mounting, state.shapes),
             shapes_relative_to(state.shapes, -self.origins, observations.is_sphere),
             problem.noise, _form_error_noise(problem, state, standardised),
         )  # fmt: skip
@@ -174,15 +175,16 @@ def _residual_statistics(
     observations: Observations,
     before: Array,
     after: Array,
+    incidence: Array,
     shapes: Array,
     noise: Array,
     of_form: Array,
 ) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
     squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
-    means = observations.mean_by_sighting(after)
+    means = observations.mean_by_sighting(np.stack([after, incidence], axis=1))
     sightings = tuple(
-        SightingResidual(sighting, int(count), float(b), float(a), float(mean))
-        for sighting, count, (b, a), mean in zip(
+        SightingResidual(sighting, int(count), float(b), float(a), float(mean), float(angle))
+        for sighting, count, (b, a), (mean, angle) in zip(
             observations.sightings, observations.counts, np.sqrt(squares), means, strict=True
         )
     )

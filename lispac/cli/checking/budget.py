@@ -4,14 +4,10 @@ import math
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from lispac.cli.argument_types import (
-    add_json_option,
-    add_triple_option,
-    number_within,
-    positive_number,
-)
+from lispac.cli.argument_types import add_json_option, number_within, positive_number
 from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.messages import console_text
+from lispac.cli.noise_options import add_budget_options
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -21,17 +17,8 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--distance", type=positive_number, nargs="+", metavar="M",
         help="distances of the point from the scanner (m; default 10 50 100)",
     )  # fmt: skip
-    add_triple_option(
-        parser,
-        "--lever-arm-sigma",
-        ("X", "Y", "Z"),
-        "1 sigma of the lever arm (m; default: as saved in the project, or not included)",
-    )
-    parser.add_argument(
-        "--beam-divergence", type=positive_number, metavar="MRAD",
-        help="full angle of the beam divergence (mrad; default: as saved in the project, or not "
-        "included)",
-    )  # fmt: skip
+    saved = "as saved in the project, or not included"
+    add_budget_options(parser, saved, saved)
     parser.add_argument(
         "--incidence", type=number_within(0.0, 85.0), default=45.0, metavar="DEG",
         help="angle between the beam and the normal of the surface, for the beam footprint (deg; "

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from lispac.cli.argument_types import (
     add_json_option,
     add_triple_option,
-    finite_number,
     positive_number,
     whole_number_from,
 )
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.noise_options import add_offset_options
 
 if TYPE_CHECKING:
     from lispac.workflow.planning.simulated_setup import SimulatedSetup
@@ -62,22 +62,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         ("X", "Y", "Z"),
         "true lever arm minus the lever arm written to the project (m)",
     )
-    parser.add_argument(
-        "--range-offset",
-        type=finite_number,
-        metavar="M",
-        help="true range offset: value to be added to every measured range (m)",
-    )
-    parser.add_argument(
-        "--scan-angle-offset", type=finite_number, metavar="DEG",
-        help="true scan-angle offset: rotation of every beam about the x axis of the LiDAR (deg)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--latency",
-        type=finite_number,
-        metavar="S",
-        help="true latency: value to be added to every recorded time (s)",
-    )
+    add_offset_options(parser, "true", "that of the vessel")
     parser.add_argument(
         "--no-noise",
         action="store_true",

@@ -16,24 +16,8 @@ class PosSigmaFields:
     """Fields of the standard deviations of position (metres) and attitude (degrees)."""
 
     def __init__(self, prefix: str) -> None:
-        position = [
-            number(
-                f"{prefix}_{axis}", suffix=" m", decimals=4, low=0, high=100, step=0.001,
-                title=gettext(title), tip=gettext(tip),
-            )
-            for axis, title, tip in _POSITION_TEXTS
-        ]  # fmt: skip
-        attitude = [
-            number(
-                f"{prefix}_{axis}", suffix=" °", decimals=4, low=0, high=90, step=0.001,
-                title=gettext(title), tip=gettext(tip),
-            )
-            for axis, title, tip in _ATTITUDE_TEXTS
-        ]  # fmt: skip
-        self.position = TripleField((gettext("North"), gettext("East"), gettext("Down")), position)
-        self.attitude = TripleField(
-            (gettext("Roll"), gettext("Pitch"), gettext("Heading")), attitude
-        )
+        self.position = _triple(prefix, " m", 100, _POSITION_TEXTS)
+        self.attitude = _triple(prefix, " °", 90, _ATTITUDE_TEXTS)
 
     def set_enabled(self, is_enabled: bool) -> None:
         """Enable or disable all fields."""
@@ -65,13 +49,32 @@ class PosSigmaFields:
 
 
 _POSITION_TEXTS = (
-    ("n", N_("Position sigma, north"), N_("Standard deviation of the north position, metres")),
-    ("e", N_("Position sigma, east"), N_("Standard deviation of the east position, metres")),
-    ("d", N_("Position sigma, down"), N_("Standard deviation of the height, metres")),
-)
+    ("n", N_("North"), N_("Position sigma, north"),
+     N_("Standard deviation of the north position, metres")),
+    ("e", N_("East"), N_("Position sigma, east"),
+     N_("Standard deviation of the east position, metres")),
+    ("d", N_("Down"), N_("Position sigma, down"), N_("Standard deviation of the height, metres")),
+)  # fmt: skip
 _ATTITUDE_TEXTS = (
-    ("roll", N_("Roll sigma"), N_("Standard deviation of roll, degrees")),
-    ("pitch", N_("Pitch sigma"), N_("Standard deviation of pitch, degrees")),
-    ("heading", N_("Heading sigma"), N_("Standard deviation of the heading, degrees")),
-)
-"""Last part of the field's name, its name in messages, and its tip."""
+    ("roll", N_("Roll"), N_("Roll sigma"), N_("Standard deviation of roll, degrees")),
+    ("pitch", N_("Pitch"), N_("Pitch sigma"), N_("Standard deviation of pitch, degrees")),
+    ("heading", N_("Heading"), N_("Heading sigma"),
+     N_("Standard deviation of the heading, degrees")),
+)  # fmt: skip
+"""Last part of the field's name, its title, its name in messages, and its tip."""
+
+
+def _triple(
+    prefix: str, suffix: str, high: float, texts: tuple[tuple[str, str, str, str], ...]
+) -> TripleField:
+    """Three fields of a standard deviation with the unit ``suffix``, from 0 to ``high``."""
+    return TripleField(
+        [gettext(title) for _, title, _, _ in texts],
+        [
+            number(
+                f"{prefix}_{axis}", suffix=suffix, decimals=4, low=0, high=high, step=0.001,
+                title=gettext(name), tip=gettext(tip),
+            )
+            for axis, _, name, tip in texts
+        ],
+    )  # fmt: skip

@@ -1,14 +1,18 @@
-"""Tick labels of a plot, in the unit shown and with the decimal sign of the language."""
+"""Style and tick labels of a plot, in the unit shown and with the decimal sign of the language."""
 
 from collections.abc import Sequence
 
+from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import Formatter, FuncFormatter, MaxNLocator, ScalarFormatter
 from PySide6.QtCore import QLocale
 
-from lispac.gui.appearance import units
+from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
+
+FONT_SIZE, SMALL_SIZE = 9, 8
+"""Font sizes of titles and labels, and of tick labels and legends, points."""
 
 
 def convert_axis_units(axis: Axis, base: Base) -> None:
@@ -69,3 +73,13 @@ class _LocalFormatter(Formatter):
 
     def get_offset(self) -> str:
         return _localised_label(self._plain.get_offset())
+
+
+def style_axes(axes: Axes) -> None:
+    """Set colours and font size of axes without a frame."""
+    axes.set_facecolor(theme.PAPER)
+    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set_color(theme.MUTED)
+    for label in (axes.xaxis.label, axes.yaxis.label):
+        label.set_color(theme.TEXT)

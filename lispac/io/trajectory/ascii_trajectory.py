@@ -14,9 +14,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import IMPOSSIBLE, LIKELY, POSSIBLE, SURE, Choice, FilePreview
+from lispac.io.format_types import (
+    IMPOSSIBLE,
+    LIKELY,
+    POSSIBLE,
+    SURE,
+    Choice,
+    FilePreview,
+    FormatOption,
+)
 from lispac.io.text.text_export import options_in_header
 from lispac.io.text.text_table import (
+    SEPARATOR_NAMES,
     first_lines,
     is_clock,
     is_data_row,
@@ -48,9 +57,16 @@ from lispac.io.trajectory.trajectory_columns import (
     role_of,
     trajectory_of,
 )
+from lispac.io.trajectory.trajectory_options import (
+    PITCH_OPTION,
+    ROLL_OPTION,
+    TIME_OPTION,
+    trajectory_format,
+)
 from lispac.io.trajectory.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
 from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
+from lispac.language import N_
 from lispac.messages import Action, Level, Message, Value, error, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory
@@ -617,3 +633,64 @@ def _titles_with_unit(titles: Sequence[str], option: str) -> tuple[str, ...]:
         for title in titles
         if role_of(_name_without_unit(title)) in roles and title_unit(title)
     )
+
+
+ASCII_FORMAT = trajectory_format(
+    note("format.ascii"),
+    "ascii-trajectory",
+    "trajectory",
+    (".txt", ".csv", ".asc", ".pos", ".dat"),
+    (
+        FormatOption(
+            "columns",
+            N_(
+                "Columns from the left: time, date, latitude, longitude, easting, northing, "
+                "height, roll, pitch, heading; - skips a column."
+            ),
+            (),
+            DEFAULT_OPTIONS["columns"],
+        ),
+        FormatOption("separator", N_("Separator of the columns."), SEPARATOR_NAMES, "auto"),
+        FormatOption(
+            "header",
+            N_("Rows to skip at the beginning. auto: up to the first row of numbers."),
+            (),
+            "auto",
+        ),
+        FormatOption(
+            "position",
+            N_("Unit of latitude and longitude."),
+            POSITION_CHOICES,
+            "degrees",
+        ),
+        FormatOption(
+            "attitude", N_("Unit of roll, pitch and heading."), ATTITUDE_CHOICES, "degrees"
+        ),
+        FormatOption(
+            "grid_unit",
+            N_(
+                "Unit of eastings and northings. Empty: that of the coordinate system; feet are "
+                "those of the coordinate system where it is in feet."
+            ),
+            LENGTH_CHOICES,
+        ),
+        FormatOption(
+            "heights",
+            N_(
+                "Unit of heights. Empty: that of the coordinate system where it has heights, else "
+                "metres."
+            ),
+            LENGTH_CHOICES,
+        ),
+        PITCH_OPTION,
+        ROLL_OPTION,
+        FormatOption(
+            "heading", N_("North from which the heading counts."), ("true", "grid"), "true"
+        ),
+        FormatOption("crs", N_("Coordinate system of eastings and northings, such as EPSG:32619.")),
+        TIME_OPTION,
+    ),
+    sniff_ascii,
+    preview_ascii,
+    read_ascii,
+)

@@ -27,6 +27,10 @@ from lispac.io.trajectory.cidco import COLUMN_NAMES, record_chunks
 from lispac.io.trajectory.cidco import sniff as sniff_points
 from lispac.io.trajectory.trajectory_checks import require_attitude, require_heights
 from lispac.io.trajectory.trajectory_facts import span_facts
+from lispac.io.trajectory.trajectory_options import (
+    TIME_OPTION,
+    trajectory_format,
+)
 from lispac.io.trajectory.trajectory_preview import accuracy_facts
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
@@ -173,3 +177,25 @@ def _assumptions(choice: Choice) -> tuple[Message, ...]:
         note("assumed.cidco_attitude"),
         note("assumed.times_of_points"),
     )
+
+
+CIDCO_STATES_FORMAT = trajectory_format(
+    note("format.cidco_states"),
+    "cidco-states",
+    "trajectory",
+    (),
+    (ORIGIN_OPTION, TIME_OPTION),
+    sniff_states,
+    preview_states,
+    read_states,
+)
+CIDCO_ACCURACY_FORMAT = trajectory_format(
+    note("format.cidco_sigmas"),
+    "cidco-sigmas",
+    "accuracy",
+    (),
+    (),
+    sniff_states,
+    preview_sigmas,
+    read_sigmas,
+)

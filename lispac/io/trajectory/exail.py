@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.text.units import direction_of, parse_unit
 from lispac.io.trajectory.trajectory_columns import (
@@ -28,14 +28,17 @@ from lispac.io.trajectory.trajectory_columns import (
     Column,
     Rows,
     TrajectoryConventions,
-    accuracy_of,
     role_of,
-    trajectory_of,
+)
+from lispac.io.trajectory.trajectory_options import (
+    GRID_SYSTEM_OPTION,
+    PITCH_OPTION,
+    ROLL_OPTION,
+    TIME_OPTION,
+    described_text_formats,
 )
 from lispac.io.trajectory.trajectory_preview import (
     TextLayout,
-    has_sigmas,
-    preview_accuracy,
     preview_text,
     sign_assumed_warning,
 )
@@ -43,7 +46,6 @@ from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.messages import Level, Message, error, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MANUFACTURER_NAMES = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
 _COLUMN_DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
@@ -68,14 +70,6 @@ def sniff_exail(path: Path) -> float:
     # Only these templates describe one column per line; other files also have a row of names.
     described = sum(_COLUMN_DESCRIPTION.match(line) is not None for line in comments)
     return LIKELY if described >= 5 else IMPOSSIBLE
-
-
-def sniff_exail_accuracy(path: Path) -> float:
-    """Likelihood of an Exail export with all standard deviations."""
-    confidence = sniff_exail(path)
-    if not confidence:
-        return IMPOSSIBLE
-    return confidence if has_sigmas(exail_layout(path).columns) else IMPOSSIBLE
 
 
 def exail_layout(path: Path) -> TextLayout:
@@ -193,46 +187,6 @@ def preview_exail(path: Path, choice: Choice) -> FilePreview:
     return replace(finding, choice=found, file_warnings=tuple(file_warnings))
 
 
-def read_exail(path: Path, choice: Choice) -> Trajectory:
-    """Read the trajectory.
-
-    Raises
-    ------
-    InputError
-        If the file is damaged or a value is not possible.
-    """
-    path = Path(path)
-    layout = exail_layout(path)
-    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
-    header = note("assumed.header_columns", format=note("format.exail"))
-    return trajectory_of(
-        path, exail_rows(path), layout.columns, conventions, (header, *layout.file_warnings)
-    )
-
-
-def preview_exail_accuracy(path: Path, choice: Choice) -> FilePreview:
-    """Preview the standard deviations."""
-    path = Path(path)
-    layout = exail_layout(path)
-    return preview_accuracy(
-        path, layout, _conventions(layout, _detect_options(layout) | dict(choice))
-    )
-
-
-def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
-    """Read the standard deviations.
-
-    Raises
-    ------
-    InputError
-        If the file is damaged or a value is not possible.
-    """
-    path = Path(path)
-    layout = exail_layout(path)
-    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
-    return accuracy_of(path, exail_rows(path), layout.columns, conventions)
-
-
 def _column_names(comments: list[str]) -> tuple[str, ...]:
     """Column names in the last comment line with at least three known names."""
     for line in reversed(comments):
@@ -264,3 +218,21 @@ def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
         time=choice["time"],
         crs="" if geographic else choice.get("crs", ""),
     )
+
+
+EXAIL_OPTIONS = (
+    FormatOption(PITCH_OPTION.name, PITCH_OPTION.meaning, PITCH_OPTION.choices, "bow-down"),
+    ROLL_OPTION,
+    FormatOption(TIME_OPTION.name, TIME_OPTION.meaning, TIME_OPTION.choices, "unix"),
+    GRID_SYSTEM_OPTION,
+)
+EXAIL_FORMAT, EXAIL_ACCURACY_FORMAT = described_text_formats(
+    ("exail-text", note("format.exail")),
+    ("exail-sigmas", note("format.exail_sigmas")),
+    EXAIL_OPTIONS,
+    sniff_exail,
+    exail_layout,
+    preview_exail,
+    lambda layout, choice: _conventions(layout, _detect_options(layout) | dict(choice)),
+    has_time_base=True,  # the exports contain dates, or are in UTC
+)

@@ -22,19 +22,19 @@ from lispac.io.trajectory.trajectory_columns import (
     Column,
     Rows,
     TrajectoryConventions,
-    accuracy_of,
     role_of,
-    trajectory_of,
+)
+from lispac.io.trajectory.trajectory_options import (
+    GRID_SYSTEM_OPTION,
+    TIME_OPTION,
+    described_text_formats,
 )
 from lispac.io.trajectory.trajectory_preview import (
     TextLayout,
-    has_sigmas,
-    preview_accuracy,
     preview_text,
 )
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.messages import Message, error, note
-from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MANUFACTURER_NAMES = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
 _GROUP_AND_UNIT = re.compile(
@@ -57,14 +57,6 @@ def sniff_pospac(path: Path) -> float:
         return SURE
     following = lines[found[0] + 1 : found[0] + 4]
     return LIKELY if any(line.strip().startswith("(time in") for line in following) else IMPOSSIBLE
-
-
-def sniff_pospac_accuracy(path: Path) -> float:
-    """Likelihood of a POSPac export with all standard deviations."""
-    confidence = sniff_pospac(path)
-    if not confidence:
-        return IMPOSSIBLE
-    return confidence if has_sigmas(pospac_layout(path).columns) else IMPOSSIBLE
 
 
 def pospac_layout(path: Path) -> TextLayout:
@@ -142,43 +134,6 @@ def preview_pospac(path: Path, choice: Choice) -> FilePreview:
     return preview_text(path, layout, _conventions(layout, found), found)
 
 
-def read_pospac(path: Path, choice: Choice) -> Trajectory:
-    """Read the trajectory.
-
-    Raises
-    ------
-    InputError
-        If the file is damaged or a value is not possible.
-    """
-    path = Path(path)
-    layout = pospac_layout(path)
-    header = note("assumed.header_columns", format=note("format.pospac"))
-    conventions = _conventions(layout, choice)
-    return trajectory_of(
-        path, pospac_rows(path), layout.columns, conventions, (header, *layout.file_warnings)
-    )
-
-
-def preview_pospac_accuracy(path: Path, choice: Choice) -> FilePreview:
-    """Preview the standard deviations."""
-    path = Path(path)
-    layout = pospac_layout(path)
-    return preview_accuracy(path, layout, _conventions(layout, choice))
-
-
-def read_pospac_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
-    """Read the standard deviations.
-
-    Raises
-    ------
-    InputError
-        If the file is damaged or a value is not possible.
-    """
-    path = Path(path)
-    layout = pospac_layout(path)
-    return accuracy_of(path, pospac_rows(path), layout.columns, _conventions(layout, choice))
-
-
 def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
     """Index of the line of column names, and the names."""
     for index, line in enumerate(lines):
@@ -232,3 +187,15 @@ def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
     return TrajectoryConventions(
         time=choice.get("time", "gps-week"), crs="" if geographic else choice.get("crs", "")
     )
+
+
+POSPAC_OPTIONS = (TIME_OPTION, GRID_SYSTEM_OPTION)
+POSPAC_FORMAT, POSPAC_ACCURACY_FORMAT = described_text_formats(
+    ("pospac-text", note("format.pospac")),
+    ("pospac-sigmas", note("format.pospac_sigmas")),
+    POSPAC_OPTIONS,
+    sniff_pospac,
+    pospac_layout,
+    preview_pospac,
+    _conventions,
+)

@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
+from lispac.gui.widgets.ticks import FONT_SIZE, SMALL_SIZE, style_axes
 from lispac.language import N_, gettext
 from lispac.present.angles import ANGLE_TITLES
 
 ANGLE_MARKERS = ("o", "s", "^")
 """Markers of the angles, which can be distinguished without colours."""
-FONT_SIZE, SMALL_SIZE = 9, 8
 DIRECTION_TITLES = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
 MIN_DRAWN_DIFFERENCE = 1e-12
 """Smallest difference drawn, in the angle unit shown; smaller ones are rounding errors."""
@@ -95,7 +95,7 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     positions = np.arange(len(items))
     for subplot, (title, base, scale, which, components) in enumerate(parts, start=1):
         axes = figure.add_subplot(1, 2, subplot)
-        _style_axes(axes)
+        style_axes(axes)
         scale *= units.shown_unit(base).factor
         error = np.array([item.pos_error[which] for item in items]) * scale
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
@@ -160,17 +160,8 @@ def short_title(name: str) -> str:
 def _new_axes(figure: Figure) -> Axes:
     figure.clear()
     axes = figure.add_subplot()
-    _style_axes(axes)
+    style_axes(axes)
     return axes
-
-
-def _style_axes(axes: Axes) -> None:
-    axes.set_facecolor(theme.PAPER)
-    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(theme.MUTED)
-    for label in (axes.xaxis.label, axes.yaxis.label):
-        label.set_color(theme.TEXT)
 
 
 def _legend_above(axes: Axes) -> None:

@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.open_project.import_survey.file_texts import time_axis_title
-from lispac.gui.widgets.ticks import convert_axis_units
+from lispac.gui.widgets.ticks import (
+    FONT_SIZE,
+    SMALL_SIZE,
+    convert_axis_units,
+    style_axes,
+)
 from lispac.io.points.line_times import LineTimes
 from lispac.io.trajectory.trajectory_facts import motion_of
 from lispac.language import gettext
@@ -21,7 +26,6 @@ from lispac.workflow.importing.input_files import InputFiles
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
 """Line styles of three curves, which stay visible where they coincide, such as north and east."""
-FONT_SIZE, SMALL_SIZE = 9, 8
 MAX_TRACK_POINTS = 10_000
 """A longer track is thinned to between one and two times this number of points."""
 LETTER_WIDTH_SHARE = 0.0065
@@ -104,7 +108,7 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     """Draw the track of the vessel as a map, with the lines in their colours."""
     figure.clear()
     axes = figure.add_subplot()
-    _style_axes(axes)
+    style_axes(axes)
     path = quality.track
     frame, step = path.mean_frame(), max(1, len(path.time) // MAX_TRACK_POINTS)
 
@@ -174,7 +178,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
     figure.clear()
     all_axes = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     for axes in all_axes:
-        _style_axes(axes)
+        style_axes(axes)
         axes.grid(axis="y", color=theme.GRID, linewidth=0.8)
         for _, start, end, colour in quality.lines:
             axes.axvspan(start, end, color=colour, alpha=0.16, linewidth=0)
@@ -234,15 +238,6 @@ def _show_text(figure: Figure, text: str) -> None:
 
 def _escape_dollars(name: str) -> str:
     return name.replace("$", r"\$")
-
-
-def _style_axes(axes: Axes) -> None:
-    axes.set_facecolor(theme.PAPER)
-    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(theme.MUTED)
-    for label in (axes.xaxis.label, axes.yaxis.label):
-        label.set_color(theme.TEXT)
 
 
 def _add_legend(axes: Axes) -> None:
