@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, sub_progress
@@ -174,6 +175,7 @@ def compare_plane(
     not_compared: list[tuple[str, str]] = []
     measured: list[_MeasuredDistances] = []
     maps: list[DistanceMap] = []
+    trees = [{line: PointTree(state[line]) for line in observed} for state in clouds]
     for i, (a, b) in enumerate(couples):
         common = _common_points(overlap, a, b)
         if common is None:
@@ -188,12 +190,12 @@ def compare_plane(
         distances: list[Array] = []
         states: list[PairState] = []
         along_normal: list[NormalDistances] = []
-        for state in clouds:
+        for state, tree in zip(clouds, trees, strict=True):
             ours, theirs = state[a][a_in_b], state[b][b_in_a]
             unsigned = np.concatenate(
                 (
-                    cloud_to_cloud(ours, state[b], model=model),
-                    cloud_to_cloud(theirs, state[a], model=model),
+                    cloud_to_cloud(ours, tree[b], model=model),
+                    cloud_to_cloud(theirs, tree[a], model=model),
                 )
             )
             along_normal = signed_distances(
