@@ -81,6 +81,11 @@ def cloud_to_cloud(
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, gettext_lazy("Indexing the point clouds"))
     starts = range(0, len(compared), _CHUNK_POINTS)
+    if len(starts) == 1:
+        surface = reference if isinstance(reference, PointTree) else PointTree(reference)
+        found = _chunk_distances(compared, surface, model, limit)
+        progress(1.0, gettext_lazy("Computing distances"))
+        return found
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
         # The places are searched for in spatial order, in which the processor's cache is used.
