@@ -15,10 +15,15 @@ from seeds, estimate and validate the boresight, and write a report::
 interface for scripts and stay the same in later versions; all others are internal.
 """
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
+
+# Products of matrices with a few columns take several times longer if BLAS divides them among the
+# cores. The variable has no effect if NumPy was imported before.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 if TYPE_CHECKING:
     from lispac.acceptance import AcceptanceCriteria as AcceptanceCriteria

@@ -163,6 +163,6 @@ def extent_in_plane(plane: Plane, points: Array) -> Array:
     -------
     ndarray of shape (2,), metres
     """
-    placed = points @ plane_axes(plane.normal).T
-    span: Array = np.ptp(placed, axis=0)
+    # Rows instead of columns: NumPy finds the extremes of contiguous numbers much faster.
+    span: Array = np.ptp(plane_axes(plane.normal) @ points.T, axis=1)
     return span

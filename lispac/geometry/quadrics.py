@@ -51,7 +51,7 @@ def local_quadrics(
     counts : ndarray of shape (n,)
         Number of valid entries in each row.
     centroids, normals : ndarrays of shape (n, 3), same frame
-        From `nearest_neighbours.local_planes`.
+        From `local_planes.local_planes`.
     """
     return Quadrics(*_fit_quadrics(points, groups, counts, centroids, normals))
 

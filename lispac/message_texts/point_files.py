@@ -166,12 +166,6 @@ TEXTS: Mapping[str, Template] = {
         "{file}: this cloud is in the local frame of a project (north, west, up), and its origin "
         "is not in the file. To use it as a line, export it with a coordinate system."
     ),
-    "las.not_finite": Plural(
-        "{file}: the coordinates or the time of point {point:n} are NaN or infinite (1 such "
-        "point). Correct the file or export it again.",
-        "{file}: the coordinates or the time of point {point:n} are NaN or infinite ({count:n} "
-        "such points). Correct the file or export it again.",
-    ),
     "las.too_far": N_(
         "{file}: points lie more than {limit:n} units from the trajectory and cannot be stored in "
         "a LAS file with the others. Remove them from the line."

@@ -11,17 +11,14 @@ match, the two lines are not compared.
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.nearest_neighbours import build_tree, local_planes
+from lispac.geometry.local_planes import local_planes
+from lispac.geometry.point_tree import PointTree
 from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.object_sample import ObjectPoints, ObjectSample
-
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -70,7 +67,7 @@ class ObjectSurface:
     inside : ndarray of shape (n,), bool
         Whether the point lies in the object's box. The other points only serve as matches for
         points of the other line.
-    tree : scipy.spatial.cKDTree
+    tree : PointTree
         Search tree of ``points``.
     """
 
@@ -79,12 +76,14 @@ class ObjectSurface:
     normal: Array
     flat: NDArray[np.bool_]
     inside: NDArray[np.bool_]
-    tree: "cKDTree"
+    tree: PointTree
 
 
-def neighbour_indices(tree: "cKDTree") -> Neighbours:
-    """Indices of the nearest points of each point of a tree, itself included, shape (n, k)."""
-    return np.asarray(tree.query(tree.data, min(NEIGHBOUR_COUNT, tree.n))[1], dtype=np.intp)
+def neighbour_indices(points: Array) -> Neighbours:
+    """Indices of the nearest points of each point (n, 3), itself included, shape (n, k)."""
+    tree = PointTree(points)
+    _, found = tree.neighbours(points, min(NEIGHBOUR_COUNT, len(points)))
+    return tree.order[found]
 
 
 def fit_object_surface(
@@ -100,8 +99,8 @@ def fit_object_surface(
         Neighbours of each point from `neighbour_indices`. They can be reused for other boresights,
         because the points of one line move together.
     """
-    tree = build_tree(placed)
-    near = neighbour_indices(tree) if near is None else near
+    tree = PointTree(placed)
+    near = neighbour_indices(placed) if near is None else near
     centre, normal = local_planes(placed, near)
     off = np.einsum("nkj,nj->nk", placed[near] - centre[:, None], normal)
     rough = np.sqrt((off**2).mean(axis=1))
@@ -158,7 +157,8 @@ def distances_to_surface(
         Spacing of the points.
     """
     point = np.flatnonzero(first.inside)
-    _, matched = second.tree.query(first.points[point])
+    _, found = second.tree.nearest(first.points[point])
+    matched = second.tree.order[found]
     normal = second.normal[matched]
     off = ((first.points[point] - second.centre[matched]) * normal).sum(axis=1)
     difference = first.points[point] - second.points[matched]
@@ -320,7 +320,7 @@ class Mismatch:
         placed = self.sample.placed_points(boresight)
         if not self._near:
             for k, each in self._needed.items():
-                self._near[k] = neighbour_indices(build_tree(placed[each.points]))
+                self._near[k] = neighbour_indices(placed[each.points])
         surface = {
             k: fit_object_surface(each, placed[each.points], self._near[k])
             for k, each in self._needed.items()

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.nearest_neighbours import build_tree
+from lispac.geometry.point_tree import PointTree
 from lispac.patchtest.object_boxes import PatchObject
 from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, Line
@@ -300,4 +300,4 @@ def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) ->
 def _sixth_neighbour_distance(points: Array) -> float:
     if len(points) < 8:
         return 0.0
-    return float(np.median(build_tree(points).query(points, [7])[0]))
+    return float(np.median(PointTree(points).neighbours(points, 7)[0][:, -1]))

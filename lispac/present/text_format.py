@@ -85,29 +85,14 @@ def centimetres(metres: float) -> str:
     return fixed_number(100 * metres, 2)
 
 
-def percent_text(ratio: float) -> str:
-    """A ratio in whole percent, with the percent sign."""
-    return f"{fixed_number(100 * ratio, 0)}\u00a0%"
-
-
 def angle_text(value: float) -> str:
     """Text of an angle in degrees, with its sign and four decimals."""
     return signed_number(value, 4)
 
 
-def heading_text(value: float) -> str:
-    """Text of a heading in degrees, 0 to 360, with one decimal."""
-    return fixed_number(value % 360, 1)
-
-
 def interval_text(half: str) -> str:
     """Half-width of a confidence interval, with a plus-minus sign."""
     return f"\u00b1 {half}"
-
-
-def with_interval(value: str, half: str) -> str:
-    """Text of a value followed by half the width of its confidence interval."""
-    return f"{value} {interval_text(half)}"
 
 
 def triple_text(values: Sequence[float], decimals: int) -> str:

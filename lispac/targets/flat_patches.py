@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
-from lispac.geometry.nearest_neighbours import build_tree, local_planes
+from lispac.geometry.local_planes import local_planes
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
+from lispac.geometry.point_tree import PointTree
 from lispac.geometry.radius_search import cell_keys, finite_bounds
 from lispac.targets import outline
 
@@ -102,8 +103,8 @@ def find_flat_patches(
     none = np.full(len(thinned), -1, dtype=np.int64)
     if len(thinned) < max(min_points, NEIGHBOURS_PER_NORMAL):
         return FlatPatches((), thinned, none)
-    _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS_PER_NORMAL, workers=1)
-    neighbours = np.ascontiguousarray(neighbours, dtype=np.int64)
+    tree = PointTree(thinned)
+    neighbours = tree.order[tree.neighbours(thinned, NEIGHBOURS_PER_NORMAL)[1]]
     centroids, normals = local_planes(thinned, neighbours)
     uneven = _neighbourhood_rms(thinned, neighbours, centroids, normals)
     order = np.argsort(uneven, kind="stable")

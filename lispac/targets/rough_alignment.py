@@ -18,7 +18,8 @@ from math import radians
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.nearest_neighbours import build_tree, local_planes
+from lispac.geometry.local_planes import local_planes
+from lispac.geometry.point_tree import PointTree
 from lispac.geometry.radius_search import cell_keys, finite_bounds
 from lispac.survey.cloud import Cloud, place_clouds
 from lispac.survey.georeferencing import Georeferencer, Mounting
@@ -169,15 +170,14 @@ class _LineSample:
         numbers = numbers[_thin_to_count(cloud.sample[numbers], count)]
         points = cloud.sample[numbers]
         # The neighbours are determined once and used for every boresight.
-        distance, neighbours = build_tree(points).query(
-            points, min(NEIGHBOURS_PER_NORMAL, len(points))
-        )
+        tree = PointTree(points)
+        distance, neighbours = tree.neighbours(points, min(NEIGHBOURS_PER_NORMAL, len(points)))
         max_roughness = max(
             MAX_RELATIVE_ROUGHNESS * float(np.median(distance[:, 1])), MAX_ROUGHNESS
         )
         return cls(
             *cloud.sample_lidar(numbers),
-            np.ascontiguousarray(neighbours, dtype=np.int64),
+            tree.order[neighbours],
             max_roughness,
         )
 
@@ -331,13 +331,13 @@ class _SceneLines:
             line.normals_and_flatness(points)
             for line, points in zip(self.lines, placed, strict=True)
         ]
-        trees = [build_tree(points) for points in placed]
+        trees = [PointTree(points) for points in placed]
         for first, second in combinations(range(len(placed)), 2):
             (own, own_flat), (normals, flat) = faces[first], faces[second]
             here = np.flatnonzero(own_flat)
-            distance, nearest = trees[second].query(placed[first][here], distance_upper_bound=reach)
+            distance, nearest = trees[second].nearest(placed[first][here], reach)
             near = np.isfinite(distance)
-            here, there = here[near], nearest[near]
+            here, there = here[near], trees[second].order[nearest[near]]
             facing = np.abs((own[here] * normals[there]).sum(axis=1)) > MIN_NORMAL_COSINE
             alike = facing & flat[there]
             yield _PointPairs(first, second, here[alike], there[alike], normals[there[alike]])

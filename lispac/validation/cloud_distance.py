@@ -10,20 +10,16 @@ increases the result.
 
 import os
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
-from lispac.geometry.nearest_neighbours import build_tree, spatial_order
+from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
 
 _CHUNK_POINTS = 50_000
 """Number of compared points that a thread processes at once."""
@@ -35,7 +31,7 @@ REFERENCE_CODES = ("validation.reference_shape", "validation.reference_not_finit
 
 def cloud_to_cloud(
     compared: ArrayLike,
-    reference: ArrayLike,
+    reference: ArrayLike | PointTree,
     *,
     model: LocalModel = SIX_POINT_PLANE,
     max_distance: float | None = None,
@@ -46,10 +42,10 @@ def cloud_to_cloud(
     Parameters
     ----------
     compared : array of shape (n, 3), metres
-    reference : array of shape (m, 3), metres
-        In the same frame. If it has fewer points than the model has neighbours, the model is fitted
-        to all of them; if these are too few for the model, the distance to the nearest point is
-        used.
+    reference : array of shape (m, 3), metres, or PointTree
+        In the same frame; a tree if several clouds are compared with it. If it has fewer points
+        than the model has neighbours, the model is fitted to all of them; if these are too few for
+        the model, the distance to the nearest point is used.
     model : LocalModel
         Model of the surface between the reference points.
     max_distance : float, metres, optional
@@ -73,7 +69,8 @@ def cloud_to_cloud(
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
     compared = _finite_cloud(compared, COMPARED_CODES)
-    reference = _finite_cloud(reference, REFERENCE_CODES)
+    if not isinstance(reference, PointTree):
+        reference = _finite_cloud(reference, REFERENCE_CODES)
     if max_distance is not None and not max_distance > 0.0:
         raise InputError(error("validation.max_distance", distance=max_distance))
     if len(compared) == 0:
@@ -84,19 +81,24 @@ def cloud_to_cloud(
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, gettext_lazy("Indexing the point clouds"))
     starts = range(0, len(compared), _CHUNK_POINTS)
+    if len(starts) == 1:
+        surface = reference if isinstance(reference, PointTree) else PointTree(reference)
+        found = _chunk_distances(compared, surface, model, limit)
+        progress(1.0, gettext_lazy("Computing distances"))
+        return found
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
-        # Neighbours in space become neighbours in memory, so that the search and the plane fit use
-        # the cache of the processor.
-        ordering = pool.submit(spatial_order, compared)
-        reference = reference[spatial_order(reference)]
-        tree = build_tree(reference)
-        order = ordering.result()
+        # The places are searched for in spatial order, in which the processor's cache is used.
+        ordering = pool.submit(PointTree, compared)
+        surface = reference if isinstance(reference, PointTree) else PointTree(reference)
+        places = ordering.result()
         distances = np.empty(len(compared))
 
         def measure(start: int) -> None:
-            chosen = order[start : start + _CHUNK_POINTS]
-            distances[chosen] = _chunk_distances(compared[chosen], reference, tree, model, limit)
+            chunk = slice(start, start + _CHUNK_POINTS)
+            distances[places.order[chunk]] = _chunk_distances(
+                places.points[chunk], surface, model, limit
+            )
 
         tasks = [pool.submit(measure, start) for start in starts]
         for done, task in enumerate(tasks, start=1):
@@ -109,20 +111,16 @@ def cloud_to_cloud(
 
 
 def _chunk_distances(
-    compared: NDArray[np.float64],
-    reference: NDArray[np.float64],
-    tree: "cKDTree",
-    model: LocalModel,
-    limit: float,
+    compared: NDArray[np.float64], reference: PointTree, model: LocalModel, limit: float
 ) -> NDArray[np.float64]:
     """Distances (n,) of one spatially coherent chunk."""
-    distances, nearest = tree.query(compared, k=1, distance_upper_bound=limit)
+    distances, nearest = reference.nearest(compared, limit)
     found = np.isfinite(distances)
     distances[~found] = np.nan
     if found.any():
-        to_surface = model.distances(compared[found], nearest[found], reference, tree)
+        to_surface = model.distances(compared[found], nearest[found], reference)
         distances[found] = np.fmin(distances[found], to_surface)  # fmin: NaN is "no surface"
-    return np.asarray(distances)
+    return distances
 
 
 def _finite_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:

@@ -5,15 +5,11 @@ would suit the densest parts, and cylinders in sparse parts would contain too fe
 distance. The diameter therefore follows the local point spacing.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.geometry.point_tree import PointTree
 from lispac.targets.thinning import thin_points
-
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -49,12 +45,12 @@ def candidate_places(surface: Array) -> Array:
     return points[kept]
 
 
-def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
+def twelfth_neighbour_distance(tree: PointTree, places: Array) -> Array:
     """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer.
 
     Parameters
     ----------
-    tree : cKDTree
+    tree : PointTree
         Points to which the places belong.
     places : ndarray of shape (k, 3), metres, local frame
 
@@ -62,16 +58,15 @@ def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
     -------
     ndarray of shape (k,), metres
     """
-    far, _ = tree.query(places, k=[SPACING_NEIGHBOUR + 1])
-    return np.asarray(far[:, 0], dtype=np.float64)
+    return tree.neighbours(places, SPACING_NEIGHBOUR + 1)[0][:, -1]
 
 
-def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
+def cylinder_diameters(line: PointTree, places: Array, reach: float) -> Array:
     """Diameter of a cylinder that contains about twelve points of a line, at each place, metres.
 
     Parameters
     ----------
-    line : cKDTree
+    line : PointTree
         Points of the line.
     places : ndarray of shape (k, 3), metres, local frame
     reach : float, metres
@@ -83,13 +78,13 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
         NaN where the line has no point within reach.
     """
     found = np.full(len(places), np.nan)
-    if not line.n or not len(places):
+    if not len(line) or not len(places):
         return found
-    distance, nearest = line.query(places, distance_upper_bound=reach)
+    distance, nearest = line.nearest(places, reach)
     is_near = np.isfinite(distance)
     nearest_points, inverse = np.unique(nearest[is_near], return_inverse=True)
     found[is_near] = np.clip(
-        DIAMETER_FACTOR * twelfth_neighbour_distance(line, line.data[nearest_points]),
+        DIAMETER_FACTOR * twelfth_neighbour_distance(line, line.points[nearest_points]),
         MIN_DIAMETER_M,
         MAX_DIAMETER_M,
     )[inverse]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.nearest_neighbours import build_tree
+from lispac.geometry.point_tree import PointTree
 from lispac.messages import error
 from lispac.validation.cylinder_diameters import (
     DIAMETER_FACTOR,
@@ -158,14 +158,14 @@ def compare_lines(
     (one, surface), (other, points) = first, second
     surface, points = (each[:: -(-len(each) // MAX_LINE_POINTS) or 1] for each in (surface, points))
     places = candidate_places(surface)
-    diameters = cylinder_diameters(build_tree(points), places, reach)
+    diameters = cylinder_diameters(PointTree(points), places, reach)
     near = np.flatnonzero(np.isfinite(diameters))
     if not len(near):
         raise NotComparable(
             error("validation.no_place_in_common", line=one, other=other, reach=reach)
         )
     own_diameters = np.minimum(
-        DIAMETER_FACTOR * twelfth_neighbour_distance(build_tree(surface), places[near]),
+        DIAMETER_FACTOR * twelfth_neighbour_distance(PointTree(surface), places[near]),
         MAX_DIAMETER_M,
     )
     selected, widths = select_separate_places(

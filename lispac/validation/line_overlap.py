@@ -32,16 +32,17 @@ class _Footprint:
     Parameters
     ----------
     points : ndarray of shape (n, 2), metres, in the plane
+    spacing : float or None, metres
+        From `_sparse_spacing`; without it, nothing is covered.
 
     Attributes
     ----------
     cell : float, metres
     """
 
-    def __init__(self, points: Array) -> None:
+    def __init__(self, points: Array, spacing: float | None) -> None:
         self._covered = np.zeros((1, 1), dtype=bool)
         self._low, self.cell = np.zeros(2), 1.0
-        spacing = _sparse_spacing(points)
         if spacing is None:
             return
         from scipy.ndimage import binary_closing
@@ -75,11 +76,16 @@ class LineOverlap:
     """
 
     def __init__(self, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
-        self._states: list[tuple[dict[str, Array], dict[str, _Footprint]]] = []
+        flats: list[dict[str, Array]] = []
         for clouds in (before, after):
             origin, axes = _common_plane_frame(list(clouds.values()))
-            flat = {line: (cloud - origin) @ axes.T for line, cloud in clouds.items()}
-            self._states.append((flat, {line: _Footprint(uv) for line, uv in flat.items()}))
+            flats.append({line: (cloud - origin) @ axes.T for line, cloud in clouds.items()})
+        # The boresight hardly changes the spacing of the points of one line.
+        spacings = {line: _sparse_spacing(points) for line, points in flats[-1].items()}
+        self._states = [
+            (flat, {line: _Footprint(points, spacings[line]) for line, points in flat.items()})
+            for flat in flats
+        ]
         self.normal: Array = np.cross(axes[0], axes[1])
         """Normal of the plane after the calibration, shape (3,), of either sign."""
 

@@ -4,21 +4,20 @@ The local models are those of CloudCompare.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.errors import InputError
-from lispac.geometry.nearest_neighbours import local_planes
+from lispac.geometry.local_planes import local_planes
+from lispac.geometry.point_tree import PointTree
 from lispac.geometry.quadrics import heights_above, local_quadrics
 from lispac.messages import Message, error, note
 
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
-
 Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+Indices = NDArray[np.int64]
 Kind = Literal["point", "plane", "quadric"]
 
 MIN_POINTS_BY_KIND = {"point": 1, "plane": 3, "quadric": 6}
@@ -79,18 +78,15 @@ class LocalModel:
             return note(code, radius=self.radius)
         return note("surface.plane" if flat else "surface.quadric", count=self.neighbours)
 
-    def distances(
-        self, compared: Array, nearest: Indices, reference: Array, tree: "cKDTree"
-    ) -> Array:
+    def distances(self, compared: Array, nearest: Indices, reference: PointTree) -> Array:
         """Unsigned distance of each compared point to the surface at its nearest point.
 
         Parameters
         ----------
         compared : ndarray of shape (n, 3), metres, local frame
         nearest : ndarray of shape (n,)
-            Index of the reference point nearest to each compared point.
-        reference : ndarray of shape (m, 3), metres, local frame
-        tree : cKDTree of the reference points
+            Index in ``reference.points`` of the point nearest to each compared point.
+        reference : PointTree, local frame
 
         Returns
         -------
@@ -100,28 +96,48 @@ class LocalModel:
         if self.kind == "point":
             return np.full(len(compared), np.nan)
         # Several compared points may have the same nearest point, and therefore the same surface.
-        centres, surface_of = np.unique(nearest, return_inverse=True)
-        groups, counts = self._neighbour_groups(reference, centres, tree)
-        centroids, normals = local_planes(reference, groups, counts)
+        centres, surface_of = _number_surfaces(nearest)
+        groups, counts = self._neighbour_groups(reference, centres)
+        centroids, normals = local_planes(reference.points, groups, counts)
         offsets = compared - centroids[surface_of]
         if self.kind == "plane":
             return np.abs(np.einsum("ij,ij->i", offsets, normals[surface_of]))
-        quadrics = local_quadrics(reference, groups, counts, centroids, normals)
+        quadrics = local_quadrics(reference.points, groups, counts, centroids, normals)
         return np.abs(heights_above(quadrics, offsets, surface_of))
 
-    def _neighbour_groups(
-        self, reference: Array, centres: Indices, tree: "cKDTree"
-    ) -> tuple[Indices, Indices]:
+    def _neighbour_groups(self, reference: PointTree, centres: Indices) -> tuple[Indices, Indices]:
         """Neighbours (c, k) of the given points, and the number of valid entries in each row."""
-        if self.radius is None:
-            k = min(self.neighbours, len(reference))
-            _, found = tree.query(reference[centres], k=range(1, k + 1))
-            return np.asarray(found, dtype=np.intp), np.full(len(centres), k, dtype=np.intp)
-        lists = tree.query_ball_point(reference[centres], self.radius)
-        counts = np.fromiter(map(len, lists), dtype=np.intp, count=len(lists))
-        padded = np.zeros((len(lists), int(counts.max(initial=1))), dtype=np.intp)
-        padded[np.arange(padded.shape[1]) < counts[:, None]] = np.concatenate(lists)
-        return padded, counts
+        places = reference.points[centres]
+        if self.radius is not None:
+            return reference.within(places, self.radius)
+        k = min(self.neighbours, len(reference))
+        return reference.neighbours(places, k)[1], np.full(len(centres), k, dtype=np.int64)
+
+
+@njit(nogil=True, cache=True)
+def _number_surfaces(
+    nearest: Indices,
+) -> tuple[Indices, Indices]:  # pragma: no cover - compiled
+    """Distinct indices (c,), and for each given index (n,) its position among them.
+
+    Unlike `numpy.unique`, it does not sort: a table keeps the position of the last index of each
+    slot. An index that was replaced in the meantime occurs twice, which only costs time.
+    """
+    slots = 1024
+    while slots < len(nearest):
+        slots *= 2
+    latest = np.full(slots, -1, np.int64)
+    distinct = np.empty(len(nearest), np.int64)
+    numbers = np.empty(len(nearest), np.int64)
+    count = 0
+    for i in range(len(nearest)):
+        slot = nearest[i] & (slots - 1)
+        if latest[slot] < 0 or distinct[latest[slot]] != nearest[i]:
+            distinct[count] = nearest[i]
+            latest[slot] = count
+            count += 1
+        numbers[i] = latest[slot]
+    return distinct[:count].copy(), numbers
 
 
 NEAREST_POINT_MODEL = LocalModel("point", 1)

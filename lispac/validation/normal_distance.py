@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
 from lispac.errors import InputError, NotComparable
-from lispac.geometry.nearest_neighbours import local_planes_kernel
+from lispac.geometry.local_planes import local_planes_kernel
 from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 from lispac.messages import error
 

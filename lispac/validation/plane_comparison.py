@@ -12,6 +12,7 @@ are therefore computed from the same points, and only the boresight differs.
 """
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, sub_progress
@@ -174,6 +176,7 @@ def compare_plane(
     not_compared: list[tuple[str, str]] = []
     measured: list[_MeasuredDistances] = []
     maps: list[DistanceMap] = []
+    trees = [{line: PointTree(state[line]) for line in observed} for state in clouds]
     for i, (a, b) in enumerate(couples):
         common = _common_points(overlap, a, b)
         if common is None:
@@ -185,28 +188,15 @@ def compare_plane(
             0.0,
             gettext_lazy("Comparing {one} and {other} on {target}", one=a, other=b, target=name),
         )
-        distances: list[Array] = []
-        states: list[PairState] = []
-        along_normal: list[NormalDistances] = []
-        for state in clouds:
-            ours, theirs = state[a][a_in_b], state[b][b_in_a]
-            unsigned = np.concatenate(
-                (
-                    cloud_to_cloud(ours, state[b], model=model),
-                    cloud_to_cloud(theirs, state[a], model=model),
+        with ThreadPoolExecutor(len(clouds)) as executor:
+            tasks = [
+                executor.submit(
+                    _compare_state, (state[a][a_in_b], state[b][b_in_a]), (tree[a], tree[b]),
+                    model=model, facing=facing, spacing=overlap.spacing(a, b),
                 )
-            )
-            along_normal = signed_distances(
-                ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=unsigned.max()
-            )
-            distances.append(unsigned)
-            states.append(
-                PairState(
-                    DistanceStatistics.of(unsigned),
-                    SignedStatistics.of(along_normal) if along_normal else None,
-                    _plane_offset_between_lines(ours, theirs, facing),
-                )
-            )
+                for state, tree in zip(clouds, trees, strict=True)
+            ]  # fmt: skip
+            distances, signed, states = zip(*(task.result() for task in tasks), strict=True)
         both_ways = are_reciprocal(headings[a], headings[b])
         # Reciprocal pairs come first; if there are any, the other pairs are not pooled.
         if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
@@ -218,7 +208,7 @@ def compare_plane(
                 reach=(float(distances[0].max()), float(distances[1].max())),
             )  # fmt: skip
             maps += [] if mapped is None else [mapped]
-        modes = _modes_of_pair(along_normal, a, b, errors)
+        modes = _modes_of_pair(signed[-1], a, b, errors)
         pairs.append(PairComparison(a, b, both_ways, states[0], states[1], modes))
         of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
         if ranges is not None:
@@ -260,6 +250,37 @@ def compare_plane(
         maps=tuple(maps),
         shifts=() if errors is None else line_shifts(pairs, errors),
     )
+
+
+def _compare_state(
+    points: tuple[Array, Array], lines: tuple[PointTree, PointTree], *, model: LocalModel,
+    facing: Array, spacing: float,
+) -> tuple[Array, list[NormalDistances], PairState]:  # fmt: skip
+    """Distances of two lines in one state: unsigned and along the normal, and their statistics.
+
+    Parameters
+    ----------
+    points : tuple of two ndarrays of shape (n, 3), metres, local frame
+        Points of each line inside the footprint of the other.
+    lines : tuple of two PointTree
+        All points of each line.
+    """
+    first, second = points
+    unsigned = np.concatenate(
+        (
+            cloud_to_cloud(first, lines[1], model=model),
+            cloud_to_cloud(second, lines[0], model=model),
+        )
+    )
+    along_normal = signed_distances(
+        first, second, facing=facing, spacing=spacing, reach=unsigned.max()
+    )
+    state = PairState(
+        DistanceStatistics.of(unsigned),
+        SignedStatistics.of(along_normal) if along_normal else None,
+        _plane_offset_between_lines(first, second, facing),
+    )
+    return unsigned, along_normal, state
 
 
 def _modes_of_pair(

@@ -56,7 +56,7 @@ PACKAGES = {
     ),
 }  # fmt: skip
 """Packages whose code is mutated, and the test modules that are fast enough for each mutation."""
-COMPILED = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
+COMPILED = ("lispac/geometry/point_tree.py", "lispac/survey/kernels.py")
 """Modules of compiled functions, which every mutation would compile again."""
 UNMUTATED_LINES = (r"^\s*raise ", r"dtype=")
 """Patterns of lines that are not mutated: error messages and redundant types of arrays."""

@@ -13,8 +13,6 @@ from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
-BORESIGHT_NAMES = MOUNTING_VALUE_NAMES[:3]
-"""Parameters that are always estimated."""
 OPTIONAL_NAMES = MOUNTING_VALUE_NAMES[3:]
 """Parameters that are estimated only on request."""
 

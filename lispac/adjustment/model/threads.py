@@ -50,6 +50,7 @@ def _thread_pool_controller() -> Any:
 def single_blas_thread() -> AbstractContextManager[Any]:
     """Context manager that limits BLAS to the calling thread.
 
+    It is needed in scripts that import NumPy before this package, which sets the limit otherwise.
     BLAS uses all cores even for a product of a few hundred numbers. If another program uses these
     cores, waiting for them takes a hundred times longer than the product.
     """

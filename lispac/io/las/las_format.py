@@ -5,10 +5,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError
 from lispac.io.files import atomic_write
 from lispac.io.las.las_chunks import read
-from lispac.messages import error, note
+from lispac.messages import note
 from lispac.survey.scan import Scan
 
 SCANNER_FRAME_ASSUMPTIONS = (note("assumed.metres_in_scanner_frame"), note("assumed.las_time"))
@@ -32,25 +31,6 @@ def read_scan(path: Path) -> Scan:
         intensity[rows] = chunk.extra["intensity"]
         done = rows.stop
     return Scan(points, time, intensity, SCANNER_FRAME_ASSUMPTIONS)
-
-
-def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:
-    """Refuse coordinates or times that are NaN or infinite.
-
-    Parameters
-    ----------
-    points : ndarray of shape (n, 3), any frame
-    time : ndarray of shape (n,), seconds
-
-    Raises
-    ------
-    InputError
-        If a coordinate or time of any point is NaN or infinite.
-    """
-    bad = ~(np.isfinite(points).all(axis=1) & np.isfinite(time))
-    if bad.any():
-        point, count = int(np.argmax(bad)) + 1, int(bad.sum())
-        raise InputError(error("las.not_finite", file=str(path), point=point, count=count))
 
 
 def write_points(

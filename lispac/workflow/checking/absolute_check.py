@@ -3,14 +3,13 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.model.point_sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
-from lispac.geometry.nearest_neighbours import build_tree
+from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
@@ -45,9 +44,6 @@ from lispac.validation.reference_places import (
 )
 from lispac.workflow.checking.references import Reference, read_reference
 from lispac.workflow.project.survey import Survey
-
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 
@@ -230,7 +226,7 @@ class _ComparisonPlaces:
         planes, surface = reference.planes, reference.surface
         places = candidate_places(surface) if len(surface) else surface
         own = (
-            twelfth_neighbour_distance(build_tree(surface), places) if len(surface) else np.zeros(0)
+            twelfth_neighbour_distance(PointTree(surface), places) if len(surface) else np.zeros(0)
         )
         return cls(
             reference, places, np.minimum(DIAMETER_FACTOR * own, MAX_DIAMETER_M),
@@ -241,7 +237,7 @@ class _ComparisonPlaces:
             3 * max(reference.sigma, lidar_sigma),
         )  # fmt: skip
 
-    def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
+    def surfaces(self, tree: PointTree) -> Iterator[tuple[Array, Array, Array, int]]:
         """Surfaces near which a line has points.
 
         Yields for each surface its points, the places on it, the diameters there (from the density
@@ -277,7 +273,7 @@ def _compare_line(
         If there are too few places; the message suggests an action.
     """
     found: list[tuple[CorePointDistances, NDArray[np.intp]]] = []
-    tree, tried = build_tree(cloud.after), 0
+    tree, tried = PointTree(cloud.after), 0
     for surface, cores, diameters, group in where.surfaces(tree):
         tried += len(cores)
         try:
@@ -347,7 +343,9 @@ def _place_sensitivities(
     result = project.result
     assert result is not None
     mounting = result.mounting
-    _, nearest = build_tree(cloud.after).query(measured.after.cores)
+    tree = PointTree(cloud.after)
+    _, found = tree.nearest(measured.after.cores)
+    nearest = tree.order[found]
     points_lidar, time = survey.scans[cloud.line].take(cloud.numbers[nearest])
     moves = sensitivity(
         points_lidar, survey.trajectory.at(time + mounting.latency), mounting,

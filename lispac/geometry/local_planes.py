@@ -1,19 +1,9 @@
-"""Nearest neighbours in large clouds, and the least-squares plane through each neighbourhood.
-
-The search uses SciPy's k-d tree. Two measures make it three times as fast for a million points:
-cells are split at their centre instead of at the median point, and queries are made in spatial
-order, so that consecutive ones use the same leaves of the tree.
-"""
-
-from typing import TYPE_CHECKING
+"""Least-squares plane through each neighbourhood of a cloud."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
-
-if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
 
 Points = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -22,24 +12,6 @@ Indices = NDArray[np.intp]
 # points lie on a straight line, which does not determine a plane.
 _MIN_VARIANCE_RATIO = 1e-12
 _MAX_SWEEPS = 12  # each of them rotates all three off-diagonal elements to zero
-
-
-def build_tree(points: Points) -> "cKDTree":
-    """K-d tree of ``points`` (n, 3) in any frame, built for speed rather than for balance."""
-    from scipy.spatial import cKDTree
-
-    return cKDTree(points, balanced_tree=False)
-
-
-def spatial_order(points: Points) -> Indices:
-    """Permutation (n,) that places points that are close in space close to each other in memory.
-
-    The order is that of the points in the leaves of a k-d tree.
-    """
-    from scipy.spatial import cKDTree
-
-    tree = cKDTree(points, balanced_tree=False, compact_nodes=False, leafsize=64)
-    return np.asarray(tree.indices, dtype=np.intp)
 
 
 @njit(nogil=True, cache=True)
