@@ -48,6 +48,8 @@ WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal distribution, in standard deviations."""
 _ROW_HEIGHT_PX = 21
+_MIN_VALUE_WIDTH_PX = 190
+"""Smallest width of a value of the fit; longer texts are wrapped."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -69,6 +71,8 @@ class ResultsPanel(QWidget):
 
     settings_edited = Signal(object)
     """`Settings` with the LiDAR noise found in the residuals."""
+    cross_checks_requested = Signal()
+    """The table of the cross-checks is to be shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -209,17 +213,29 @@ class ResultsPanel(QWidget):
             ("rms", gettext("RMS point-to-plane")),
             ("factor", gettext("Variance factor")),
             ("chi", gettext("Chi-square test")),
+            ("checks", gettext("Cross-checks")),
             ("points", gettext("Points, sightings")),
             ("model", gettext("POS correlation time")),
             ("surface", gettext("Form error of the targets")),
             ("sigmas", gettext("Standard deviations used")),
             ("iterations", gettext("Iterations, time")),
         ):
-            value = widgets.label(name=f"result_{key}", rich=True)
+            value = widgets.label(name=f"result_{key}", wrap=True, rich=True)
             value.setFont(theme.tabular_font(value.font()))
-            value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            value.setMinimumWidth(_MIN_VALUE_WIDTH_PX)
+            value.setTextInteractionFlags(
+                Qt.TextInteractionFlag.TextBrowserInteraction
+                if key == "checks"
+                else Qt.TextInteractionFlag.TextSelectableByMouse
+            )
             self._values[key] = value
-            form.addRow(widgets.label(title, "muted"), value)
+            label = widgets.label(title, "muted")
+            label.setAlignment(Qt.AlignmentFlag.AlignTop)
+            form.addRow(label, value)
+        self._values["checks"].setToolTip(
+            gettext("Result without each line and each target, and of each half of the lines")
+        )
+        self._values["checks"].linkActivated.connect(lambda _: self.cross_checks_requested.emit())
         return fit
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
@@ -229,6 +245,7 @@ class ResultsPanel(QWidget):
             "rms": f"{before} → <b>{after}</b>",
             "factor": number(result.variance_factor, 3),
             "chi": result_texts.chi_square_text(result),
+            "checks": result_texts.cross_checks_html(project.cross_checks),
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
             "surface": result_texts.form_error_text(result),
@@ -240,7 +257,7 @@ class ResultsPanel(QWidget):
         for key, text in texts.items():
             self._values[key].setText(text)
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
-        components = "; ".join(result_texts.variance_component_texts(result))
+        components = "; ".join(result_texts.variance_component_texts(project, result))
         if components:
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
