@@ -96,6 +96,40 @@ def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
     assert box.currentIndex() == index
 
 
+def reopen(driver: Driver) -> None:
+    driver.window.open_project(driver.project.folder)
+    driver.rest()
+
+
+def test_an_exported_report_is_known_after_the_project_is_opened_again(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    window = adjusted.window
+    adjusted.dialogs.path = tmp_path / "copy"
+    window.actions_["save_as"].trigger()
+    adjusted.rest()
+    open_step(adjusted, REPORT_STEP)
+    adjusted.dialogs.path = tmp_path / "r.html"
+    click(adjusted, window.report.report)
+    adjusted.rest()
+    header, advice = window.workflow.headers[REPORT_STEP].sentence, window.report.advice
+    reopen(adjusted)
+    assert header.text() == "exported: r.html"
+    identity = adjusted.project.identity.changed(vessel="Adele")
+    window.document.edit("vessel", adjusted.project.with_identity(identity))
+    window.actions_["save"].trigger()
+    reopen(adjusted)
+    assert header.text() != "exported: r.html"
+    assert "r.html" in advice.text()  # the project has changed since that report
+    adjusted.dialogs.path = tmp_path / "r.html"
+    window.actions_["report"].trigger()
+    adjusted.rest()
+    assert header.text() == "exported: r.html"
+    (tmp_path / "r.html").unlink()
+    reopen(adjusted)
+    assert "r.html" not in advice.text()
+
+
 def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_path: Path) -> None:
     open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
