@@ -56,6 +56,7 @@ from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 from lispac.messages import Action, Message
 from lispac.project import Project
+from lispac.warning_causes import Cause
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -198,12 +199,16 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.results.cross_checks_requested.connect(
+            lambda: self.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
+        )
         panels.warnings.action_requested.connect(self._run_message_action)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
         )  # fmt: skip
+        self.tools.point_readout.may_show_tooltip = lambda: not self.tour.is_running
         FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
 
     def _build(self) -> None:
@@ -318,6 +323,8 @@ class MainWindow(QMainWindow):
         self.controller.logged.connect(self._note)
         self.actions_.stepped.connect(self._note)
         self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
+        self.computations.validated.connect(partial(self.workflow.open, status.VALIDATE))
+        self.estimation.estimated.connect(partial(self.workflow.open, status.ADJUST))
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)

@@ -243,19 +243,14 @@ class WarningsButton(QPushButton):
         self.show_warnings(None)
 
     def show_warnings(self, messages: Sequence[Message] | None) -> None:
-        """Show the number of messages of the highest level; None if no project is open."""
+        """Show the number of messages of each level; None if no project is open."""
         self.setVisible(messages is not None)
         worst = next(
             (level for level in Level if any(m.level is level for m in messages or ())), None
         )
         icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
-        text = (
-            level_counts_text([each for each in messages or () if each.level is worst])
-            if worst
-            else gettext("No messages")
-        )
+        text = level_counts_text(messages) if messages else gettext("No messages")
         self.setText(text)
-        counts = f"{level_counts_text(messages)}. " if messages else ""
-        self.setToolTip(counts + gettext("Click to see them all (F12)"))
+        self.setToolTip(gettext("Click to see them all (F12)"))
         self.setAccessibleName(text)
