@@ -40,8 +40,9 @@ MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 72.0, 80.0, 46.0
-"""Largest heights of a map, the site plan and a small picture on the page, millimetres."""
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 80.0
+MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
+"""Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
 
 def shortened_notes(notes: Sequence[str]) -> tuple[str, ...]:
@@ -160,7 +161,9 @@ def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
     """Views of the whole survey or the site plan, then the validation planes before and after."""
     whole, small = tuple(pictures[:2]), pictures[2 : 2 + 2 * MAX_PICTURED_PLANES]
-    blocks: list[Block] = [PictureRows((whole,))] if whole else _site_plan(content)
+    blocks: list[Block] = (
+        [PictureRows((whole,), tallest=MAX_OVERVIEW_HEIGHT_MM)] if whole else _site_plan(content)
+    )
     blocks += [
         PictureRows((tuple(small[k : k + 2]),), columns=2, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
         for k in range(0, len(small), 2)

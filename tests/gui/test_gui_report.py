@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QPoint, QTimer
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
@@ -70,6 +70,11 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
             dialog.findChild(QLabel, "identity_message"),
             dialog.findChild(QPushButton, "identity_keep"),
         )
+        places = {field(dialog, name).mapTo(dialog, QPoint()).x() for name in FIELD_NAMES}
+        assert len(places) == 2  # two columns of aligned fields
+        dates = field(dialog, "dates")
+        range_width = dates.fontMetrics().horizontalAdvance("2026-03-04 to 2026-03-06")
+        assert dates.width() > range_width + 12
         type_into(opened, field(dialog, "vessel"), "V" * 201)
         assert label.text().startswith("Vessel: the text has 201 characters")
         assert not keep.isEnabled()

@@ -319,6 +319,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     side.setDefaultSectionSize(_ROW_HEIGHT_PX)
     side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     side.setMinimumWidth(96)
+    side.setStyleSheet("QHeaderView::section { padding: 0px 6px; }")  # else descenders are cut off
     side.setHighlightSections(False)
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
