@@ -95,13 +95,13 @@ def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
 
 
 def agreement_text(checks: CrossCheckValues) -> str:
-    """Number of subsets that agree, and the tolerance: ``9 of 9 subsets agree within 3 σ``."""
+    """Number of subsets that agree, and the tolerance: ``9 of 9 agree within 3 σ``."""
     found = [_agreement(row) for row in subset_rows(checks)]
     missing = found.count("no result")
     text = gettext(
         Plural(
-            "{agreeing:n} of {count:n} subset agrees within {limit:n} σ",
-            "{agreeing:n} of {count:n} subsets agree within {limit:n} σ",
+            "{agreeing:n} of {count:n} agrees within {limit:n} σ",
+            "{agreeing:n} of {count:n} agree within {limit:n} σ",
         ),
         agreeing=found.count("agrees"), count=len(found) - missing, limit=MAX_SUBSET_SIGNIFICANCE,
     )  # fmt: skip

@@ -161,9 +161,7 @@ def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
     """Views of the whole survey or the site plan, then the validation planes before and after."""
     whole, small = tuple(pictures[:2]), pictures[2 : 2 + 2 * MAX_PICTURED_PLANES]
-    blocks: list[Block] = (
-        [PictureRows((whole,), tallest=MAX_OVERVIEW_HEIGHT_MM)] if whole else _site_plan(content)
-    )
+    blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else _site_plan(content)
     blocks += [
         PictureRows((tuple(small[k : k + 2]),), columns=2, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
         for k in range(0, len(small), 2)
@@ -196,6 +194,13 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         )  # fmt: skip
         blocks.append(Paragraph(omitted))
     return blocks
+
+
+def _overview(pictures: tuple[Picture, ...], *, is_alone: bool) -> PictureRows:
+    """Views of the whole survey, lower if pictures of planes follow."""
+    if is_alone:
+        return PictureRows((pictures,))
+    return PictureRows((pictures,), tallest=MAX_OVERVIEW_HEIGHT_MM)
 
 
 def _site_plan(content: ReportContent) -> list[Block]:

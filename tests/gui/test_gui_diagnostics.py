@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QLabel, QTableWidget
+from PySide6.QtWidgets import QPushButton, QTableWidget
 
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
@@ -23,6 +23,7 @@ from tests.gui.support import (
     Driver,
     Key,
     Left,
+    click,
     click_check,
     double_click,
     show_panel,
@@ -54,10 +55,10 @@ def turn_to(driver: Driver, title: str):
 def test_the_results_lead_to_the_cross_checks(shown: Driver) -> None:
     turn_to(shown, "Sightings")
     show_panel(shown.window, "Results")
-    link = shown.window.results.findChild(QLabel, "result_checks")
+    link = shown.window.results.findChild(QPushButton, "result_checks")
     rows = len(subset_rows(cross_check_values(shown.project.cross_checks)))
     assert f" of {rows} " in link.text()
-    shown.bot.mouseClick(link, Left, pos=QPoint(10, 8))
+    click(shown, link)
     shown.rest()
     assert shown.window.diagnostics.current.title == "Cross-checks"
     assert shown.window.diagnostics.isVisible()

@@ -21,7 +21,7 @@ from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
-from lispac.gui.features.help.manual import Manual
+from lispac.gui.features.help.manual import CHECK_SIGNS_ANCHOR, CHECK_SIGNS_PAGE, Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -34,7 +34,7 @@ from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
-from lispac.gui.features.warnings.warnings_panel import WarningsButton
+from lispac.gui.features.warnings.warnings_panel import CHECK_SIGN_ACTION, WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -182,7 +182,7 @@ class MainWindow(QMainWindow):
             viewport, control, dialogs, settings, actions, self.rebuild_window
         )
         preferences.report_choice_changed.connect(report.show_choice)
-        Manual(runner, control, actions, lambda: panels.workflow.opened)
+        self.manual = Manual(runner, control, actions, lambda: panels.workflow.opened)
         self.site_design = SiteDesign(
             document,
             lambda: with_help_until_used(viewport.create_empty_viewport(), settings),
@@ -423,7 +423,10 @@ class MainWindow(QMainWindow):
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     def _run_message_action(self, action: Action) -> None:
-        """Carry out the action of a message: use the LiDAR noise found in the residuals."""
+        """Use the LiDAR noise found in the residuals, or show how to check a sign."""
+        if action.code == CHECK_SIGN_ACTION:
+            self.manual.open(CHECK_SIGNS_PAGE, CHECK_SIGNS_ANCHOR)
+            return
         project = self.document.project
         if project is None or project.result is None:
             return

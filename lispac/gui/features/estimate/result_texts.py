@@ -176,9 +176,8 @@ def variance_component_texts(project: Project, result: AdjustmentResult) -> tupl
     return tuple(component_text(each, sigmas[each.name]) for each in component_values(result))
 
 
-def cross_checks_html(checks: CrossChecks | None) -> str:
-    """Agreement of subsets of the data, with a link to their table, as rich text."""
+def cross_checks_text(checks: CrossChecks | None) -> str:
+    """Number of subsets of the data that agree with the result."""
     if checks is None:
-        return escape(gettext("not computed; select the cross-check in step 3"))
-    text = escape(agreement_text(cross_check_values(checks)))
-    return f'<a href="#">{text}</a>'
+        return gettext("not computed")
+    return agreement_text(cross_check_values(checks))

@@ -213,7 +213,6 @@ class ResultsPanel(QWidget):
             ("rms", gettext("RMS point-to-plane")),
             ("factor", gettext("Variance factor")),
             ("chi", gettext("Chi-square test")),
-            ("checks", gettext("Cross-checks")),
             ("points", gettext("Points, sightings")),
             ("model", gettext("POS correlation time")),
             ("surface", gettext("Form error of the targets")),
@@ -223,20 +222,28 @@ class ResultsPanel(QWidget):
             value = widgets.label(name=f"result_{key}", wrap=True, rich=True)
             value.setFont(theme.tabular_font(value.font()))
             value.setMinimumWidth(_MIN_VALUE_WIDTH_PX)
-            value.setTextInteractionFlags(
-                Qt.TextInteractionFlag.TextBrowserInteraction
-                if key == "checks"
-                else Qt.TextInteractionFlag.TextSelectableByMouse
-            )
+            value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value
             label = widgets.label(title, "muted")
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
             form.addRow(label, value)
-        self._values["checks"].setToolTip(
-            gettext("Result without each line and each target, and of each half of the lines")
-        )
-        self._values["checks"].linkActivated.connect(lambda _: self.cross_checks_requested.emit())
+            if key == "chi":
+                form.addRow(widgets.label(gettext("Cross-checks"), "muted"), self._checks_link())
         return fit
+
+    def _checks_link(self) -> QWidget:
+        """Button that looks like a link; a label with a link would keep the keyboard focus."""
+        self.checks = widgets.button(
+            "", "result_checks",
+            tip=gettext("Result without each line and each target, and of each half of the lines"),
+        )  # fmt: skip
+        self.checks.setStyleSheet(
+            "QPushButton { border: none; padding: 0px; text-align: left; background: transparent;"
+            f" text-decoration: underline; color: {theme.colour('accent').name()}; }}"
+            "QPushButton:focus { border: 1px solid; }"
+        )
+        self.checks.clicked.connect(lambda _on: self.cross_checks_requested.emit())
+        return self.checks
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
         before = quantities.figure(1000 * result.rms_before, "mm", 1)
@@ -245,7 +252,6 @@ class ResultsPanel(QWidget):
             "rms": f"{before} → <b>{after}</b>",
             "factor": number(result.variance_factor, 3),
             "chi": result_texts.chi_square_text(result),
-            "checks": result_texts.cross_checks_html(project.cross_checks),
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
             "surface": result_texts.form_error_text(result),
@@ -256,6 +262,7 @@ class ResultsPanel(QWidget):
         }
         for key, text in texts.items():
             self._values[key].setText(text)
+        self.checks.setText(result_texts.cross_checks_text(project.cross_checks))
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
         components = "; ".join(result_texts.variance_component_texts(project, result))
         if components:

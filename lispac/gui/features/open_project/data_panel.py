@@ -207,9 +207,9 @@ class DataPanel(QWidget):
         table.setFixedHeight(height)
         excluded = {} if survey is None else survey.excluded
         self.excluded.setVisible(bool(excluded))
-        self.excluded.setText(
-            gettext(EXCLUDED_TEXT, count=sum(excluded.values()), lines=tuple(excluded))
-        )
+        if excluded:
+            text = gettext(EXCLUDED_TEXT, count=sum(excluded.values()), lines=tuple(excluded))
+            self.excluded.setText(text)
 
     def _on_line_toggled(self, item: QTableWidgetItem) -> None:
         if item.column() == 0:

@@ -26,6 +26,8 @@ from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
 
 TITLE = N_("Messages")
+CHECK_SIGN_ACTION = "check_sign"
+"""Action for which the window shows how to check the sign of an angle."""
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
@@ -216,8 +218,9 @@ class _WarningListWidget(QListWidget):
 
 
 def _possible_actions(message: Message) -> tuple[Action, ...]:
-    """Actions that the window can carry out; those on files belong to the import."""
-    return tuple(action for action in message.actions if action.code in NOISE_ACTIONS)
+    """Actions that the window can carry out; others on files belong to the import."""
+    possible = (*NOISE_ACTIONS, CHECK_SIGN_ACTION)
+    return tuple(action for action in message.actions if action.code in possible)
 
 
 def _message_item(message: Message, text: str) -> QListWidgetItem:
