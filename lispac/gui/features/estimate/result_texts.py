@@ -165,7 +165,11 @@ def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = Tru
 def sigmas_html(project: Project) -> str:
     """Standard deviations used in the adjustment and their sources, as rich text."""
     return "<br>".join(
-        escape(f"{gettext(COMPONENT_TITLES[each.group])}: {sigma_text(each)}")
+        escape(
+            gettext(
+                "{name}: {text}", name=gettext(COMPONENT_TITLES[each.group]), text=sigma_text(each)
+            )
+        )
         for each in sigmas_used(project)
     )
 
