@@ -261,7 +261,8 @@ class ResultsPanel(QWidget):
             ),
         }
         for key, text in texts.items():
-            self._values[key].setText(text)
+            # Qt breaks lines at a narrow space, as between the thousands of a French number
+            self._values[key].setText(text.replace("\u202f", "\u00a0"))
         self.checks.setText(result_texts.cross_checks_text(project.cross_checks))
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
         components = "; ".join(result_texts.variance_component_texts(project, result))
