@@ -528,6 +528,10 @@ class AdjustmentResult:
         return tuple(line for line in named if named[line] == count[line] > 1)
 
 
+MAX_SUBSET_SIGNIFICANCE = 3
+"""Largest difference of a subset that agrees, in standard deviations of the difference."""
+
+
 @dataclass(frozen=True, eq=False)
 class CrossCheck:
     """Comparison of the result of a part of the data with that of all data.
@@ -557,8 +561,11 @@ class CrossCheck:
 
     @property
     def disagrees(self) -> bool:
-        """Whether an angle differs by more than 3 standard deviations."""
-        return self.significance is not None and bool(np.abs(self.significance).max() > 3)
+        """Whether an angle differs by more than `MAX_SUBSET_SIGNIFICANCE`."""
+        significance = self.significance
+        return significance is not None and bool(
+            np.abs(significance).max() > MAX_SUBSET_SIGNIFICANCE
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -332,14 +332,16 @@ TEXTS: Mapping[str, Template] = {
         "whether the heading does too."
     ),
     "sbet.zero_rates": N_(
-        "{file}: all angular rates are zero, so the signs of roll and pitch could not be checked. "
-        "The signs of Applanix are assumed (roll positive starboard down, pitch positive bow up): "
-        "check them."
+        "{file}: all angular rates are zero, so the signs of roll and pitch could not be checked "
+        "and those of Applanix are assumed. To check them: while the vessel heels to starboard, "
+        "roll must be positive; while its bow rises, pitch must be positive (manual, page "
+        "Conventions)."
     ),
     "sbet.signs_not_checked": N_(
         "{file}: the motion in the part of the file that was checked is too small to check the "
-        "sign of {angles:names} with the angular rates. The signs of Applanix are assumed (roll "
-        "positive starboard down, pitch positive bow up): check them."
+        "sign of {angles:names} with the angular rates, so the signs of Applanix are assumed. To "
+        "check them: while the vessel heels to starboard, roll must be positive; while its bow "
+        "rises, pitch must be positive (manual, page Conventions)."
     ),
     "sbet.other_signs": N_(
         "{file}: if the angular rates refer to the axes of the vessel (x forward), the signs "

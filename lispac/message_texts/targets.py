@@ -121,16 +121,16 @@ TEXTS: Mapping[str, Template] = {
         "There is no line in which to search for a sphere. Import a line first."
     ),
     "finder.no_plane_in_lines": N_(
-        "No plane was found at the seed on any line. On the nearest line, {line}: {reason}"
+        "No plane was found at the picked point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.no_sphere_in_lines": N_(
-        "No sphere was found at the seed on any line. On the nearest line, {line}: {reason}"
+        "No sphere was found at the picked point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.line_few_points": Plural(
-        "The line has only {count:n} point within {radius:m} m of the seed.",
-        "The line has only {count:n} points within {radius:m} m of the seed.",
+        "The line has only {count:n} point within {radius:m} m of the picked point.",
+        "The line has only {count:n} points within {radius:m} m of the picked point.",
     ),
-    "finder.line_no_points": N_("The line has no points within {radius:m} m of the seed."),
+    "finder.line_no_points": N_("The line has no points within {radius:m} m of the picked point."),
     "finder.not_alike": N_("No surface on this line resembles the target and its surroundings."),
     "finder.too_few_where_expected": N_(
         "The line has too few points at the predicted position of the target."
@@ -143,12 +143,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.crossing": N_("The points found belong to a surface that crosses the target."),
     "finder.two_planes": N_(
-        "Two planes {distance:m.2} m apart resemble the target equally well. Set a separate seed "
-        "on this line."
+        "Two planes {distance:m.2} m apart resemble the target equally well. Pick the target "
+        "on this line separately."
     ),
     "finder.two_spheres": N_(
-        "Two spheres {distance:m.2} m apart resemble the target equally well. Set a separate seed "
-        "on this line."
+        "Two spheres {distance:m.2} m apart resemble the target equally well. Pick the target "
+        "on this line separately."
     ),
     "agreement.no_overlap": N_(
         "Only {share:percent.0} % of the plane found lies within the outline of the target on the "
@@ -167,16 +167,16 @@ TEXTS: Mapping[str, Template] = {
         "the limit of {limit:m.2} m. It is another surface."
     ),
     "finder.radius_differs": N_(
-        "The sphere found has a radius of {radius:m.3} m, but on the line of the seed the radius "
-        "is {expected:m.3} m."
+        "The sphere found has a radius of {radius:m.3} m, but on the line of the picked point "
+        "the radius is {expected:m.3} m."
     ),
     "finder.points_thinned": N_(
-        "{target} on {line}: there are more than {most:n} points around the seed, so only one in "
-        "{one_in:n} of them was used, chosen at random."
+        "{target} on {line}: there are more than {most:n} points around the picked point, so only "
+        "one in {one_in:n} of them was used, chosen at random."
     ),
     "finder.radius_increased": N_(
-        "{target}: within {usual:m} m of the seed a plane was found on fewer than two lines, so "
-        "the search radius was increased to {radius:m} m."
+        "{target}: within {usual:m} m of the picked point a plane was found on fewer than "
+        "two lines, so the search radius was increased to {radius:m} m."
     ),
     # -- quality of a sighting ---------------------------------------------------------------------
     "quality.curved": N_("The surface is curved, by {sagitta:mm.1} mm over its extent."),

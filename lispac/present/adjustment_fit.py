@@ -32,15 +32,22 @@ def fit_facts(values: AdjustmentValues) -> list[Fact]:
         Fact(gettext("Points used"), points_used_text(values)),
         Fact(gettext("Iterations"), values.iterations),
         Fact(gettext("Degrees of freedom"), values.degrees_of_freedom),
-        Fact(gettext("Variance factor"), _variance_factor_text(values)),
-        Fact(gettext("Chi-square test at 95 %"), _chi_square_text(values)),
-        Fact("", str(values.chi_square.text)),
+        *chi_square_facts(values),
         Fact(gettext("RMS before calibration"), gettext("{rms:mm.1} mm", rms=values.rms_before_m)),
         Fact(
             gettext("RMS after calibration"),
             gettext("{rms:mm.1} mm; POS errors not removed", rms=values.rms_after_m),
         ),
         Fact(gettext("Model of the POS errors"), gettext(POS_ERROR_MEANINGS[values.pos_errors])),
+    ]
+
+
+def chi_square_facts(values: AdjustmentValues) -> list[Fact]:
+    """Facts about the variance factor and its test, in the language in use."""
+    return [
+        Fact(gettext("Variance factor"), _variance_factor_text(values)),
+        Fact(gettext("Chi-square test at 95 %"), _chi_square_text(values)),
+        Fact("", str(values.chi_square.text)),
     ]
 
 

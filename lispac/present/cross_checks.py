@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from lispac.adjustment.result import (
+    MAX_SUBSET_SIGNIFICANCE,
     CrossCheck,
     CrossChecks,
 )
-from lispac.language import N_, gettext
+from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.present.angles import Angles, angles, degrees_or_none
 from lispac.present.tables import (
@@ -91,6 +92,23 @@ def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
         "second": gettext("Second half of the lines only"),
     }
     return [*named, *(SubsetRow(names[half.part], half) for half in halves)]
+
+
+def agreement_text(checks: CrossCheckValues) -> str:
+    """Number of subsets that agree, and the tolerance: ``9 of 9 agree within 3 σ``."""
+    found = [_agreement(row) for row in subset_rows(checks)]
+    missing = found.count("no result")
+    text = gettext(
+        Plural(
+            "{agreeing:n} of {count:n} agrees within {limit:n} σ",
+            "{agreeing:n} of {count:n} agree within {limit:n} σ",
+        ),
+        agreeing=found.count("agrees"), count=len(found) - missing, limit=MAX_SUBSET_SIGNIFICANCE,
+    )  # fmt: skip
+    if not missing:
+        return text
+    without = gettext("{count:n} without a result", count=missing)
+    return f"{text}; {without}"
 
 
 def _agreement(row: SubsetRow) -> str:

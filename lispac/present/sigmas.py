@@ -6,6 +6,8 @@ from typing import Literal
 
 from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.present.parameters import COMPONENT_TITLES, VarianceComponentValues, interval_text
 from lispac.present.tables import Fact
 from lispac.present.text_format import fixed_number, triple_text
 from lispac.project import Project
@@ -28,6 +30,11 @@ _SCALED_FILE_TEXT = N_("{factor} times those of the trajectory accuracy file (es
 _ESTIMATED_TEXTS: Mapping[SigmaSource, str] = {
     "given": N_("{values} (estimated from the data; given: {before})"),
     "assumed": N_("{values} (estimated from the data; assumed before: {before})"),
+}
+_COMPONENT_TEXTS: Mapping[SigmaSource, str] = {
+    "given": N_("{errors}: {factor:x.2} × the given standard deviation = {values}"),
+    "assumed": N_("{errors}: {factor:x.2} × the assumed standard deviation = {values}"),
+    "file": N_("{errors}: {factor:x.2} × the standard deviations of the accuracy file"),
 }
 
 
@@ -87,6 +94,27 @@ def sigma_text(sigmas: SigmaValues) -> str:
         return gettext(_SOURCE_TEXTS[sigmas.source], values=used)
     before = _values_text(sigmas, sigmas.before)
     return gettext(_ESTIMATED_TEXTS[sigmas.source_before], values=used, before=before)
+
+
+def component_text(component: VarianceComponentValues, sigmas: SigmaValues) -> str:
+    """Text of a variance component: factor, estimated value, interval and finding.
+
+    Parameters
+    ----------
+    sigmas : standard deviations of the same group of errors
+    """
+    values = ""
+    if sigmas.before is not None:
+        estimated = tuple(component.factor * value for value in sigmas.before)
+        values = _values_text(sigmas, (component.applied and sigmas.used) or estimated)
+    return gettext(
+        "{estimate} (95 %: {interval}), {finding}",
+        estimate=gettext(
+            _COMPONENT_TEXTS[sigmas.source_before], errors=gettext(COMPONENT_TITLES[sigmas.group]),
+            factor=component.factor, values=values,
+        ),
+        interval=interval_text(component), finding=message_text(component.text),
+    )  # fmt: skip
 
 
 def _values_text(sigmas: SigmaValues, values: tuple[float, ...]) -> str:

@@ -79,7 +79,7 @@ def planes_table(lines: int) -> Table[PickedPlane]:
         Number of lines of the survey.
     """
     return Table(
-        N_("Targets and validation planes (coordinates of the seed in the local frame)"),
+        N_("Targets and validation planes (coordinates of the picked point in the local frame)"),
         (
             Column("name", N_("Name")),
             Column(_plane_role_text, N_("Role")),

@@ -8,6 +8,13 @@ from collections.abc import Sequence
 
 from lispac.acceptance import planes_to_show
 from lispac.language import gettext
+from lispac.present.adjustment import AdjustmentValues
+from lispac.present.adjustment_fit import chi_square_facts
+from lispac.present.cross_checks import agreement_text
+from lispac.present.sigmas import sigma_facts
+from lispac.present.tables import Fact
+from lispac.present.targets import TARGETS_TABLE
+from lispac.present.text_format import fixed_number
 from lispac.present.validation import ValidationPlane
 from lispac.report import sections
 from lispac.report.boresight_section import angle_tables, rule_tables
@@ -18,6 +25,8 @@ from lispac.report.document_blocks import (
     PictureRows,
     Section,
     UndrawnPictures,
+    facts_table,
+    report_table,
 )
 from lispac.report.report_values import ReportContent
 
@@ -25,10 +34,15 @@ MAX_PLANES = 12
 """Largest number of validation planes in the table."""
 MAX_MAPPED_PLANES = 6
 """Largest number of validation planes with maps."""
+MAX_PICTURED_PLANES = 3
+"""Largest number of validation planes with pictures."""
+MAX_LISTED_LINES = 12
+"""Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 72.0, 80.0, 45.0
-"""Largest heights of a map, the site plan and a small picture on the page, millimetres."""
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 80.0
+MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
+"""Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
 
 def shortened_notes(notes: Sequence[str]) -> tuple[str, ...]:
@@ -75,17 +89,54 @@ def short_sections(content: ReportContent, pictures: Sequence[Picture]) -> list[
     if content.in_convention is not None:
         rules = [*rule_tables(content.in_convention), sections.convention_paragraph(content)]
     remainder = gettext(
-        "The full report also contains residuals, cross-checks, all settings and the input files."
+        "The full report also contains residuals, all cross-checks, all settings and the input "
+        "files."
     )
     system = (
         sections.measuring_system_table(content),
         *rules,
         Paragraph(remainder),
     )
+    adjustment = content.adjustment
+    used = () if adjustment is None else tuple(_fit_blocks(content, adjustment))
     return [
+        Section(gettext("Targets, lines and fit"), used),
         Section(gettext("System and conventions"), system),
         Section(gettext("Pictures"), tuple(_figures(content, pictures))),
     ]
+
+
+def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Block]:
+    """Tables of the targets used, and of the fit with the standard deviations used."""
+    facts = [Fact(gettext("Lines used"), _lines_text(content, adjustment))]
+    facts += chi_square_facts(adjustment)
+    if content.cross_checks is not None:
+        facts.append(Fact(gettext("Cross-checks"), agreement_text(content.cross_checks)))
+    facts += sigma_facts(content.settings.standard_deviations)
+    table = TARGETS_TABLE
+    for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
+        table = table.without(title)
+    return [
+        report_table(table, adjustment.targets),
+        facts_table(gettext("Fit and standard deviations used"), facts),
+    ]
+
+
+def _lines_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
+    """Names of the lines used with their headings, or the number of many lines."""
+    used = {sighting.line for sighting in adjustment.sightings}
+    lines = [line for line in content.lines if line.name in used]
+    if len(lines) > MAX_LISTED_LINES:
+        return gettext("{count:n} of {total:n}", count=len(lines), total=len(content.lines))
+    return ", ".join(
+        line.name
+        if line.heading_deg is None
+        else gettext(
+            "{line} (heading {heading}°)",
+            line=line.name, heading=fixed_number(line.heading_deg % 360, 0),
+        )
+        for line in lines
+    )  # fmt: skip
 
 
 def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
@@ -109,12 +160,19 @@ def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]
 
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
     """Views of the whole survey or the site plan, then the validation planes before and after."""
-    whole, small = tuple(pictures[:2]), pictures[2:]
-    blocks: list[Block] = [PictureRows((whole,))] if whole else _site_plan(content)
+    whole, small = tuple(pictures[:2]), pictures[2 : 2 + 2 * MAX_PICTURED_PLANES]
+    blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else _site_plan(content)
     blocks += [
-        PictureRows((tuple(small[k : k + 4]),), columns=4, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
-        for k in range(0, len(small), 4)
+        PictureRows((tuple(small[k : k + 2]),), columns=2, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
+        for k in range(0, len(small), 2)
     ]
+    if small and len(small) < 2 * len(content.validation):
+        pictured = gettext(
+            "Pictures of {shown:n} of {total:n} validation planes are shown, those with the "
+            "largest RMS after the calibration.",
+            shown=len(small) // 2, total=len(content.validation),
+        )  # fmt: skip
+        blocks.append(Paragraph(pictured))
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in _planes_to_show(content, MAX_MAPPED_PLANES) if plane.maps]
     maps = [_map(plane) for plane in shown]
@@ -136,6 +194,13 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         )  # fmt: skip
         blocks.append(Paragraph(omitted))
     return blocks
+
+
+def _overview(pictures: tuple[Picture, ...], *, is_alone: bool) -> PictureRows:
+    """Views of the whole survey, lower if pictures of planes follow."""
+    if is_alone:
+        return PictureRows((pictures,))
+    return PictureRows((pictures,), tallest=MAX_OVERVIEW_HEIGHT_MM)
 
 
 def _site_plan(content: ReportContent) -> list[Block]:

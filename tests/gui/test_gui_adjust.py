@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
+from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.message_texts import message_text
 from lispac.messages import error
@@ -228,6 +229,17 @@ def test_estimate_asks_about_a_pending_candidate(opened: Driver, demo: Demo):
     opened.dialogs.candidate_choice = "accept"
     estimate(opened)
     assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
+
+
+def test_the_workflow_follows_to_the_step_of_a_requested_result(picked: Driver):
+    open_step(picked, TARGETS)
+    estimate(picked)
+    assert picked.window.workflow.opened == ADJUST
+    open_step(picked, TARGETS)
+    tick(picked, 0, 2)
+    wait_until_idle(picked)
+    assert picked.project.result is not None
+    assert picked.window.workflow.opened == TARGETS  # it was not requested
 
 
 def test_no_task_is_shown_as_running_behind_an_error(picked: Driver):

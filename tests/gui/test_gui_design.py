@@ -58,6 +58,7 @@ def test_roll_improves_while_a_line_is_dragged_farther_away(
     assert design.isWindowModified()
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert plan(design).lines[0].distance == 15.0
+    assert "Move line 1" in design.task_bar.currentMessage()
     assert shown(design) == before
     assert not design.isWindowModified()
     driver.bot.keyClick(design, Key.Key_Y, Control)

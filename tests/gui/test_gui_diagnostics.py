@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QTableWidget
+from PySide6.QtWidgets import QPushButton, QTableWidget
 
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
@@ -14,6 +14,7 @@ from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
 from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
 from lispac.message_texts import message_text
 from lispac.messages import note
+from lispac.present.cross_checks import cross_check_values, subset_rows
 from lispac.project import Project
 from tests.gui.support import (
     WAIT_MS,
@@ -22,6 +23,7 @@ from tests.gui.support import (
     Driver,
     Key,
     Left,
+    click,
     click_check,
     double_click,
     show_panel,
@@ -48,6 +50,18 @@ def turn_to(driver: Driver, title: str):
     assert page.title == title
     assert page.isVisible()
     return page
+
+
+def test_the_results_lead_to_the_cross_checks(shown: Driver) -> None:
+    turn_to(shown, "Sightings")
+    show_panel(shown.window, "Results")
+    link = shown.window.results.findChild(QPushButton, "result_checks")
+    rows = len(subset_rows(cross_check_values(shown.project.cross_checks)))
+    assert f" of {rows} " in link.text()
+    click(shown, link)
+    shown.rest()
+    assert shown.window.diagnostics.current.title == "Cross-checks"
+    assert shown.window.diagnostics.isVisible()
 
 
 def column(table: QTableWidget, title: str) -> int:

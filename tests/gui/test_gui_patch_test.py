@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
@@ -59,6 +60,9 @@ def test_the_panel_shows_instructions_while_it_is_empty(opened: Driver) -> None:
     assert shown.text_label.text() == EMPTY_TEXT
     assert not shown.all.isEnabled()
     assert not shown.angles.isEnabled()
+    needs_object = (shown.all, shown.go, shown.remove, shown.prior, shown.save_button)
+    assert all(Unavailable.NO_OBJECT.text in button.toolTip() for button in needs_object)
+    assert Unavailable.NO_OBJECT.text not in shown.propose.toolTip()
     assert shown.propose.isEnabled()
     assert shown.pairs.count() == 15
     assert shown.pairs.item(0).text().startswith("⇄ ")

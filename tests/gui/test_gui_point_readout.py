@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
+from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.appearance import units
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.viewport.base import PickedPoint
@@ -90,6 +91,11 @@ def test_the_status_bar_shows_the_point_under_the_mouse(board: Driver) -> None:
     shown = board.window.task_bar.point
     assert shown.isVisible()
     assert all(text in shown.text() for text in values.values())
+    for width in range(200, 1600, 50):
+        shown.resize(width, shown.height())
+        # fields are omitted, never cut
+        fields = shown.shown_text.split(FIELD_SEPARATOR)
+        assert fields == shown.text().split(FIELD_SEPARATOR)[: len(fields)]
     leave_points(board)
     assert shown.text() == ""
 

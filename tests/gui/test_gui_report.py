@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QPoint, QTimer
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
@@ -70,6 +70,11 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
             dialog.findChild(QLabel, "identity_message"),
             dialog.findChild(QPushButton, "identity_keep"),
         )
+        places = {field(dialog, name).mapTo(dialog, QPoint()).x() for name in FIELD_NAMES}
+        assert len(places) == 2  # two columns of aligned fields
+        dates = field(dialog, "dates")
+        range_width = dates.fontMetrics().horizontalAdvance("2026-03-04 to 2026-03-06")
+        assert dates.width() > range_width + 12
         type_into(opened, field(dialog, "vessel"), "V" * 201)
         assert label.text().startswith("Vessel: the text has 201 characters")
         assert not keep.isEnabled()
@@ -94,6 +99,40 @@ def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
     for _ in range(index):
         driver.bot.keyClick(box, Key.Key_Down)
     assert box.currentIndex() == index
+
+
+def reopen(driver: Driver) -> None:
+    driver.window.open_project(driver.project.folder)
+    driver.rest()
+
+
+def test_an_exported_report_is_known_after_the_project_is_opened_again(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    window = adjusted.window
+    adjusted.dialogs.path = tmp_path / "copy"
+    window.actions_["save_as"].trigger()
+    adjusted.rest()
+    open_step(adjusted, REPORT_STEP)
+    adjusted.dialogs.path = tmp_path / "r.html"
+    click(adjusted, window.report.report)
+    adjusted.rest()
+    header, advice = window.workflow.headers[REPORT_STEP].sentence, window.report.advice
+    reopen(adjusted)
+    assert header.text() == "exported: r.html"
+    identity = adjusted.project.identity.changed(vessel="Adele")
+    window.document.edit("vessel", adjusted.project.with_identity(identity))
+    window.actions_["save"].trigger()
+    reopen(adjusted)
+    assert header.text() != "exported: r.html"
+    assert "r.html" in advice.text()  # the project has changed since that report
+    adjusted.dialogs.path = tmp_path / "r.html"
+    window.actions_["report"].trigger()
+    adjusted.rest()
+    assert header.text() == "exported: r.html"
+    (tmp_path / "r.html").unlink()
+    reopen(adjusted)
+    assert "r.html" not in advice.text()
 
 
 def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_path: Path) -> None:

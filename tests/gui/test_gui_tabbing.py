@@ -116,6 +116,7 @@ def test_a_focused_widget_is_scrolled_into_view(adjusted: Driver) -> None:
     window = adjusted.window
     window.resize(*SMALL_WINDOW)
     open_step(adjusted, 0)
+    adjusted.rest()  # the fields are laid out by the event loop
     window.workflow.headers[1].setFocus()
     adjusted.bot.keyClick(window.workflow.headers[1], Key.Key_Backtab)
     focused = QApplication.focusWidget()

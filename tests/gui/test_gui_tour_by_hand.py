@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 
-from lispac.gui.features.help.tour import TOUR_STEPS
+from lispac.gui.features.help.tour import TOUR_STEPS, VERDICT_TEXTS
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, ctrl_click, shows_something
@@ -51,6 +51,7 @@ def test_the_tour_from_the_start_page_to_its_end(
     at(6)
     press(hands, Key.Key_F10)
     at(7)
+    assert card.text.text() == VERDICT_TEXTS["not judged"]
     assert hands.window.scene.which == "estimated"
     press(hands, Key.Key_B)
     hands.rest()

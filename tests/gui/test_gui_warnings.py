@@ -109,7 +109,7 @@ def test_the_status_bar_counts_warnings_and_opens_the_list(adjusted: Driver) -> 
     assert adjusted.window.warnings_button.text() == f"{len(found)} notes"
     bad = (*found, warning("report.not_calibrated"))
     adjusted.window.warnings_button.show_warnings(bad)
-    assert adjusted.window.warnings_button.text() == "1 warning"
+    assert adjusted.window.warnings_button.text() == f"1 warning, {len(found)} notes"
     open_list(adjusted)
     assert has_focus(adjusted.window.warnings.list)
     icons = {

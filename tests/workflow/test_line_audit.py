@@ -246,6 +246,7 @@ def test_points_without_range_not_finite_or_too_far_are_excluded(folder: Path, n
         assert found[f"audit.{code}"].params["count"] == count
         assert found[f"audit.{code}"].level is Level.NOTE
     assert len(survey.scans["L1"]) == POINT_COUNT - sum(expected.values())
+    assert survey.excluded == {"L1": sum(expected.values())}
 
 
 @every_format

@@ -18,6 +18,8 @@ from lispac.workflow.planning.sensors import user_sensors_folder
 
 MAX_RECENT_PROJECTS = 8
 MAX_COMPANIES = 20
+MAX_EXPORTED_REPORTS = 100
+"""Largest number of projects whose last exported report is stored."""
 """Largest number of companies whose details for the report are stored."""
 THEMES = ("system", "light", "dark")
 POINT_SIZES_PX = range(1, 13)
@@ -279,6 +281,37 @@ class AppSettings:
         others = {k: v for k, v in self.companies().items() if k != name}
         kept = list(others.items())[: MAX_COMPANIES - 1]
         self._store.setValue("companies", json.dumps({name: dict(details), **dict(kept)}))
+
+    def exported_report(self, folder: Path) -> tuple[Path, float, str] | None:
+        """Report last exported from the project of a folder; None if there is none.
+
+        Returns
+        -------
+        tuple of (Path, float, str)
+            File, time of the export (seconds since 1970), and digest of the project file with the
+            content of the report; the digest is empty if that content was not saved.
+        """
+        stored = self._exported_reports().get(str(folder))
+        match stored:
+            case [str(path), (int() | float()) as exported, str(digest)]:
+                return Path(path), float(exported), digest
+        return None
+
+    def save_exported_report(
+        self, folder: Path, path: Path, exported: float, file_digest: str
+    ) -> None:
+        """Store the report last exported from the project of a folder."""
+        others = [each for each in self._exported_reports().items() if each[0] != str(folder)]
+        stored = {str(folder): [str(path), exported, file_digest]}
+        stored.update(others[: MAX_EXPORTED_REPORTS - 1])
+        self._store.setValue("exported_reports", json.dumps(stored))
+
+    def _exported_reports(self) -> dict[str, object]:
+        try:
+            stored = json_values(str(self._store.value("exported_reports", "{}")))
+        except ValueError:
+            return {}
+        return dict(stored) if isinstance(stored, dict) else {}
 
     def sync(self) -> None:
         """Write the settings now."""

@@ -37,8 +37,9 @@ class TaskStatusBar(QStatusBar):
         )
         self.cancel.setStyleSheet("padding: 1px 10px;")
         self.cancel.clicked.connect(self.cancel_requested)
-        self.point = _ElidedLabel()
+        self.point = _FieldsLabel()
         self.point.setObjectName("point_values")
+        self.point.setContentsMargins(6, 0, 6, 0)
         self.addWidget(self.point, 1)
         self._parts = (self.text, self.bar, self.cancel)
         for each in self._parts:
@@ -62,20 +63,31 @@ class TaskStatusBar(QStatusBar):
         self.cancel.setEnabled(not task.cancel.is_set())
 
 
-class _ElidedLabel(QLabel):
-    """Label that shortens its text instead of widening the window."""
+FIELD_SEPARATOR = "  ·  "
+"""Text between the fields of a line of the status bar."""
+
+
+class _FieldsLabel(QLabel):
+    """Label that omits the last fields of its text instead of widening the window."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
+    @property
+    def shown_text(self) -> str:
+        """The fields that fit, or the beginning of the first one."""
+        width, metrics = self.contentsRect().width(), self.fontMetrics()
+        fields = self.text().split(FIELD_SEPARATOR)
+        while len(fields) > 1 and metrics.horizontalAdvance(FIELD_SEPARATOR.join(fields)) > width:
+            del fields[-1]
+        return metrics.elidedText(FIELD_SEPARATOR.join(fields), Qt.TextElideMode.ElideRight, width)
+
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the text, or its beginning."""
-        width = self.contentsRect().width()
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
+        """Paint the fields that fit."""
         flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        QPainter(self).drawText(self.contentsRect(), flags, text)
+        QPainter(self).drawText(self.contentsRect(), flags, self.shown_text)
 
 
 def _progress_text(task: Task) -> str:
@@ -85,4 +97,4 @@ def _progress_text(task: Task) -> str:
     left = task.seconds_left()
     if left is None:
         return text
-    return "  ·  ".join((text, gettext("{time} left", time=duration_text(left))))
+    return FIELD_SEPARATOR.join((text, gettext("{time} left", time=duration_text(left))))

@@ -33,6 +33,21 @@ class _ProjectState:
 
 
 @dataclass(frozen=True)
+class ExportedReport:
+    """Report that was last exported from a project.
+
+    Attributes
+    ----------
+    exported : time of the export, seconds since 1970
+    is_current : whether the project has not changed since then
+    """
+
+    path: Path
+    exported: float
+    is_current: bool = True
+
+
+@dataclass(frozen=True)
 class _EditName:
     """Name of an edit, translated when it is shown."""
 
@@ -82,7 +97,8 @@ class Document(QObject):
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
         self._survey_announced = True
-        self._reported: tuple[Project | None, str] = (None, "")
+        self._report: ExportedReport | None = None
+        self._reported_project: Project | None = None
         self._had_result = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._on_clean_changed)
@@ -119,10 +135,11 @@ class Document(QObject):
         return self._had_result and self.project is not None and self.project.result is None
 
     @property
-    def reported(self) -> str:
-        """Name of the report of the current project; empty if there is none."""
-        reported_project, name = self._reported
-        return name if reported_project is not None and reported_project is self.project else ""
+    def report(self) -> ExportedReport | None:
+        """Report that was last exported from the project; None if there is none."""
+        if self._report is None or self.project is None:
+            return None
+        return replace(self._report, is_current=self._reported_project is self.project)
 
     @property
     def is_modified(self) -> bool:
@@ -143,6 +160,7 @@ class Document(QObject):
         """Set a project that is not modified, and clear the undo history."""
         self.undo_stack.clear()
         self._state = None if project is None else _ProjectState(project)
+        self._report = self._reported_project = None
         self._had_result = project is not None and project.result is not None
         self._folder = None if project is None else project.folder
         self.file_digest = "" if project is None else project.file_digest
@@ -225,10 +243,15 @@ class Document(QObject):
         self.undo_stack.setClean()
         self.saved.emit()
 
-    def mark_reported(self, project: Project, name: str) -> None:
-        """Record that a report of ``project`` was written to a file of this name."""
-        self._reported = (project, name)
+    def mark_reported(self, project: Project, report: ExportedReport) -> None:
+        """Record that a report of ``project`` was exported."""
+        self._report, self._reported_project = report, project
         self.changed.emit()
+
+    def restore_report(self, report: ExportedReport) -> None:
+        """Set the report that was exported before the project was opened; `changed` follows."""
+        self._report = report
+        self._reported_project = self.project if report.is_current else None
 
     def move(self, project: Project, survey: Survey) -> None:
         """Continue in another folder where the project was saved, with all undo steps."""
@@ -241,7 +264,8 @@ class Document(QObject):
     def copy_for_new_window(self, parent: QObject | None = None) -> "Document":
         """Copy of the document with its undo steps, for a rebuilt window."""
         copy = Document(parent)
-        copy._reported, copy._had_result = self._reported, self._had_result
+        copy._report, copy._reported_project = self._report, self._reported_project
+        copy._had_result = self._had_result
         copy._folder, copy.file_digest = self._folder, self.file_digest
         copy.survey, copy._key = self.survey, self._key
         stack = self.undo_stack

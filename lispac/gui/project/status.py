@@ -4,7 +4,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.duplicate_targets import all_warnings
+from lispac.gui.app.language import local_datetime
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
+from lispac.gui.project.document import ExportedReport
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
@@ -104,7 +106,7 @@ def step_statuses(
     *,
     waiting: bool = False,
     refusal: Message | str = "",
-    reported: str = "",
+    report: ExportedReport | None = None,
     running: int | None = None,
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
@@ -117,8 +119,8 @@ def step_statuses(
         Whether a result is computed automatically after the last edit.
     refusal : Message or str
         Reason why the automatic computation gave no result.
-    reported : str
-        Name of the report file of the current project; empty if there is none.
+    report : ExportedReport or None
+        Report that was last exported from the project; None if there is none.
     running : int or None
         Step whose task is running: `ADJUST` or `VALIDATE`.
     """
@@ -143,7 +145,7 @@ def step_statuses(
         if running == ADJUST
         else _adjust_status(project, survey, waiting, refusal),
         _validating_status() if running == VALIDATE else _validation_status(project, survey),
-        _report_status(project, survey, reported, is_validating=running == VALIDATE),
+        _report_status(project, survey, report, is_validating=running == VALIDATE),
     )
 
 
@@ -371,7 +373,7 @@ def _validating_status() -> StepStatus:
 
 
 def _report_status(
-    project: Project, survey: Survey | None, reported: str, *, is_validating: bool
+    project: Project, survey: Survey | None, report: ExportedReport | None, *, is_validating: bool
 ) -> StepStatus:
     reason = first_reason(
         (project.result is None, Unavailable.NO_RESULT), (survey is None, Unavailable.READING)
@@ -390,13 +392,8 @@ def _report_status(
             gettext("The validation is running. Export the report when it has ended."),
             Unavailable.BUSY,
         )
-    if reported:
-        return StepStatus(
-            "done",
-            gettext("exported: {file}", file=reported),
-            gettext("The report is up to date. You can export it again in another format."),
-            reason=reason,
-        )
+    if report is not None:
+        return _exported_status(report, reason)
     if project.validation:
         return StepStatus(
             "todo",
@@ -413,6 +410,30 @@ def _report_status(
         ),
         reason=reason,
     )
+
+
+def _exported_status(report: ExportedReport, reason: Reason) -> StepStatus:
+    file, date = report.path.name, local_datetime(report.exported)
+    if report.is_current:
+        return StepStatus(
+            "done",
+            gettext("exported: {file}", file=file),
+            gettext(
+                "The report of {date} is up to date. You can export it again in another format.",
+                date=date,
+            ),
+            reason=reason,
+        )
+    return StepStatus(
+        "todo",
+        gettext("report out of date"),
+        gettext(
+            "The project has changed since the report {file} was exported on {date}. Export it "
+            "again.",
+            file=file, date=date,
+        ),
+        reason=reason,
+    )  # fmt: skip
 
 
 def _single_target_text() -> str:

@@ -21,7 +21,7 @@ from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
-from lispac.gui.features.help.manual import Manual
+from lispac.gui.features.help.manual import CHECK_SIGNS_ANCHOR, CHECK_SIGNS_PAGE, Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -34,7 +34,7 @@ from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
-from lispac.gui.features.warnings.warnings_panel import WarningsButton
+from lispac.gui.features.warnings.warnings_panel import CHECK_SIGN_ACTION, WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -56,6 +56,7 @@ from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 from lispac.messages import Action, Message
 from lispac.project import Project
+from lispac.warning_causes import Cause
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -181,7 +182,7 @@ class MainWindow(QMainWindow):
             viewport, control, dialogs, settings, actions, self.rebuild_window
         )
         preferences.report_choice_changed.connect(report.show_choice)
-        Manual(runner, control, actions, lambda: panels.workflow.opened)
+        self.manual = Manual(runner, control, actions, lambda: panels.workflow.opened)
         self.site_design = SiteDesign(
             document,
             lambda: with_help_until_used(viewport.create_empty_viewport(), settings),
@@ -198,12 +199,16 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.results.cross_checks_requested.connect(
+            lambda: self.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
+        )
         panels.warnings.action_requested.connect(self._run_message_action)
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
         )  # fmt: skip
+        self.tools.point_readout.may_show_tooltip = lambda: not self.tour.is_running
         FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
 
     def _build(self) -> None:
@@ -318,6 +323,8 @@ class MainWindow(QMainWindow):
         self.controller.logged.connect(self._note)
         self.actions_.stepped.connect(self._note)
         self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
+        self.computations.validated.connect(partial(self.workflow.open, status.VALIDATE))
+        self.estimation.estimated.connect(partial(self.workflow.open, status.ADJUST))
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)
@@ -416,7 +423,10 @@ class MainWindow(QMainWindow):
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     def _run_message_action(self, action: Action) -> None:
-        """Carry out the action of a message: use the LiDAR noise found in the residuals."""
+        """Use the LiDAR noise found in the residuals, or show how to check a sign."""
+        if action.code == CHECK_SIGN_ACTION:
+            self.manual.open(CHECK_SIGNS_PAGE, CHECK_SIGNS_ANCHOR)
+            return
         project = self.document.project
         if project is None or project.result is None:
             return

@@ -108,7 +108,7 @@ class PanelRefresh(QObject):
             survey,
             waiting=waiting,
             refusal=document.refusal,
-            reported=document.reported,
+            report=document.report,
             running=self._running_step(),
         )
         return ProjectState(

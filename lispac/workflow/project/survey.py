@@ -1,7 +1,7 @@
 """Loading of a project's survey: trajectory and lines are read, checked and georeferenced."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Literal
@@ -71,6 +71,8 @@ class Survey:
         Notes on assumptions and excluded data from the reading of the files.
     messages : tuple of Message
         Warnings and notes about the content of the files.
+    excluded : mapping of str to int
+        Number of points in the file of each line that are not used; only lines with such points.
     """
 
     trajectory: LocalTrajectory
@@ -80,6 +82,7 @@ class Survey:
     heading: Mapping[str, float]
     notes: tuple[Message, ...]
     messages: tuple[Message, ...] = ()
+    excluded: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -186,9 +189,13 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     sampled = {name: _sample_times(scan) for name, scan in scans.items()}
     messages += interpolation_messages(trajectory, accuracy, sampled)
     progress(1.0)
+    unused = {
+        name: audit.read - audit.not_selected - len(scans[name]) for name, audit in audits.items()
+    }
     return Survey(
-        trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
-    )
+        trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages,
+        {name: count for name, count in unused.items() if count > 0},
+    )  # fmt: skip
 
 
 def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:

@@ -10,6 +10,7 @@ from lispac.design.objective import CRITERION_TEXTS, PlanObjective
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
 from lispac.gui.features.design.workspace import Workspace
@@ -413,7 +414,10 @@ class SearchPanel(QScrollArea):
         self.error_label.setVisible(bool(mistake))
         self.about_file.setText(self.limits.file_text)
         self.clear_file.setEnabled(self.limits.has_file)
-        self.find.update_enabled(not mistake and not self._busy)
+        reason = first_reason(
+            (bool(mistake), Unavailable.WRONG_VALUE), (self._busy, Unavailable.BUSY)
+        )
+        self.find.set_reason(reason_text(reason))
 
 
 @dataclass(frozen=True)

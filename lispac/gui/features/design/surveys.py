@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from lispac.design.monte_carlo import MIN_SURVEYS
 from lispac.design.plan import Plan
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.language import N_, LazyText, gettext
@@ -205,4 +206,4 @@ class SurveysPanel(QScrollArea):
     def show_busy(self, busy: bool) -> None:
         """Enable or disable the controls while a task runs."""
         self.cancel.setEnabled(busy)
-        self.start.update_enabled(not busy)
+        self.start.set_reason(reason_text(first_reason((busy, Unavailable.BUSY))))

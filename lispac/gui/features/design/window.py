@@ -176,7 +176,7 @@ class DesignWindow(QMainWindow):
         workspace.refused.connect(self.note)
         self.actions_.find_input_error = lambda: first_input_error(self)
         self.actions_.connect_slots({
-            "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
+            "close": self.close, "undo": self._undo, "redo": self._redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
             "duplicate": lambda: workspace.add_line(duplicate=True),
             "earlier": lambda: workspace.move_line_in_order(True),
@@ -271,6 +271,16 @@ class DesignWindow(QMainWindow):
     def note(self, text: str) -> None:
         """Show a text in the status bar for some seconds."""
         self.task_bar.showMessage(text, NOTE_DURATION_MS)
+
+    def _undo(self) -> None:
+        edit = self.workspace.history.undo_name
+        self.workspace.undo()
+        self.note(gettext("Undone: {edit}", edit=str(edit)))
+
+    def _redo(self) -> None:
+        edit = self.workspace.history.redo_name
+        self.workspace.redo()
+        self.note(gettext("Redone: {edit}", edit=str(edit)))
 
     def show_figures(self) -> None:
         """Bring the tab of the figures to the front, unless something is being dragged."""

@@ -11,14 +11,14 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.adjustment import TOO_LARGE_ASSUMED_TEXT
+from lispac.present.cross_checks import agreement_text, cross_check_values
 from lispac.present.parameters import (
     COMPONENT_TITLES,
     component_values,
-    interval_text,
     parameter_values,
     significance_text,
 )
-from lispac.present.sigmas import sigma_text, sigmas_used
+from lispac.present.sigmas import component_text, sigma_text, sigmas_used
 from lispac.project import Project
 
 MIN_SHOWN_FORM_ERROR_M = 5e-5
@@ -165,18 +165,23 @@ def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = Tru
 def sigmas_html(project: Project) -> str:
     """Standard deviations used in the adjustment and their sources, as rich text."""
     return "<br>".join(
-        escape(f"{gettext(COMPONENT_TITLES[each.group])}: {sigma_text(each)}")
+        escape(
+            gettext(
+                "{name}: {text}", name=gettext(COMPONENT_TITLES[each.group]), text=sigma_text(each)
+            )
+        )
         for each in sigmas_used(project)
     )
 
 
-def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
-    """Texts of the variance components: factor, interval and finding of each."""
-    return tuple(
-        gettext(
-            "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",
-            errors=gettext(COMPONENT_TITLES[each.name]), factor=each.factor,
-            interval=interval_text(each), finding=message_text(each.text),
-        )
-        for each in component_values(result)
-    )  # fmt: skip
+def variance_component_texts(project: Project, result: AdjustmentResult) -> tuple[str, ...]:
+    """Texts of the variance components of the result of a project."""
+    sigmas = {each.group: each for each in sigmas_used(project)}
+    return tuple(component_text(each, sigmas[each.name]) for each in component_values(result))
+
+
+def cross_checks_text(checks: CrossChecks | None) -> str:
+    """Number of subsets of the data that agree with the result."""
+    if checks is None:
+        return gettext("not computed")
+    return agreement_text(cross_check_values(checks))

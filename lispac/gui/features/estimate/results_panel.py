@@ -48,6 +48,8 @@ WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal distribution, in standard deviations."""
 _ROW_HEIGHT_PX = 21
+_MIN_VALUE_WIDTH_PX = 190
+"""Smallest width of a value of the fit; longer texts are wrapped."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -69,6 +71,8 @@ class ResultsPanel(QWidget):
 
     settings_edited = Signal(object)
     """`Settings` with the LiDAR noise found in the residuals."""
+    cross_checks_requested = Signal()
+    """The table of the cross-checks is to be shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -215,12 +219,31 @@ class ResultsPanel(QWidget):
             ("sigmas", gettext("Standard deviations used")),
             ("iterations", gettext("Iterations, time")),
         ):
-            value = widgets.label(name=f"result_{key}", rich=True)
+            value = widgets.label(name=f"result_{key}", wrap=True, rich=True)
             value.setFont(theme.tabular_font(value.font()))
+            value.setMinimumWidth(_MIN_VALUE_WIDTH_PX)
             value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value
-            form.addRow(widgets.label(title, "muted"), value)
+            label = widgets.label(title, "muted")
+            label.setAlignment(Qt.AlignmentFlag.AlignTop)
+            form.addRow(label, value)
+            if key == "chi":
+                form.addRow(widgets.label(gettext("Cross-checks"), "muted"), self._checks_link())
         return fit
+
+    def _checks_link(self) -> QWidget:
+        """Button that looks like a link; a label with a link would keep the keyboard focus."""
+        self.checks = widgets.button(
+            "", "result_checks",
+            tip=gettext("Result without each line and each target, and of each half of the lines"),
+        )  # fmt: skip
+        self.checks.setStyleSheet(
+            "QPushButton { border: none; padding: 0px; text-align: left; background: transparent;"
+            f" text-decoration: underline; color: {theme.colour('accent').name()}; }}"
+            "QPushButton:focus { border: 1px solid; }"
+        )
+        self.checks.clicked.connect(lambda _on: self.cross_checks_requested.emit())
+        return self.checks
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
         before = quantities.figure(1000 * result.rms_before, "mm", 1)
@@ -238,9 +261,11 @@ class ResultsPanel(QWidget):
             ),
         }
         for key, text in texts.items():
-            self._values[key].setText(text)
+            # Qt breaks lines at a narrow space, as between the thousands of a French number
+            self._values[key].setText(text.replace("\u202f", "\u00a0"))
+        self.checks.setText(result_texts.cross_checks_text(project.cross_checks))
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
-        components = "; ".join(result_texts.variance_component_texts(result))
+        components = "; ".join(result_texts.variance_component_texts(project, result))
         if components:
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
@@ -302,6 +327,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     side.setDefaultSectionSize(_ROW_HEIGHT_PX)
     side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     side.setMinimumWidth(96)
+    side.setStyleSheet("QHeaderView::section { padding: 0px 6px; }")  # else descenders are cut off
     side.setHighlightSections(False)
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)

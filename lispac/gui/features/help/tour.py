@@ -5,19 +5,21 @@ moves the view to the target, and continues when the state of the project shows 
 done.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
 
+from lispac.acceptance import Verdict
 from lispac.gui import widgets
+from lispac.gui.appearance import theme
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import TARGETS
-from lispac.gui.viewport.base import Viewport
+from lispac.gui.viewport.base import Sketch, Viewport
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
@@ -48,10 +50,26 @@ def _target_count(project: Project, role: str) -> int:
     return len(project.targets_of_role(role))
 
 
+VERDICT_TEXTS: Mapping[Verdict, str] = {
+    "pass": N_(
+        "The calibration meets the acceptance criteria. Press Ctrl+E to write the report. Each "
+        "step on the left shows its state and the next action."
+    ),
+    "fail": N_(
+        "The calibration does not meet the acceptance criteria; step 4 on the left gives the "
+        "reasons. Ctrl+E writes the report, with this verdict."
+    ),
+    "not judged": N_(
+        "The boresight is estimated and the lines are compared, but the calibration is not judged "
+        "yet: enter the acceptance criteria of your contract in step 4. Ctrl+E writes the report."
+    ),
+}
+"""Instruction of the last step, by the verdict on the calibration."""
+
 TOUR_STEPS = (
     TourStep(N_("The vessel has passed this quay six times; each line has its own colour. The "
             "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
-            "click the board in the middle of the view."), "T1",
+            "click the framed board in the middle of the view."), "T1",
          lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1),
     TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
          lambda project, _candidate_waits: _target_count(project, "target") >= 1),
@@ -67,11 +85,13 @@ TOUR_STEPS = (
     TourStep(N_("Press F10: the histograms below show the distances between the lines before and "
             "after the calibration. Press B to switch the view between before and after."), "",
          lambda project, _candidate_waits: bool(project.validation)),
-    TourStep(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
-            "left shows its state and the next action."), "",
-         lambda _project, _candidate_waits: False),
+    TourStep(VERDICT_TEXTS["not judged"], "", lambda _project, _candidate_waits: False),
 )  # fmt: skip
 
+
+FRAME_SIZE_M = 1.8
+"""Width and height of the frame around the place to click, metres."""
+SKETCH_NAME = "tour"
 
 SAME_ORIENTATION_TEXT = N_(
     "This target has the same orientation as the other, so the angles are not determined. Undo "
@@ -163,6 +183,7 @@ class Tour(QObject):
         """End the tour."""
         self._step_index = self._place = None
         self._card.hide()
+        self._viewport.show_sketch(SKETCH_NAME, None)
 
     def _on_project_opened(self) -> None:
         starting, self._starting = self._starting, False
@@ -192,6 +213,8 @@ class Tour(QObject):
                 if have_targets_single_orientation(project, document.survey)
                 else text
             )
+        if at == len(TOUR_STEPS) - 1:
+            text = VERDICT_TEXTS[project.judgement.verdict]
         if (at, text) != (self._step_index, self._text):
             self._step_index, self._text = at, text
             self._card.show_step(at, text)
@@ -203,9 +226,20 @@ class Tour(QObject):
         place, self._place = self._place, None
         if place is None:
             return
+        self._viewport.show_sketch(SKETCH_NAME, _frame_around(place) if place else None)
         if place:
             centre = np.array(demo_seeds()[place][1])
             corners = centre + VIEW_RADIUS_M * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
             self._viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
         else:
             self._viewport.fit()
+
+
+def _frame_around(place: str) -> Sketch:
+    """Frame around the place to click, seen from the south or north."""
+    x, y, z = demo_seeds()[place][1]
+    half = FRAME_SIZE_M / 2
+    corners = tuple(
+        (x + dx * half, y, z + dz * half) for dx, dz in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    )
+    return Sketch(corners, ((0, 1), (1, 2), (2, 3), (3, 0)), theme.CANDIDATE_COLOUR)

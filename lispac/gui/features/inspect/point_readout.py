@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QCursor, QGuiApplication
 from PySide6.QtWidgets import QMenu, QToolTip
 
 from lispac.errors import LispacError
+from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -29,6 +30,7 @@ class PointReadout(QObject):
     Attributes
     ----------
     values : names and texts of the values of the point; empty if there is none
+    may_show_tooltip : function that returns whether the tooltip may cover the view
     """
 
     shown = Signal(str)
@@ -48,6 +50,7 @@ class PointReadout(QObject):
         self._point: PickedPoint | None = None
         self._reader: tuple[Project, PointReader] | None = None
         self.values: list[tuple[str, str]] = []
+        self.may_show_tooltip: Callable[[], bool] = lambda: True
         self._reading = QTimer(self, singleShot=True, interval=READ_DELAY_MS)
         self._reading.timeout.connect(self._show_values)
         self._tooltip = QTimer(self, singleShot=True, interval=TOOLTIP_DELAY_MS)
@@ -80,13 +83,13 @@ class PointReadout(QObject):
     def _show_values(self) -> None:
         self._reading.stop()
         self._set_values([] if self._point is None else self._values_of(self._point))
-        if self.values:
+        if self.values and self.may_show_tooltip():
             self._tooltip.start()
 
     def _set_values(self, values: list[tuple[str, str]]) -> None:
         if values != self.values:
             self.values = values
-            self.shown.emit("  ·  ".join(f"{name} {text}" for name, text in values))
+            self.shown.emit(FIELD_SEPARATOR.join(f"{name} {text}" for name, text in values))
 
     def _values_of(self, point: PickedPoint) -> list[tuple[str, str]]:
         from lispac.present.measured_point import point_facts

@@ -8,6 +8,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext, number
@@ -169,8 +170,9 @@ class SectionPanel(QWidget):
         return printed
 
     def _allow_pictures(self, allowed: bool) -> None:
-        self.save_picture.update_enabled(allowed)
-        self.copy_picture.update_enabled(allowed)
+        reason = reason_text(first_reason((not allowed, Unavailable.NO_SECTION)))
+        self.save_picture.set_reason(reason)
+        self.copy_picture.set_reason(reason)
 
     def show_nothing(self, reason: str) -> None:
         """Show why there is no section."""

@@ -22,13 +22,19 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.pos_sigmas import PosSigmaFields
-from lispac.language import N_, gettext, number
+from lispac.language import N_, Plural, gettext, number
 from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey
 
 ASSUMED_TEXT = N_(
     "Values in grey italics are assumed, because nobody gave them. Enter those of the data sheet "
     "or of the processing report."
+)
+
+
+EXCLUDED_TEXT = Plural(
+    "{count:n} point of {lines:names} is not used. The reason is in the messages (F12).",
+    "{count:n} points of {lines:names} are not used. The reasons are in the messages (F12).",
 )
 
 
@@ -67,6 +73,8 @@ class DataPanel(QWidget):
         self.lines = _lines_table()
         self.lines.itemChanged.connect(self._on_line_toggled)
         filled.addWidget(self.lines)
+        self.excluded = widgets.label("", "muted", wrap=True, name="excluded_points")
+        filled.addWidget(self.excluded)
 
         self.lever_arm = widgets.lever_arm_fields("lever_arm")
         self.boresight = widgets.boresight_fields("prior")
@@ -187,6 +195,9 @@ class DataPanel(QWidget):
             points = number(len(survey.scans[line.name]), 0) if is_loaded else "–"
             for column, text in ((1, heading), (2, points)):
                 cell = QTableWidgetItem(text)
+                if column == 2 and survey is not None and line.name in survey.excluded:
+                    unused = survey.excluded[line.name]
+                    cell.setToolTip(gettext(EXCLUDED_TEXT, count=unused, lines=(line.name,)))
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular_font(table.font()))
@@ -194,6 +205,11 @@ class DataPanel(QWidget):
         table.blockSignals(False)
         height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
         table.setFixedHeight(height)
+        excluded = {} if survey is None else survey.excluded
+        self.excluded.setVisible(bool(excluded))
+        if excluded:
+            text = gettext(EXCLUDED_TEXT, count=sum(excluded.values()), lines=tuple(excluded))
+            self.excluded.setText(text)
 
     def _on_line_toggled(self, item: QTableWidgetItem) -> None:
         if item.column() == 0:

@@ -138,10 +138,10 @@ class PatchAngles(QWidget):
             effect = gettext("0.01° error = {distance} misalignment", distance=distance)
             label.setText(f"{text}; {effect}")
 
-    def update_enabled(self, allowed: bool) -> None:
-        """Enable or disable the search buttons; the angles can always be changed."""
+    def set_reason(self, reason: str) -> None:
+        """Disable the search buttons with the reason in their tips; an empty text enables them."""
         for find in self.find_buttons:
-            find.update_enabled(allowed)
+            find.set_reason(reason)
 
     def _on_slider_moved(self, angle: int, steps: int) -> None:
         self._set_angle(angle, float(self._start[angle] + np.radians(steps * SLIDER_STEP_DEG)))

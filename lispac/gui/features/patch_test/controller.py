@@ -9,6 +9,7 @@ from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
@@ -447,10 +448,13 @@ class PatchTestController(QObject):
 
     def _enable_controls(self) -> None:
         survey = self._survey
+        no_data = first_reason(
+            (self._document.project is None, Unavailable.NO_PROJECT),
+            (survey is None, Unavailable.READING),
+            (survey is not None and len(survey.clouds) < 2, Unavailable.ONE_LINE),
+        )
         self.panel.update_enabled(
-            ready=survey is not None and len(survey.clouds) > 1,
-            busy=self._runner.busy,
-            has_result=self._result is not None,
+            no_data, busy=self._runner.busy, has_result=self._result is not None
         )
 
     def _draw_sketch(self, sketch: Sketch | None) -> None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
 from lispac.gui.features.patch_test.angles import PatchAngles
 from lispac.gui.features.patch_test.pictures import CurvePicture, LinesPicture
 from lispac.language import N_, gettext
@@ -118,7 +119,7 @@ class PatchTestPanel(QWidget):
         )
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
-        self.update_enabled(ready=False, busy=False, has_result=False)
+        self.update_enabled(Unavailable.NO_PROJECT, busy=False, has_result=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the pictures side by side, or one below the other in a narrow panel."""
@@ -302,18 +303,25 @@ class PatchTestPanel(QWidget):
         self.text_label.setText(gettext(reason))
         self.show_objects((), (), "")
 
-    def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:
-        """Enable the buttons that can be used now."""
-        has_objects, free = bool(self.objects.count()), ready and not busy
+    def update_enabled(self, no_data: Reason, *, busy: bool, has_result: bool) -> None:
+        """Enable the buttons that can be used now, and give the reason for the others.
+
+        Parameters
+        ----------
+        no_data : Reason
+            Why there are no lines to compare; None if there are.
+        """
+        no_object = no_data or first_reason((not self.objects.count(), Unavailable.NO_OBJECT))
+        no_result = no_object or first_reason((not has_result, Unavailable.NO_ANGLES))
+        is_busy = first_reason((busy, Unavailable.BUSY))
         for button in (self.propose, self.point, self.target, self.box):
-            button.update_enabled(free)
-        for button in (self.remove, self.go):
-            button.update_enabled(has_objects and ready)
-        self.all.update_enabled(has_objects and free)
-        self.save_button.update_enabled(has_result and free)
-        self.prior.update_enabled(has_objects and ready)
-        self.angles.setEnabled(has_objects and ready)
-        self.angles.update_enabled(has_objects and free)
+            button.set_reason(reason_text(no_data or is_busy))
+        for button in (self.remove, self.go, self.prior):
+            button.set_reason(reason_text(no_object))
+        self.all.set_reason(reason_text(no_object or is_busy))
+        self.save_button.set_reason(reason_text(no_result or is_busy))
+        self.angles.setEnabled(no_object is None)
+        self.angles.set_reason(reason_text(no_object or is_busy))
 
     def _emit_shown_changed(self) -> None:
         self.shown_changed.emit()

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QPlainTextEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -79,9 +78,10 @@ class IdentityDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("identity_dialog")
         self.setWindowTitle(gettext("Details for the report"))
-        self.setMinimumWidth(820)
+        self.setMinimumWidth(920)
         self._dates, self._companies = dates, companies
         self._proposed: dict[str, str] = {}
+        self._labels: list[QWidget] = []
         self.identity: Identity = identity
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
@@ -101,14 +101,10 @@ class IdentityDialog(QDialog):
         columns = QHBoxLayout()
         columns.setSpacing(24)
         for groups in (FIELD_GROUPS[:LEFT_GROUPS], FIELD_GROUPS[LEFT_GROUPS:-1]):
-            column = QVBoxLayout()
-            for title, names in groups:
-                column.addWidget(widgets.label(gettext(title), "heading"))
-                column.addLayout(self._form(names))
-            column.addStretch(1)
-            columns.addLayout(column, 1)
+            columns.addLayout(self._form(groups), 1)
         layout.addLayout(columns)
-        layout.addLayout(self._form(FIELD_GROUPS[-1][1]))
+        layout.addLayout(self._form(FIELD_GROUPS[-1:]))
+        self._align_fields()
         self._complete_company()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         layout.addWidget(self.message_label)
@@ -127,17 +123,29 @@ class IdentityDialog(QDialog):
             each_field.textChanged.connect(self._check_input)
         self.fields[FIELD_NAMES[0]].setFocus()
 
-    def _form(self, names: Sequence[str]) -> QFormLayout:
+    def _form(self, groups: Sequence[tuple[str, Sequence[str]]]) -> QFormLayout:
+        """Fields of some groups below each other; a group of one field needs no heading."""
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACING)
+        form.setHorizontalSpacing(2 * theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        for name in names:
-            field = self.fields[name]
-            form.addRow(
-                gettext(FIELD_LABELS[name]),
-                self._row_with_button(field) if name == "dates" else field,
-            )
+        for title, names in groups:
+            if len(names) > 1:
+                form.addRow(widgets.label(gettext(title), "heading"))
+            for name in names:
+                label = widgets.label(gettext(FIELD_LABELS[name]))
+                label.setBuddy(self.fields[name])
+                self._labels.append(label)
+                form.addRow(label, self.fields[name])
+                if name == "dates":
+                    form.addRow(None, self._create_dates_button())
         return form
+
+    def _align_fields(self) -> None:
+        """Make all labels equally wide, so that all fields begin at the same place."""
+        width = max(label.sizeHint().width() for label in self._labels)
+        for label in self._labels:
+            label.setMinimumWidth(width)
 
     def _complete_company(self) -> None:
         """Complete the names of known companies, and propose their details."""
@@ -158,18 +166,14 @@ class IdentityDialog(QDialog):
                 self._proposed[name] = known.get(name, "")
                 field.setText(self._proposed[name])
 
-    def _row_with_button(self, field: QWidget) -> QHBoxLayout:
+    def _create_dates_button(self) -> QWidget:
         take = widgets.button(
             gettext("Use dates of lines"), "identity_dates_of_lines",
             tip=gettext("Fill in the survey dates (UTC) from the times of the lines"),
         )  # fmt: skip
         take.setAutoDefault(False)
         take.clicked.connect(self._fill_in_dates)
-        row = QHBoxLayout()
-        row.setSpacing(theme.SPACING)
-        row.addWidget(field, 1)
-        row.addWidget(take)
-        return row
+        return take
 
     def _fill_in_dates(self) -> None:
         found = self._dates()
@@ -178,8 +182,8 @@ class IdentityDialog(QDialog):
         else:
             self.message_label.setText(
                 gettext(
-                    "The lines do not contain a date: their times are seconds of the day or week. "
-                    "Enter the date of the survey."
+                    "The lines do not contain a date, only the time of the day or week. Enter the "
+                    "survey dates by hand, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
                 )
             )
 

@@ -1,6 +1,7 @@
 """The report: its details, preview and export."""
 
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -18,7 +19,7 @@ from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import Pictures, ReportPictures
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
-from lispac.gui.project.document import Document
+from lispac.gui.project.document import Document, ExportedReport
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Viewport
 from lispac.identity import COMPANY_FIELDS
@@ -69,6 +70,8 @@ class ReportExport(QObject):
         panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
+        document.opened.connect(self._restore_report)
+        document.saved.connect(self._store_report)
 
     def show_choice(self) -> None:
         """Show the stored options in the panel."""
@@ -196,8 +199,30 @@ class ReportExport(QObject):
             self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
 
     def _on_written(self, project: Project, path: Path) -> None:
-        self._document.mark_reported(project, path.name)
+        self._document.mark_reported(project, ExportedReport(path, time.time()))
+        self._store_report()
         self._controller.logged.emit(gettext("Wrote {path}", path=path))
+
+    def _restore_report(self) -> None:
+        """Set the report that was exported from this project before it was opened."""
+        project = self._document.project
+        if project is None or self._document.report is not None:  # as in a rebuilt window
+            return
+        stored = self._settings.exported_report(project.folder)
+        if stored is not None and stored[0].exists():
+            path, exported, digest = stored
+            is_current = bool(digest) and digest == project.file_digest
+            self._document.restore_report(ExportedReport(path, exported, is_current))
+
+    def _store_report(self) -> None:
+        """Store the exported report for the next time the project is opened."""
+        document, report = self._document, self._document.report
+        if document.project is not None and report is not None:
+            is_saved = report.is_current and not document.is_modified
+            self._settings.save_exported_report(
+                document.project.folder, report.path, report.exported,
+                document.file_digest if is_saved else "",
+            )  # fmt: skip
 
     def _options(self) -> ReportOptions | None:
         """Options of the report; None if they cannot be used."""

@@ -18,7 +18,7 @@ from lispac.gui.viewport.clipping import Box
 from lispac.language import LazyText, gettext, gettext_lazy
 from lispac.project import Project, Target
 from lispac.report.options import Extent
-from lispac.report.short_report import MAX_MAPPED_PLANES
+from lispac.report.short_report import MAX_PICTURED_PLANES
 from lispac.survey.cloud import Cloud
 from lispac.targets.cross_section import common_normal
 
@@ -176,7 +176,7 @@ def _views(
     })  # fmt: skip
     rms = {plane.name: plane.after.rms for plane in project.validation}
     failed = {name for name in rms if project.judgement.verdict_on(name) == "fail"}
-    kept = planes_to_show(rms, failed, MAX_MAPPED_PLANES if extent == "short" else len(rms))
+    kept = planes_to_show(rms, failed, MAX_PICTURED_PLANES if extent == "short" else len(rms))
     for target in project.targets:
         if not (target.name in kept or (extent == "full" and target.role == "target")):
             continue

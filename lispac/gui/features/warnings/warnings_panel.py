@@ -26,6 +26,8 @@ from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
 
 TITLE = N_("Messages")
+CHECK_SIGN_ACTION = "check_sign"
+"""Action for which the window shows how to check the sign of an angle."""
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
@@ -216,8 +218,9 @@ class _WarningListWidget(QListWidget):
 
 
 def _possible_actions(message: Message) -> tuple[Action, ...]:
-    """Actions that the window can carry out; those on files belong to the import."""
-    return tuple(action for action in message.actions if action.code in NOISE_ACTIONS)
+    """Actions that the window can carry out; others on files belong to the import."""
+    possible = (*NOISE_ACTIONS, CHECK_SIGN_ACTION)
+    return tuple(action for action in message.actions if action.code in possible)
 
 
 def _message_item(message: Message, text: str) -> QListWidgetItem:
@@ -243,19 +246,14 @@ class WarningsButton(QPushButton):
         self.show_warnings(None)
 
     def show_warnings(self, messages: Sequence[Message] | None) -> None:
-        """Show the number of messages of the highest level; None if no project is open."""
+        """Show the number of messages of each level; None if no project is open."""
         self.setVisible(messages is not None)
         worst = next(
             (level for level in Level if any(m.level is level for m in messages or ())), None
         )
         icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
-        text = (
-            level_counts_text([each for each in messages or () if each.level is worst])
-            if worst
-            else gettext("No messages")
-        )
+        text = level_counts_text(messages) if messages else gettext("No messages")
         self.setText(text)
-        counts = f"{level_counts_text(messages)}. " if messages else ""
-        self.setToolTip(counts + gettext("Click to see them all (F12)"))
+        self.setToolTip(gettext("Click to see them all (F12)"))
         self.setAccessibleName(text)
