@@ -26,6 +26,7 @@ from lispac.cli.console import (
 )
 from lispac.cli.messages import console_text, print_messages
 from lispac.messages import Message, note
+from lispac.present.tables import ratio
 from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
 if TYPE_CHECKING:
@@ -293,10 +294,10 @@ def _print_target(
             print(f"    {console_text(reason)}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]
-            north, west, up = patch.centre
+            centre = " ".join(ratio(3).plain_text(value) for value in patch.centre)
             known = "given" if target.sphere_radius is not None else "estimated"
             print(
-                f"    centre {north:.3f} {west:.3f} {up:.3f} m, "
+                f"    centre {centre} m, "
                 f"radius {patch.sphere.radius:.3f} m ({known}), "
                 f"{100 * patch.share:.0f} % of the surface seen"
             )

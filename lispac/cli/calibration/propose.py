@@ -10,6 +10,7 @@ from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
 from lispac.messages import error
 from lispac.present.json_values import json_values
+from lispac.present.tables import ratio
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -67,8 +68,8 @@ def run(arguments: Namespace) -> None:
                     "accepted": arguments.accept})  # fmt: skip
         return
     for target in proposal.targets:
-        north, west, up = target.seed
-        print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
+        place = " ".join(ratio(2).plain_text(value) for value in target.seed)
+        print(f"{target.name:4s} {target.role:10s} at {place} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     print_messages(proposal.warnings, sys.stdout)
