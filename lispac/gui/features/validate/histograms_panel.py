@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QIcon, QResizeEvent
+from PySide6.QtGui import QGuiApplication, QIcon
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -142,8 +142,8 @@ _COLUMNS = (
 VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
 """Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LOW_PANEL_PX = 230
-"""Height of the panel below which the histogram has no title and legend, pixels."""
+LOW_PLOT_PX = 280
+"""Height of the plot below which the histogram has no title and legend, pixels."""
 _WIDTH_SHARES = (5, 6)
 """Initial shares of the width for tables and plot."""
 PLOT_TITLES = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
@@ -216,7 +216,8 @@ class HistogramsPanel(QWidget):
             filled.setStretchFactor(part, share)
         self._parts = filled
         self._stack.addWidget(filled)
-        self._is_low, self._is_wide = True, False
+        self._plot_form = True, False
+        """Whether the plot is too low for a legend, and whether it is wide."""
 
     def _create_tools(self) -> QVBoxLayout:
         self.plot = widgets.ChoiceBox(
@@ -268,25 +269,22 @@ class HistogramsPanel(QWidget):
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Omit title and legend of the histogram in a low panel, which names the colours."""
-        super().resizeEvent(event)
-        is_low = self.height() < LOW_PANEL_PX
-        if is_low != self._is_low:
-            self._is_low = is_low
-            self._colours.setVisible(is_low)
-            self._redraw_selected()
-
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Arrange the legend again when the plot becomes narrow or wide; keep the row visible."""
-        if watched is self.canvas and event.type() == QEvent.Type.Resize:
-            from lispac.report.figures import is_wide
-
-            if is_wide(self.canvas.figure) != self._is_wide:
-                self._drawing.start()
+        """Keep the selected row visible in a lower table."""
         if watched is self.table.viewport() and event.type() == QEvent.Type.Resize:
             self.table.scrollTo(self.table.currentIndex())
         return super().eventFilter(watched, event)
+
+    def _adapt_to_plot_size(self) -> None:
+        """Arrange title and legend for the size of the plot, or name the colours beside it."""
+        from lispac.report.figures import is_wide
+
+        is_low = self.canvas.height() < LOW_PLOT_PX
+        form = is_low, is_wide(self.canvas.figure)
+        if form != self._plot_form:
+            self._plot_form = form
+            self._colours.setVisible(is_low)
+            self._drawing.start()
 
     def show_state(self, state: ProjectState) -> None:
         """Show the comparisons of the project."""
@@ -377,13 +375,11 @@ class HistogramsPanel(QWidget):
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
         from lispac.report.distance_profiles import profile_figure
-        from lispac.report.figures import is_wide
         from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
         self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
         canvas = self._plot_canvas()
-        self._is_wide = is_wide(canvas.figure)
         self._colours.setText(
             "&nbsp; ".join(
                 f"<span style='color:{colour}'>■</span> {escape(state)}"
@@ -396,7 +392,7 @@ class HistogramsPanel(QWidget):
             profile_figure(comparison, canvas.figure)
         else:
             share = self.plot.currentIndex() == PERCENT_PLOT
-            histogram_figure(comparison, canvas.figure, share=share, titled=not self._is_low)
+            histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
         self._show_units(canvas.figure)
         self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
         self.reading.setText(gettext(ZOOM_HINT))
@@ -432,12 +428,12 @@ class HistogramsPanel(QWidget):
 
             self.canvas = Chart(260, 100)
             self.canvas.setObjectName("histogram_canvas")
-            self.canvas.installEventFilter(self)
             self._zooming = PlotZoom(self.canvas)
             canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
+                canvas.mpl_connect("resize_event", lambda _event: self._adapt_to_plot_size()),
             )
             # The mouse may leave the canvas after the label was deleted
             self.reading.destroyed.connect(
