@@ -274,7 +274,7 @@ class MainWindow(QMainWindow):
         self.table.sighting_selected.connect(self._select)
         self.table.sighting_activated.connect(self._go_to)
         self.diagnostics.row_activated.connect(self._go_to)
-        self.histograms.plane_selected.connect(self.table.select)
+        self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)

@@ -174,6 +174,8 @@ class HistogramsPanel(QWidget):
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
         self._failed: set[str] = set()
+        self._announced: str | None = None
+        """Plane that the user selected; None if the panel selected the current one."""
         self.canvas: QWidget | None = None
         self._drawing = IdleTask(self._redraw_selected, self)
         self._stack = QStackedLayout(self)
@@ -197,6 +199,7 @@ class HistogramsPanel(QWidget):
         self.table = _create_table()
         self.table.viewport().installEventFilter(self)
         self.table.itemSelectionChanged.connect(self._on_plane_selected)
+        self.table.clicked.connect(self._announce_plane)  # a row that the panel selected
         self.pairs = pairs_table.create_pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
@@ -334,6 +337,7 @@ class HistogramsPanel(QWidget):
 
     def _select_row(self, row: int) -> None:
         """Select a plane without emitting a signal."""
+        self._announced = None
         self.table.blockSignals(True)
         self.table.selectRow(row)
         self.table.blockSignals(False)
@@ -366,7 +370,13 @@ class HistogramsPanel(QWidget):
     def _on_plane_selected(self) -> None:
         if self._current_comparison is not None:
             self._draw(self._current_comparison)
-            self.plane_selected.emit(self._current_comparison.name)
+            self._announce_plane()
+
+    def _announce_plane(self) -> None:
+        """Emit the name of the selected plane, unless the user selected it before."""
+        if self.current is not None and self.current != self._announced:
+            self._announced = self.current
+            self.plane_selected.emit(self.current)
 
     def _redraw_selected(self) -> None:
         if self._current_comparison is not None:
