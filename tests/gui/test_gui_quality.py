@@ -134,6 +134,7 @@ def test_a_candidate_has_quality_lights_before_it_is_accepted(opened: Driver) ->
     assert box.reasons.isVisible()
     assert "L3_045: " in box.reasons.text()
     assert "L1_000" not in box.reasons.text(), "its quality is good"
+    assert box.accept.visibleRegion().boundingRect().size() == box.accept.size()
     press(opened, Key.Key_Return)
     opened.rest()
     assert tips["L3_045"].split("\n")[2] in shown_value(opened, "T1", "L3_045", Role.ToolTipRole)

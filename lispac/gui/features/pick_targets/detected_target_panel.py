@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
@@ -129,6 +129,9 @@ FOUND_TEXTS: dict[Shape, str] = {
 class DetectedTargetPanel(QFrame):
     """Panel with the detected target, to be accepted or rejected."""
 
+    grown = Signal()
+    """Text was added, which may move the buttons out of view."""
+
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("candidate_box")
@@ -217,7 +220,10 @@ class DetectedTargetPanel(QFrame):
             names = [line for line, _ in rated[MAX_REASONS:]]
             texts.append(gettext("Also not good: {lines:names}.", lines=names))
         self.reasons.setText("\n".join(texts))
+        is_new = bool(texts) and self.reasons.isHidden()
         self.reasons.setVisible(bool(texts))
+        if is_new:
+            self.grown.emit()
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:
