@@ -26,7 +26,6 @@ from lispac.cli.console import (
 )
 from lispac.cli.messages import console_text, print_messages
 from lispac.messages import Message, note
-from lispac.present.tables import ratio
 from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
 if TYPE_CHECKING:
@@ -285,6 +284,8 @@ def _target_values(
 def _print_target(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
+    from lispac.present.tables import ratio
+
     for sighting in target.sightings:
         print(
             f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "

@@ -10,7 +10,6 @@ from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
 from lispac.messages import error
 from lispac.present.json_values import json_values
-from lispac.present.tables import ratio
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -33,6 +32,7 @@ def run(arguments: Namespace) -> None:
     import numpy as np
 
     from lispac.adjustment.result import ANGLES
+    from lispac.present.tables import ratio
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
