@@ -40,7 +40,7 @@ INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
 MIN_PANEL_HEIGHT = 0.5
 """Smallest height of a panel, inches."""
 MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
-MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.85
+MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.9
 """Margins around and between the panels, inches; the top margin is larger if all pairs are in one
 row."""
 MAX_TEXT_SHARE = 0.95

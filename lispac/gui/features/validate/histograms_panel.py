@@ -174,8 +174,6 @@ class HistogramsPanel(QWidget):
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
         self._failed: set[str] = set()
-        self._announced: str | None = None
-        """Plane that the user selected; None if the panel selected the current one."""
         self.canvas: QWidget | None = None
         self._drawing = IdleTask(self._redraw_selected, self)
         self._stack = QStackedLayout(self)
@@ -199,7 +197,7 @@ class HistogramsPanel(QWidget):
         self.table = _create_table()
         self.table.viewport().installEventFilter(self)
         self.table.itemSelectionChanged.connect(self._on_plane_selected)
-        self.table.clicked.connect(self._announce_plane)  # a row that the panel selected
+        self.table.clicked.connect(self._announce_plane)  # a row that was selected already
         self.pairs = pairs_table.create_pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
@@ -337,7 +335,6 @@ class HistogramsPanel(QWidget):
 
     def _select_row(self, row: int) -> None:
         """Select a plane without emitting a signal."""
-        self._announced = None
         self.table.blockSignals(True)
         self.table.selectRow(row)
         self.table.blockSignals(False)
@@ -373,9 +370,7 @@ class HistogramsPanel(QWidget):
             self._announce_plane()
 
     def _announce_plane(self) -> None:
-        """Emit the name of the selected plane, unless the user selected it before."""
-        if self.current is not None and self.current != self._announced:
-            self._announced = self.current
+        if self.current is not None:
             self.plane_selected.emit(self.current)
 
     def _redraw_selected(self) -> None:
