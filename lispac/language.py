@@ -29,7 +29,7 @@ from dataclasses import dataclass, field
 from datetime import date, datetime
 from decimal import Decimal
 from functools import lru_cache
-from math import copysign, degrees, floor, isfinite, log10
+from math import degrees, floor, isfinite, log10
 from pathlib import Path
 from string import Formatter
 from typing import Any
@@ -245,12 +245,18 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
     pattern = f"+{places};-{places}" if sign else places
-    return _formatted_number(value, copysign(1, value), pattern, _LOCALES[current_language()])
+    value = without_negative_zero(value, decimals)
+    return _formatted_number(value, pattern, _LOCALES[current_language()])
+
+
+def without_negative_zero(value: float, decimals: int) -> float:
+    """Value, or 0.0 if it is zero with this number of decimals; zeros have no minus sign."""
+    return value if float(f"{value:.{decimals}f}") else 0.0
 
 
 @lru_cache(maxsize=8192)
-def _formatted_number(value: float, _sign: float, pattern: str, locale: str) -> str:
-    """Number formatted by a pattern of Babel; the sign distinguishes 0.0 from -0.0 in the cache."""
+def _formatted_number(value: float, pattern: str, locale: str) -> str:
+    """Number formatted by a pattern of Babel."""
     from babel.numbers import format_decimal
 
     return str(format_decimal(value, pattern, locale=locale))

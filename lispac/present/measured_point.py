@@ -82,14 +82,34 @@ def point_facts(point: MeasuredPoint) -> list[Fact]:
             angle=point.incidence_rad, count=point.plane_points,
         )  # fmt: skip
         facts.append(Fact(gettext("Incidence"), incidence))
-    if point.intensity is not None:
-        decimals = 0 if point.intensity == round(point.intensity) else 3
-        form = Format("", decimals, is_grouped=False)
-        facts.append(Fact(gettext("Intensity"), point.intensity, form))
+    facts += _intensity_facts(point)
     facts.append(Fact(gettext("Coordinate system"), point.system))
     if point.time_base is not None:
         facts.append(Fact(gettext("Time base"), message_text(point.time_base)))
     return facts
+
+
+def brief_point_facts(point: MeasuredPoint) -> list[list[Fact]]:
+    """Names and values in a few short lines, for a tooltip; unknown values are omitted."""
+    scan = [Fact(gettext("Range"), point.range_m, METRES)]
+    if point.incidence_rad is not None:
+        angle = gettext("{angle:deg.0}°", angle=point.incidence_rad)
+        scan.append(Fact(gettext("Incidence"), angle))
+    lines = [
+        [*map(_coordinate_fact, point.coordinates)],
+        [Fact(gettext("Line"), point.line)],
+        scan,
+        _intensity_facts(point),
+        [Fact(gettext("Time"), point.time_s, SECONDS)],
+    ]
+    return [line for line in lines if line]
+
+
+def _intensity_facts(point: MeasuredPoint) -> list[Fact]:
+    if point.intensity is None:
+        return []
+    decimals = 0 if point.intensity == round(point.intensity) else 3
+    return [Fact(gettext("Intensity"), point.intensity, Format("", decimals, is_grouped=False))]
 
 
 def _coordinate_fact(coordinate: Coordinate) -> Fact:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Literal, TypeVar
 
-from lispac.language import N_, LazyText, gettext
+from lispac.language import N_, LazyText, gettext, without_negative_zero
 from lispac.messages import Message
 from lispac.present.text_format import (
     UNKNOWN_TEXT,
@@ -54,8 +54,6 @@ class Format:
     def text(self, value: float) -> str:
         """The number in the language in use, without its unit."""
         shown = self.factor * value
-        if not float(f"{shown:.{self.decimals}f}"):
-            shown = 0.0  # no minus sign before a zero
         if self.is_half_interval:
             return interval_text(fixed_number(shown, self.decimals))
         if self.is_signed or not self.is_grouped:
@@ -64,9 +62,7 @@ class Format:
 
     def plain_text(self, value: float) -> str:
         """The number as Python writes it, rounded as in `text`, without unit and plus-minus."""
-        shown = self.factor * value
-        if not float(f"{shown:.{self.decimals}f}"):
-            shown = 0.0
+        shown = without_negative_zero(self.factor * value, self.decimals)
         sign = "+" if self.is_signed and not self.is_half_interval else ""
         return f"{shown:{sign}.{self.decimals}f}"
 

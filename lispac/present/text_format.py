@@ -6,7 +6,7 @@ from datetime import datetime
 
 from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS
 from lispac.adjustment.model.parameters import mounting_value_name as quantity_name
-from lispac.language import N_, gettext, number
+from lispac.language import N_, gettext, number, without_negative_zero
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
@@ -39,12 +39,13 @@ def format_known(
 
 def grouped_number(value: float, decimals: int = 0) -> str:
     """A number with separators between groups of three digits."""
-    return localised_number(f"{value:,.{decimals}f}")
+    return localised_number(f"{without_negative_zero(value, decimals):,.{decimals}f}")
 
 
 def fixed_number(value: float, decimals: int, *, sign: bool = False) -> str:
     """A number without separators between groups of three digits."""
-    return localised_number(f"{value:{'+' if sign else ''}.{decimals}f}")
+    shown = without_negative_zero(value, decimals)
+    return localised_number(f"{shown:{'+' if sign else ''}.{decimals}f}")
 
 
 def signed_number(value: float, decimals: int) -> str:
@@ -54,7 +55,7 @@ def signed_number(value: float, decimals: int) -> str:
 
 def shortest_number(value: float) -> str:
     """A number without trailing zeros, with at most six significant digits."""
-    return localised_number(f"{value:g}")
+    return localised_number(f"{value or 0.0:g}")
 
 
 def localised_number(text: str) -> str:

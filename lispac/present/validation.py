@@ -672,7 +672,33 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
     N_("Pairs of lines before and after"),
     (
         Column(
-            _lines_text, N_("Lines"), tip=N_("The two lines; ⇄: surveyed in opposite directions")
+            _lines_text, N_("Lines"),
+            tip=N_(
+                "The two lines. ⇄: reciprocal, run in opposite directions; only these pairs are in "
+                "n, RMS and histogram of the plane, if there are any. /: other pair"
+            ),
+        ),
+        Column(
+            "before.distances.rms_m", N_("RMS\nbefore"), MILLIMETRES,
+            N_("RMS of the distances between the lines before the calibration"),
+        ),
+        Column(
+            "after.distances.rms_m", N_("RMS\nafter"), MILLIMETRES,
+            N_("RMS of the distances between the lines after the calibration"),
+        ),
+        Column(
+            "before.signed.median_m", N_("Offset\nbefore"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) before "
+                "the calibration, positive towards the vessel"
+            ),
+        ),
+        Column(
+            "after.signed.median_m", N_("Offset\nafter"), MILLIMETRES.signed,
+            N_(
+                "Median distance of the first line from the second along the normal (M3C2) after "
+                "the calibration, positive towards the vessel"
+            ),
         ),
         Column(
             "after.distances.n", N_("Points"), COUNT,
@@ -682,47 +708,25 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
             ),
         ),
         Column(
-            "before.distances.rms_m", N_("RMS before"), MILLIMETRES,
-            N_("RMS of the distances between the lines before the calibration"),
-        ),
-        Column(
-            "after.distances.rms_m", N_("RMS after"), MILLIMETRES,
-            N_("RMS of the distances between the lines after the calibration"),
-        ),
-        Column(
-            "before.signed.median_m", N_("Offset before"), MILLIMETRES.signed,
-            N_(
-                "Median distance of the first line from the second along the normal (M3C2) before "
-                "the calibration, positive towards the vessel"
-            ),
-        ),
-        Column(
-            "after.signed.median_m", N_("Offset after"), MILLIMETRES.signed,
-            N_(
-                "Median distance of the first line from the second along the normal (M3C2) after "
-                "the calibration, positive towards the vessel"
-            ),
-        ),
-        Column(
-            "before.planes.offset_m", N_("Plane offset before calibration"), MILLIMETRES.signed,
+            "before.planes.offset_m", N_("Plane offset\nbefore"), MILLIMETRES.signed,
             N_(
                 "Distance between the planes fitted to the first and the second line before the "
                 "calibration; positive if the first is nearer to the vessel"
             ),
         ),
         Column(
-            "after.planes.offset_m", N_("Plane offset after calibration"), MILLIMETRES.signed,
+            "after.planes.offset_m", N_("Plane offset\nafter"), MILLIMETRES.signed,
             N_(
                 "Distance between the planes fitted to the first and the second line after the "
                 "calibration; positive if the first is nearer to the vessel"
             ),
         ),
         Column(
-            "before.planes.angle_deg", N_("Tilt before calibration"), ROTATION_FORMAT,
+            "before.planes.angle_deg", N_("Tilt\nbefore"), ROTATION_FORMAT,
             N_("Angle between the planes fitted to the two lines before the calibration"),
         ),
         Column(
-            "after.planes.angle_deg", N_("Tilt after calibration"), ROTATION_FORMAT,
+            "after.planes.angle_deg", N_("Tilt\nafter"), ROTATION_FORMAT,
             N_("Angle between the planes fitted to the two lines after the calibration"),
         ),
     ),

@@ -1,6 +1,7 @@
 """Histogram of the signed distances from a reference, before and after overlaid."""
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
@@ -10,13 +11,12 @@ from lispac.present.text_format import grouped_number, signed_number
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,
-    INK_COLOUR,
-    TEXT_SIZE,
+    HEADROOM_RATIO,
     blank_figure,
+    draw_title_and_legend,
     short_name,
     style_axes,
 )
-from lispac.report.legends import AXES_POSITION, top_below_legend
 
 _BEFORE_LEGEND = N_(
     "before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm"
@@ -27,9 +27,10 @@ _AFTER_LEGEND = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 9
 def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
     """Histogram of all lines together; the first and last bins include all larger distances."""
     figure = blank_figure(figure, (6.3, 2.5))
-    axes = figure.subplots(gridspec_kw=AXES_POSITION)
+    axes = figure.subplots()
     edges = 1000 * np.asarray(check.bin_edges_m)
     legend: list[str] = []
+    bars: list[Artist] = []
     for template, colour, counts, each in (
         (_BEFORE_LEGEND, BEFORE_COLOUR, check.counts_before, check.all_lines.before),
         (_AFTER_LEGEND, AFTER_COLOUR, check.counts_after, check.all_lines.after),
@@ -42,7 +43,7 @@ def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None 
                 rms=each.distances.rms_m, p95=each.distances.p95_m,
             )
         )  # fmt: skip
-        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=legend[-1])
+        bars.append(axes.stairs(values, edges, fill=True, color=colour, alpha=0.5))
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
     across = gettext(
@@ -56,8 +57,7 @@ def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None 
         "{reference}: distances of all lines along the normal",
         reference=short_name(check.reference),
     )
-    axes.set_title(title, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
-    highest = np.maximum(check.counts_before, check.counts_after).astype(np.float64)
-    axes.set_ylim(0.0, top_below_legend(axes, edges, highest, legend, TEXT_SIZE))
-    axes.legend(loc="upper right", fontsize=TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR)
+    highest = float(max(*check.counts_before, *check.counts_after))
+    axes.set_ylim(0.0, HEADROOM_RATIO * highest or 1.0)
+    draw_title_and_legend(figure, title, bars, legend)
     return figure

@@ -21,11 +21,12 @@ from lispac.report.figures import (
     style_axes,
 )
 from lispac.report.text_width import cut_to_width, largest_fitting_font_size
-from lispac.validation.comparison_results import PlaneComparison
 
 Array = NDArray[np.float64]
 
-PANEL_TITLES = N_("before"), N_("after"), N_("after, separate scale")
+PANEL_TITLES = N_("before"), N_("after")
+BAR_TITLES = N_("Before (mm)"), N_("After (mm)")
+"""Titles of the colour bars; each state has a scale of its own, which its values fill."""
 COLOUR_MAP = "RdBu_r"
 """Colour map: red where the first line is nearer to the vessel, white where both coincide."""
 SCALE_PERCENTILE = 98.0
@@ -34,10 +35,12 @@ MIN_COLOUR_LIMIT_M = 1e-4
 """Smallest distance at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
+INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
+"""Width that the number of a tick of a colour bar needs, and the numbers of intervals."""
 MIN_PANEL_HEIGHT = 0.5
 """Smallest height of a panel, inches."""
 MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
-MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.85
+MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.9
 """Margins around and between the panels, inches; the top margin is larger if all pairs are in one
 row."""
 MAX_TEXT_SHARE = 0.95
@@ -58,56 +61,49 @@ class _Size:
     width : width of the figure, inches
     max_panel_height : largest height of a panel, inches
     max_tall_height : the same if the panels of all pairs are in one row
-    states : number of panels of a pair, from the start of `PANEL_TITLES`
     """
 
     width: float
     max_panel_height: float
     max_tall_height: float
-    states: int
 
 
-FULL_SIZE = _Size(6.3, 3.2, 3.2, 3)
-SMALL_SIZE = _Size(3.3, 0.75, 1.3, 2)
+FULL_SIZE = _Size(6.3, 1.15, 3.2)
+SMALL_SIZE = _Size(3.3, 0.75, 1.3)
 MAX_SMALL_MAPS = 2
 """Largest number of pairs in a figure that is half as wide as a page."""
 
 
-def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Maps of the signed distances on the plane, for each mapped pair of lines.
-
-    Each pair has three panels: before and after with a common colour scale, and after with a
-    separate one.
-    """
-    return _draw_maps(
-        figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps]
-    )
-
-
 def map_figure_of(plane: ValidationPlane) -> Figure:
-    """Draw `map_figure` from the values of a report."""
-    return _draw_maps(None, plane.name, plane.maps)
+    """Maps of the signed distances on the plane, before and after, for each mapped pair of lines.
+
+    Each state has a colour scale of its own, so that the small distances after the calibration are
+    visible.
+    """
+    return _draw_maps(plane.name, plane.maps)
 
 
 def small_map_figure_of(plane: ValidationPlane) -> Figure:
-    """Maps before and after of the pairs with the largest distances after, half a page wide."""
-    largest = sorted(plane.maps, key=_rms_after, reverse=True)[:MAX_SMALL_MAPS]
+    """Maps of the pairs with the largest offset and distances after, half a page wide."""
+    farthest = max(plane.maps, key=_offset_after, default=None)
+    largest = sorted(
+        plane.maps, key=lambda each: (each is farthest, _rms_after(each)), reverse=True
+    )[:MAX_SMALL_MAPS]
     shown = [each for each in plane.maps if each in largest]
-    return _draw_maps(None, plane.name, shown, SMALL_SIZE)
+    return _draw_maps(plane.name, shown, SMALL_SIZE)
 
 
 def _rms_after(values: DistanceMapValues) -> float:
     return float(np.sqrt(np.mean(np.square(values.after_m))))
 
 
-def _draw_maps(
-    figure: Figure | None,
-    name: str,
-    maps: Sequence[DistanceMapValues],
-    form: _Size = FULL_SIZE,
-) -> Figure:
+def _offset_after(values: DistanceMapValues) -> float:
+    return float(abs(np.median(values.after_m)))
+
+
+def _draw_maps(name: str, maps: Sequence[DistanceMapValues], form: _Size = FULL_SIZE) -> Figure:
     if not maps:
-        figure = blank_figure(figure, (form.width, 1.0))
+        figure = blank_figure(None, (form.width, 1.0))
         axes = figure.add_subplot()
         axes.set_axis_off()
         missing = gettext(
@@ -123,33 +119,32 @@ def _draw_maps(
     tall = bool(sides[1] > ONE_ROW_RATIO * sides[0])
     if tall:
         form = replace(form, max_panel_height=form.max_tall_height)
-    figure, places = _map_panels(figure, len(maps), sides, tall, form)
-    common = max(_colour_limit(each.before_m + each.after_m) for each in maps)
-    own = max(_colour_limit(each.after_m) for each in maps)
+    figure, places = _map_panels(len(maps), sides, tall, form)
+    limits = [
+        max(_colour_limit(getattr(each, state)) for each in maps)
+        for state in ("before_m", "after_m")
+    ]
     named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
     across, up = gettext("Horizontal (m)"), gettext("Up (m)")
-    # The labels of small panels in one row would overlap.
-    has_common_label = tall and form.states < len(PANEL_TITLES)
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
-        before, after = _cell_grids(pair)
         for axes, values, end, state in zip(
-            row, (before, after, after), (common, common, own), PANEL_TITLES, strict=False
+            row, _cell_grids(pair), limits, PANEL_TITLES, strict=True
         ):
             _draw_map(axes, values, end, pair.cell_m)
             _set_ticks(axes, values.shape, pair.cell_m, figure.get_size_inches())
-            last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
-            last = last and not has_common_label
+            # The labels of small panels in one row would overlap; they have one in common.
+            last, first = not tall and k == len(maps) - 1, axes is row[0] and not (tall and k)
             style_axes(axes, across if last else "", up if first else "")
             axes.grid(False)
             title = gettext(state) if not k else ""
             if tall:
-                title = f"{_break_after_commas(gettext(state))}\n{named[k]}"
+                title = f"{gettext(state)}\n{named[k]}"
             elif first:
                 axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK_COLOUR)
             axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
-    for columns in ((0, 1), (2,))[: form.states - 1]:
-        _draw_colour_bar(figure, [row[k] for row in places for k in columns])
-    if has_common_label:
+    for column, title in enumerate(BAR_TITLES):
+        _draw_colour_bar(figure, [row[column] for row in places], gettext(title))
+    if tall:
         left, right = (axes.get_position(original=True) for axes in (places[0][0], places[-1][-1]))
         below = left.y0 - 0.24 / figure.get_size_inches()[1]
         figure.text(
@@ -177,9 +172,7 @@ def _fitted_pair_names(
         box.width * inches[0] + COLUMN_SPACING if tall else box.height * inches[1] + ROW_SPACING
     )
     available *= MAX_TEXT_SHARE
-    others = (
-        [_break_after_commas(gettext(s)) for s in PANEL_TITLES] if tall else [gettext("Up (m)")]
-    )
+    others = [gettext(state) for state in PANEL_TITLES] if tall else [gettext("Up (m)")]
     for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
         named = [
             gettext(
@@ -196,20 +189,16 @@ def _fitted_pair_names(
     return named, min(size, largest_fitting_font_size(others, available, SMALL_TEXT_SIZE))
 
 
-def _break_after_commas(text: str) -> str:
-    return text.replace(", ", ",\n")
-
-
 def _map_panels(
-    figure: Figure | None, pairs: int, sides: Array, tall: bool, form: _Size
+    pairs: int, sides: Array, tall: bool, form: _Size
 ) -> tuple[Figure, list[list[Axes]]]:
     """Panels for each pair: one row for each pair, or a single row if the plane is tall."""
-    down, along = (1, form.states * pairs) if tall else (pairs, form.states)
+    down, along = (1, 2 * pairs) if tall else (pairs, 2)
     wide = (form.width - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
     high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, form.max_panel_height))
     top = MARGIN_TOP_ONE_ROW if tall else MARGIN_TOP
     size = form.width, top + down * high + (down - 1) * ROW_SPACING + MARGIN_BOTTOM
-    figure = blank_figure(figure, size)
+    figure = blank_figure(None, size)
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
 
@@ -223,15 +212,12 @@ def _map_panels(
     panels = [[panel(row, column) for column in range(along)] for row in range(down)]
     if not tall:
         return figure, panels
-    # The panels with the common scale are adjacent, above their colour bar.
+    # The panels of one state are adjacent, above their colour bar.
     (one,) = panels
-    return figure, [
-        [one[2 * k], one[2 * k + 1], *one[2 * pairs + k : 2 * pairs + k + form.states - 2]]
-        for k in range(pairs)
-    ]
+    return figure, [[one[k], one[pairs + k]] for k in range(pairs)]
 
 
-def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
+def _draw_colour_bar(figure: Figure, panels: Sequence[Axes], title: str) -> None:
     """Draw the common colour bar of some panels below them, in millimetres."""
     boxes = [axes.get_position(original=True) for axes in panels]
     left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
@@ -242,8 +228,9 @@ def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
         panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
         extend="both", format=LocalisedFormatter(),
     )  # fmt: skip
-    bar.set_label("mm", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
-    bar.locator = MaxNLocator(5)
+    bar.set_label(title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
+    ticks = int(place[2] * figure.get_size_inches()[0] / INCHES_PER_BAR_TICK)
+    bar.locator = MaxNLocator(int(np.clip(ticks, MIN_BAR_TICKS, MAX_BAR_TICKS)))
     bar.update_ticks()
     bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
 

@@ -15,6 +15,7 @@ from lispac.report.figures import (
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     blank_figure,
+    is_wide,
     short_name,
     style_axes,
 )
@@ -63,8 +64,9 @@ def _draw_profiles(
         axes.set_ylim(bottom=0.0)
     if drawn:
         figure.legend(
-            *places[0].get_legend_handles_labels(), loc="outside upper right", ncols=4,
-            fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR,
+            *places[0].get_legend_handles_labels(), loc="outside upper right",
+            ncols=4 if is_wide(figure) else 2, fontsize=SMALL_TEXT_SIZE, frameon=False,
+            labelcolor=INK_COLOUR,
         )  # fmt: skip
     else:
         places[0].set_axis_off()

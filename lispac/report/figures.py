@@ -13,6 +13,7 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
@@ -31,6 +32,7 @@ from lispac.present.text_format import (
     parameter_name,
     signed_number,
 )
+from lispac.report.text_width import text_width
 
 Array = NDArray[np.float64]
 
@@ -52,6 +54,14 @@ MAX_SIGHTINGS_PER_FIGURE = 28
 
 MAX_LABEL_LENGTH = 24
 """Largest number of characters of a name in a figure."""
+
+WIDE_FIGURE = 5.2
+"""Smallest width of a figure whose legend has several columns, inches; a window may be narrower."""
+
+MAX_TITLE_SHARE = 0.95
+"""Largest share of the width of the figure that a title in one line fills."""
+HEADROOM_RATIO = 1.08
+"""Ratio of the upper limit of the axes to the highest bar of a histogram."""
 
 MIN_LABEL_DISTANCE = 0.05, 0.09
 """Distances north and west below which the names of two marks would overlap, as shares of the
@@ -256,6 +266,11 @@ def render_pictures(
         return tuple(map(svg_of, figures))
 
 
+def is_wide(figure: Figure) -> bool:
+    """Whether a figure has space for a legend of several columns."""
+    return bool(figure.get_size_inches()[0] >= WIDE_FIGURE)
+
+
 def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
     """The given figure without its content, or a new one of this size in inches."""
     if figure is None:
@@ -263,6 +278,27 @@ def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
     figure.clear()
     figure.set_layout_engine("constrained")  # required for legends outside the axes
     return figure
+
+
+def draw_title_and_legend(
+    figure: Figure, title: str, handles: Sequence[Artist], texts: Sequence[str]
+) -> None:
+    """Draw a title and a legend above the axes, where they cover neither bars nor tick labels."""
+    legend = figure.legend(
+        handles, texts, loc="outside upper left", ncols=len(texts) if is_wide(figure) else 1,
+        fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR, alignment="left",
+        title=_fitted_title(title, float(figure.get_size_inches()[0])),
+        title_fontsize=TEXT_SIZE + 1,
+    )  # fmt: skip
+    legend.get_title().set_color(INK_COLOUR)
+
+
+def _fitted_title(title: str, width: float) -> str:
+    """Title with line breaks after its last or all commas if it is wider than ``width`` inches."""
+    for text in (title, ",\n".join(title.rsplit(", ", 1))):
+        if text_width(text, TEXT_SIZE + 1) <= MAX_TITLE_SHARE * width:
+            return text
+    return title.replace(", ", ",\n")
 
 
 def style_axes(axes: Axes, x_label: str, y_label: str) -> None:

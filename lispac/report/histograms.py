@@ -16,14 +16,14 @@ from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,
+    HEADROOM_RATIO,
     INK_COLOUR,
     SMALL_TEXT_SIZE,
-    TEXT_SIZE,
     blank_figure,
+    draw_title_and_legend,
     short_name,
     style_axes,
 )
-from lispac.report.legends import AXES_POSITION, top_below_legend
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_bins import merge_bins
 
@@ -35,8 +35,8 @@ ENLARGED_WIDTH, MAX_ENLARGED_SHARE = 1.6, 0.4
 """Ratio of the range of the enlarged view to the 95th percentile of the distances after the
 calibration, and the largest share of the full range for which an enlarged view is drawn."""
 STATE_COLOURS = (BEFORE_COLOUR, AFTER_COLOUR)
-_FULL_VIEW_LABEL = N_("Distance between lines (mm); last bin includes larger values")
-_ENLARGED_VIEW_LABEL = N_("Enlarged view (mm)")
+_FULL_VIEW_LABEL = N_("Distance between lines (mm);\nlast bin includes larger values")
+_ENLARGED_VIEW_TITLE = N_("Enlarged view")
 _PLANE_TITLES: Mapping[str, str] = {
     "reciprocal pairs": N_("{plane}, reciprocal pairs of lines, {model}"),
     "all pairs": N_("{plane}, all pairs of lines, {model}"),
@@ -133,30 +133,24 @@ def _draw_histogram(
     share: bool,
     titled: bool = True,
 ) -> Figure:
-    figure = blank_figure(figure, (6.3, 2.5))
+    figure = blank_figure(figure, (6.3, 2.6))
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < MAX_ENLARGED_SHARE * top
-    if enlarged:
-        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=AXES_POSITION))
-    else:
-        places = [figure.subplots(gridspec_kw=AXES_POSITION)]
-    size = SMALL_TEXT_SIZE if enlarged else TEXT_SIZE
+    places = list(figure.subplots(1, 2, width_ratios=(3, 2))) if enlarged else [figure.subplots()]
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
-    for axes, reach, across in zip(
-        places, (top, counted.near), (_FULL_VIEW_LABEL, _ENLARGED_VIEW_LABEL), strict=False
-    ):
-        style_axes(axes, gettext(across) if titled else "(mm)", amount if axes is places[0] else "")
-        legend = counted.legend if titled and axes is places[0] else ()
-        _HistogramBars(axes, counted, share, legend, size).show(reach)
+    for axes, reach in zip(places, (top, counted.near), strict=False):
+        is_first = axes is places[0]
+        across = gettext(_FULL_VIEW_LABEL) if titled and is_first else "(mm)"
+        style_axes(axes, across, amount if is_first else "")
+        _HistogramBars(axes, counted, share).show(reach)
     if not titled:
         return figure
-    places[0].set_title(title, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
-    patches = [patch for patch in places[0].patches if patch.get_fill()]
-    places[-1 if enlarged else 0].set_title("")
-    places[0].legend(
-        patches, list(counted.legend), loc="upper right", fontsize=size, frameon=False,
-        labelcolor=INK_COLOUR,
-    )  # fmt: skip
+    if enlarged:
+        places[1].set_title(
+            gettext(_ENLARGED_VIEW_TITLE), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR
+        )
+    handles = [patch for patch in places[0].patches if patch.get_fill()]
+    draw_title_and_legend(figure, title, handles, counted.legend)
     return figure
 
 
@@ -173,11 +167,8 @@ def _count_text(value: float) -> str:
 class _HistogramBars:
     """Histogram bars of both states in one set of axes, with bins that fit the visible range."""
 
-    def __init__(
-        self, axes: Axes, counted: _BinnedDistances, share: bool, legend: Sequence[str], size: float
-    ) -> None:
+    def __init__(self, axes: Axes, counted: _BinnedDistances, share: bool) -> None:
         self._axes, self._counted, self._share = axes, counted, share
-        self._legend, self._size = legend, size
         self._patches = [
             [
                 StepPatch([0.0], [0.0, 1.0], facecolor=colour, alpha=0.5, edgecolor="none"),
@@ -208,5 +199,5 @@ class _HistogramBars:
             for patch in patches:
                 patch.set_data(values, edges)
             highest = np.maximum(highest, values) if highest.size else values
-        top = top_below_legend(self._axes, edges, highest, self._legend, self._size)
-        self._axes.set_ylim(0.0, top)
+        visible = (edges[:-1] < high) & (edges[1:] > low)
+        self._axes.set_ylim(0.0, HEADROOM_RATIO * float(highest[visible].max(initial=0.0)) or 1.0)

@@ -183,7 +183,8 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     if maps:
         legend = gettext(
             "Maps: distance of the first line from the second along the normal of the plane, seen "
-            "from the vessel. Red: the first line is nearer to the vessel; blue: farther away."
+            "from the vessel. Red: the first line is nearer to the vessel; blue: farther away. "
+            "Before and after have separate colour scales."
         )
         blocks.append(Paragraph(legend))
     if len(shown) < len(mapped):
@@ -222,7 +223,7 @@ def _map(plane: ValidationPlane) -> UndrawnPictures:
     if shown < total:
         caption = gettext(
             "{plane}: before and after the calibration; {shown:n} of {total:n} pairs of lines, "
-            "those with the largest distances after it.",
+            "those with the largest offset and distances after it.",
             plane=plane.name, shown=shown, total=total,
         )  # fmt: skip
     return UndrawnPictures(caption, small_map_figure_of, (plane,))

@@ -227,7 +227,7 @@ class PlaneComparison:
     by_height, by_range : DistanceProfile, optional
         Distances against height and against range from the scanner.
     maps : tuple of DistanceMap
-        Signed distances over the plane for some of the pooled pairs.
+        Signed distances over the plane, for pooled pairs and the pair with the largest offset.
     shifts : tuple of LineShift
         Of each line, and of groups of lines, after the calibration. Empty in comparisons of earlier
         versions.

@@ -175,8 +175,8 @@ def compare_plane(
     pairs: list[PairComparison] = []
     not_compared: list[tuple[str, str]] = []
     measured: list[_MeasuredDistances] = []
-    maps: list[DistanceMap] = []
     trees = [{line: PointTree(state[line]) for line in observed} for state in clouds]
+    common_points: list[tuple[Bools, Bools]] = []
     for i, (a, b) in enumerate(couples):
         common = _common_points(overlap, a, b)
         if common is None:
@@ -198,18 +198,9 @@ def compare_plane(
             ]  # fmt: skip
             distances, signed, states = zip(*(task.result() for task in tasks), strict=True)
         both_ways = are_reciprocal(headings[a], headings[b])
-        # Reciprocal pairs come first; if there are any, the other pairs are not pooled.
-        if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
-            mapped = distance_map(
-                (a, b),
-                (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
-                (clouds[0][b][b_in_a], clouds[1][b][b_in_a]),
-                facing=facing, spacing=overlap.spacing(a, b),
-                reach=(float(distances[0].max()), float(distances[1].max())),
-            )  # fmt: skip
-            maps += [] if mapped is None else [mapped]
         modes = _modes_of_pair(signed[-1], a, b, errors)
         pairs.append(PairComparison(a, b, both_ways, states[0], states[1], modes))
+        common_points.append(common)
         of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
         if ranges is not None:
             of_points += [_thin_evenly(ranges[a])[a_in_b], _thin_evenly(ranges[b])[b_in_a]]
@@ -247,7 +238,7 @@ def compare_plane(
         by_range=None
         if pool.range is None
         else DistanceProfile.of(pool.range, pool.before, pool.after),
-        maps=tuple(maps),
+        maps=_distance_maps(pairs, common_points, clouds, overlap, facing),
         shifts=() if errors is None else line_shifts(pairs, errors),
     )
 
@@ -292,6 +283,50 @@ def _modes_of_pair(
     # Measured from one line only; from the other, nearly the same distances are measured again.
     most = max(distances, key=lambda each: len(each.distance))
     return find_two_modes(most, float(np.hypot(errors.variation(a), errors.variation(b))))
+
+
+def _pairs_to_map(pairs: Sequence[PairComparison]) -> list[int]:
+    """Indices of the pairs with a map, in the order of the pairs.
+
+    They are the pair with the largest offset after the calibration and reciprocal pairs, or any
+    pairs if there are no reciprocal ones, those with the largest offsets first.
+    """
+    any_reciprocal = any(pair.reciprocal for pair in pairs)
+    offsets = [
+        0.0 if pair.after.signed is None else abs(pair.after.signed.median) for pair in pairs
+    ]
+    by_offset = sorted(range(len(pairs)), key=lambda k: -offsets[k])
+    pooled = [k for k in by_offset[1:] if pairs[k].reciprocal or not any_reciprocal]
+    return sorted([by_offset[0], *pooled[: MAX_MAPS - 1]])
+
+
+def _distance_maps(
+    pairs: Sequence[PairComparison],
+    common_points: Sequence[tuple[Bools, Bools]],
+    clouds: tuple[Mapping[str, Array], Mapping[str, Array]],
+    overlap: LineOverlap,
+    facing: Array,
+) -> tuple[DistanceMap, ...]:
+    """Maps of the distances of some pairs.
+
+    Parameters
+    ----------
+    common_points : masks of the points of both lines in their common part, for each pair
+    clouds : points of each line, before and after
+    """
+    maps = []
+    for k in _pairs_to_map(pairs):
+        pair, (a_in_b, b_in_a) = pairs[k], common_points[k]
+        a, b = pair.line_a, pair.line_b
+        mapped = distance_map(
+            (a, b),
+            (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
+            (clouds[0][b][b_in_a], clouds[1][b][b_in_a]),
+            facing=facing, spacing=overlap.spacing(a, b),
+            reach=(pair.before.distances.maximum, pair.after.distances.maximum),
+        )  # fmt: skip
+        maps += [] if mapped is None else [mapped]
+    return tuple(maps)
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPolygonF
 from PySide6.QtTest import QTest
@@ -48,7 +49,7 @@ from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from tests.gui.import_support import drop, raw
 from tests.gui.import_support import rest as import_rest
-from tests.gui.support import WAIT_MS, Demo, Driver, show_panel
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, press, show_panel
 
 SMALL_WINDOW = (1366, 740)
 LOW_SCREEN = QSize(1326, 728)
@@ -329,3 +330,32 @@ def test_the_list_of_a_narrow_box_shows_whole_items(qtbot: QtBot) -> None:
     qtbot.waitUntil(box.view().isVisible, timeout=WAIT_MS)
     assert box.view().viewport().width() >= box.view().sizeHintForColumn(0)
     box.hidePopup()
+
+
+@pytest.mark.parametrize("size", [(1366, 740), (1600, 960)])
+@pytest.mark.parametrize("height", [160, 380])
+def test_the_titles_of_a_section_do_not_overlap(
+    driver: Driver, demo: Demo, estimated: Project, language: str, size: tuple[int, int],
+    height: int,
+) -> None:  # fmt: skip
+    window = driver.window
+    window.resize(*size)
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    window._select("V1", "")
+    press(driver, Key.Key_S)
+    driver.rest()
+    window.resizeDocks([window.docks["Section"]], [height], Qt.Orientation.Vertical)
+    driver.rest()
+    canvas = window.tools.sections.panel.canvas
+    canvas.draw()
+    titles = [
+        next(
+            text.get_window_extent() for text in axes.findobj(Text)
+            if text.get_text() == axes.get_title(loc="left")
+        )
+        for axes in canvas.figure.axes
+    ]  # fmt: skip
+    assert len(titles) == 2
+    assert titles[0].x1 < titles[1].x0
+    assert titles[1].x1 <= canvas.figure.bbox.x1

@@ -1,17 +1,24 @@
 """Tests of the plots of the validation planes: read off values, zoom and copy."""
 
 import csv
+from dataclasses import replace
 from io import StringIO
+from pathlib import Path
 
 import numpy as np
 import pytest
 from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QWheelEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
-from lispac.gui.appearance import units
+from lispac.gui.app.language import set_language
+from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate.histograms_panel import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
+from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, show_panel
 
@@ -27,7 +34,7 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
     driver.rest()
     driver.bot.wait(300)
     shown = window.histograms
-    assert shown.current == "V1"
+    shown.select("V1")
     assert shown.canvas.isVisible()
     return shown
 
@@ -164,8 +171,79 @@ def test_pairs_of_lines_are_listed_beside_the_plane(
     names = panel.pairs.item(0, 0).text()
     assert pairs[0].line_a in names
     assert "⇄" in names
-    assert panel.pairs.item(0, 3).text() == f"{1000 * pairs[0].after.distances.rms:.1f}"
+    assert panel.pairs.item(0, 2).text() == f"{1000 * pairs[0].after.distances.rms:.1f}"
     signed = pairs[0].after.signed
     assert signed is not None
-    shown = panel.pairs.item(0, 5).text().replace("−", "-")
+    shown = panel.pairs.item(0, 4).text().replace("−", "-")
     assert shown == f"{1000 * signed.median:+.1f}"
+
+
+def test_the_worst_plane_is_selected_after_the_validation(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    window, (plane,) = driver.window, validated.validation
+    rms = {"V1": 0.02, "V2": 0.01, "V3": 0.04, "V4": 0.03}
+    planes = tuple(
+        replace(plane, name=name, after=replace(plane.after, rms=value))
+        for name, value in rms.items()
+    )
+    window.document.open(replace(validated, validation=planes), demo.survey)
+    show_panel(window, "Histograms")
+    driver.rest()
+    panel = window.histograms
+    assert panel.current == "V3"
+    item = panel.table.item(panel.table.currentRow(), 0)
+    assert panel.table.viewport().rect().contains(panel.table.visualItemRect(item).center())
+    spot = panel.table.visualItemRect(item).center()
+    driver.bot.mouseClick(panel.table.viewport(), Left, pos=spot)
+    assert window.scene.selected == ("V3", "")
+    window._select("T1", "")
+    driver.bot.mouseClick(panel.table.viewport(), Left, pos=spot)
+    assert window.scene.selected == ("V3", "")
+    # A plane that fails later is selected too, unless another failing plane is selected.
+    panel.select("V2")
+    field = window.validate.acceptance.fields["rms"]
+    for limit_mm, selected in ((35, "V3"), (15, "V1")):
+        field.selectAll()
+        QTest.keyClicks(field, str(limit_mm))
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        driver.rest()
+        assert panel.current == selected
+        assert panel.tabs.tabText(1).endswith(selected)
+        panel.select("V1")
+
+
+def test_the_table_states_how_many_pairs_its_numbers_cover(
+    panel: HistogramsPanel, validated: Project
+) -> None:
+    for row, plane in enumerate(validated.validation):
+        reciprocal = [pair for pair in plane.pairs if pair.reciprocal]
+        assert panel.table.item(row, 1).text() == f"{len(reciprocal)} of {len(plane.pairs)}"
+        points = sum(pair.after.distances.n for pair in reciprocal)
+        assert panel.table.item(row, 2).text() == f"{points:,}"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("width", [1366, 1600])
+def test_pairs_are_compared_before_and_after_without_scrolling(
+    qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo, validated: Project,
+    language: str, width: int,
+) -> None:  # fmt: skip
+    set_language(language)
+    theme.apply_theme(qapp)
+    driver = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        driver.window.resize(width, 740)
+        driver.window.document.open(validated, demo.survey)
+        panel = driver.window.histograms
+        show_panel(driver.window, "Histograms")
+        driver.rest()
+        assert panel.table.horizontalScrollBar().maximum() == 0
+        panel.tabs.setCurrentWidget(panel.pairs)
+        driver.rest()
+        last = 4  # offset after
+        right = panel.pairs.columnViewportPosition(last) + panel.pairs.columnWidth(last)
+        assert right <= panel.pairs.viewport().width()
+    finally:
+        driver.leave()
+        set_language("en")

@@ -13,7 +13,7 @@ from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.appearance import units
-from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
+from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT, TOOLTIP_DELAY_MS
 from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
 from lispac.workflow.planning.demo import demo_seeds
@@ -132,7 +132,10 @@ def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> No
     place = board_pixel(board)
     metres = hover(board, place)
     board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
-    assert all(text in QToolTip.text() for text in metres.values())
+    brief = ("North", "West", "Up", "Line", "Range", "Intensity", "Time")
+    assert all(metres[name] in QToolTip.text() for name in brief)
+    assert QToolTip.text().count("<br>") < 5
+    assert metres["Coordinate system"] not in QToolTip.text()
     leave_points(board)
     board.window._select("T1", "")
     board.rest()
@@ -149,6 +152,30 @@ def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> No
     assert distances[index] < 1e-3
     points_lidar, _ = cloud.sample_lidar(np.array([index]))
     assert number(feet["Range"]) * FOOT == pytest.approx(np.linalg.norm(points_lidar), abs=6e-4)
+
+
+def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
+    canvas, place = board.viewport.canvas, board_pixel(board)
+
+    def show() -> None:
+        hover(board, place)
+        board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+
+    def is_hidden() -> bool:
+        return not QToolTip.isVisible()
+
+    show()
+    QTest.mouseMove(canvas, place + QPoint(40, 0))
+    board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
+    show()
+    QTest.keyPress(canvas, Key.Key_Control)
+    board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
+    QTest.keyRelease(canvas, Key.Key_Control)
+    press(board, Key.Key_M)
+    assert board.window.tools.mouse_tool.tool
+    hover(board, place)
+    board.bot.wait(2 * TOOLTIP_DELAY_MS)
+    assert is_hidden()
 
 
 def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> None:
@@ -212,6 +239,20 @@ def test_a_click_beside_the_points_is_answered_at_the_mouse(board: Driver) -> No
         assert QToolTip.text() == NO_POINT_TEXT
     assert window.tools.mouse_tool.tool == "measure_distance"
     assert window.controller.candidate is None
+
+
+def test_a_click_beside_the_points_names_the_surface_to_pick(board: Driver) -> None:
+    canvas, notes = board.viewport.canvas, board.window.task_bar
+    board.viewport.view("isometric")
+    pictures, texts = [], []
+    for key in (Key.Key_F6, Key.Key_F7):
+        press(board, key)
+        pictures.append(board.viewport.widget.overlay.grab().toImage())
+        board.bot.mouseClick(canvas, Left, Control, EMPTY)
+        texts.append(notes.currentMessage())
+    assert pictures[0] != pictures[1]
+    assert texts[0] != texts[1]
+    assert "validation plane" in texts[1]
 
 
 def test_the_help_on_the_mouse_fades_after_its_first_use(board: Driver) -> None:

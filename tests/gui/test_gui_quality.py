@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 
+import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
+from lispac.targets.sighting_quality import SightingQuality
 from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
 from tests.support.message_codes import is_shown
 
@@ -35,11 +37,26 @@ def test_every_sighting_has_a_quality_light_with_its_reason(picked: Driver) -> N
     assert " % of the extent in the other lines" in shown_value(
         picked, "T1", line, Role.ToolTipRole
     )
-    assert "Before the calibration" in shown_value(picked, "T1", line, Role.ToolTipRole)
     assert shown_value(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
     assert "Quality: doubtful" in shown_value(picked, "T2", steep, Role.ToolTipRole)
     assert "surface normal is" in shown_value(picked, "T2", steep, Role.ToolTipRole)
+
+
+def test_an_effect_of_the_prior_boresight_below_a_tenth_of_a_millimetre_is_not_shown(
+    picked: Driver,
+) -> None:
+    line = picked.project.target("T1").sightings[0].line
+    picked.bot.waitUntil(lambda: shown_value(picked, "T1", line, Role.DecorationRole) is not None)
+    rated = SightingQuality(
+        points=500, rms=0.004, range=20.0, density=80.0, incidence=0.2, extent=np.array([2.0, 2.0]),
+        coverage=1.0, curvature=None, curved=False, roughness=None, rating="good", reasons=(),
+    )  # fmt: skip
+    for smear, is_named in ((4e-5, False), (6e-5, True)):
+        picked.window.table.sightings.show_qualities({("T1", line): replace(rated, smear=smear)})
+        tip = shown_value(picked, "T1", line, Role.ToolTipRole)
+        assert ("0.1\u00a0mm" in tip) == is_named
+        assert "0.0\u00a0mm" not in tip
 
 
 def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Driver) -> None:
@@ -114,6 +131,10 @@ def test_a_candidate_has_quality_lights_before_it_is_accepted(opened: Driver) ->
     assert "surface normal is 73°" in tips["L3_045"]
     box = opened.window.targets.candidate
     assert box.lights.height() < 60, "six lines are two or three rows"
+    assert box.reasons.isVisible()
+    assert "L3_045: " in box.reasons.text()
+    assert "L1_000" not in box.reasons.text(), "its quality is good"
+    assert box.accept.visibleRegion().boundingRect().size() == box.accept.size()
     press(opened, Key.Key_Return)
     opened.rest()
     assert tips["L3_045"].split("\n")[2] in shown_value(opened, "T1", "L3_045", Role.ToolTipRole)

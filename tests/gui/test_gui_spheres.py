@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLabel
 from lispac.gui.appearance import units
 from lispac.gui.project.status import TARGETS
 from lispac.gui.viewport.base import PickedPoint
+from lispac.gui.widgets.number_field import NumberField
 from lispac.project import Project
 from tests.gui.support import Driver, click, open_step
 from tests.support.ball_survey import BallSurvey, make_ball_survey
@@ -107,5 +108,8 @@ def test_only_a_target_can_be_a_sphere(opened, balls):
     assert not panel._sphere_radius.isEnabled()
     assert (panel.shape, panel.sphere_radius) == ("plane", None)
     assert panel._threshold.specialValueText() == "default (10\u00a0mm)"
+    radius = panel.findChild(NumberField, "search_radius")
+    assert radius.text() == "default (4.0\u00a0m)"
     panel.set_role("target")
+    assert radius.text() == "default (2.0\u00a0m)"
     assert panel.shape == "sphere"

@@ -57,7 +57,7 @@ def test_texts_have_enough_contrast_on_every_background(scheme: ColourScheme) ->
     words = ("text", "muted", "placeholder", "accent", "done", "warning", "error")
     pairs = [
         *product(words, grounds),
-        *product(("text", "muted"), ("title", "hover", "current", "candidate_ground")),
+        *product(("text", "muted"), ("title", "hover", "current", "hint_ground")),
         ("text", "chosen"), ("text", "pressed"), ("text", "note"), ("text", "wrong_ground"),
         ("text", "progress"), ("text", "positive"), ("text", "negative"),
         ("on_chosen", "chosen"), ("on_fill", "fill"), ("on_accent", "accent"),

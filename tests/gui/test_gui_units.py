@@ -258,7 +258,8 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     ticks = axes.xaxis.get_major_locator()()
     shown = [float(axes.xaxis.get_major_formatter()(tick)) for tick in ticks]
     assert shown == pytest.approx([tick / 1000 / FOOT for tick in ticks], rel=1e-5)
-    assert f"RMS {first.before.rms / FOOT:.4f}" in axes.get_legend().get_texts()[0].get_text()
+    (legend,) = panel.canvas.figure.legends
+    assert f"RMS {first.before.rms / FOOT:.4f}" in legend.get_texts()[0].get_text()
     assert histogram_text(first, 0.1, 10).startswith("From (mm)\tTo (mm)")
 
 

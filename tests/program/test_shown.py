@@ -17,16 +17,24 @@ from lispac.adjustment.result import (
     VarianceComponent,
 )
 from lispac.cli.calibration.result_output import print_result, result_values
+from lispac.gui.appearance import units
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
 from lispac.gui.features.estimate.result_texts import variance_component_texts
 from lispac.gui.widgets.result_tables import window_columns, window_rows
+from lispac.language import LANGUAGES, gettext, in_language, number
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
 from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
 from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
-from lispac.present.text_format import quantity_text
+from lispac.present.tables import Format
+from lispac.present.text_format import (
+    fixed_number,
+    grouped_number,
+    quantity_text,
+    shortest_number,
+)
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Table
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
@@ -287,3 +295,28 @@ def test_the_point_with_the_largest_residual_has_its_time_everywhere(
     (points,) = [table for table in tables if table.title == "Tests of single points"]
     assert points.rows[0][-2:] == ("12.3", "416012.500")
     assert points.rows[1][-2:] == ("2.9", "\u2013")
+
+
+@pytest.mark.parametrize("value", [-0.0, -4e-5, -1e-12])
+@pytest.mark.parametrize("sign", [False, True])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_number_that_rounds_to_zero_has_no_minus_sign(
+    value: float, sign: bool, language: str
+) -> None:
+    form = Format("m", 4, is_signed=sign)
+    plus = "+" if sign else ""
+    with in_language(language):
+        texts = {
+            number(0.0, 4, sign=sign), number(value, 4, sign=sign),
+            fixed_number(value, 4, sign=sign), form.text(value),
+            units.local_figure(value, "m", f"{plus}.4f"),
+            gettext("{value:x.4+}" if sign else "{value:x.4}", value=value),
+        }  # fmt: skip
+        assert len(texts) == 1
+        (text,) = texts
+        assert text.strip("+0.,") == ""
+        assert text.startswith("+") == sign
+        assert grouped_number(value, 4).strip("0.,") == ""
+    assert form.plain_text(value) == f"{plus}0.0000"
+    assert units.figure(value, "m", f"{plus}.4f") == f"{plus}0.0000"
+    assert shortest_number(-0.0) == "0"

@@ -1,14 +1,14 @@
-"""Tests that legends of histograms do not overlap the bars."""
+"""Tests that legends, titles and labels of histograms overlap nothing."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import StepPatch
 
+from lispac.language import in_language
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.absolute_figure import reference_distance_figure
 from lispac.report.histograms import histogram_figure
@@ -17,24 +17,35 @@ from tests.support.report_sample import sample_project
 from tests.validation.test_absolute_warnings import check
 
 
-def covered(axes: Axes) -> list[float]:
-    """Return by how many pixels bars overlap the texts of the legend."""
-    legend = axes.get_legend()
-    assert legend is not None
-    boxes = [text.get_window_extent() for text in legend.get_texts()]
-    boxes += [handle.get_window_extent() for handle in legend.get_patches()]
-    left, low = min(box.x0 for box in boxes), min(box.y0 for box in boxes)
-    right = min(max(box.x1 for box in boxes), axes.bbox.x1)
-    left = max(left, axes.bbox.x0)  # bars are clipped at the end of the axes
-    assert low < axes.bbox.y1
-    found = []
-    for patch in (p for p in axes.patches if isinstance(p, StepPatch)):
-        values, edges, _ = patch.get_data()
-        across = axes.transData.transform(np.column_stack([edges, np.zeros(len(edges))]))[:, 0]
-        up = axes.transData.transform(np.column_stack([edges[:-1], values]))[:, 1]
-        under = (across[:-1] < right) & (across[1:] > left) & (up > low)
-        found += (up[under] - low).tolist()
-    return found
+def overlaps(figure: Figure) -> list[tuple[str, str]]:
+    """Return the pairs of texts and legends of a figure that overlap, or exceed the figure."""
+    (legend,) = figure.legends
+    boxes = {"legend": legend.get_window_extent()}
+    for k, axes in enumerate(figure.axes):
+        boxes[f"axes {k}"] = axes.bbox
+        for name, axis, limits in (
+            ("x", axes.xaxis, axes.get_xlim()),
+            ("y", axes.yaxis, axes.get_ylim()),
+        ):
+            shown = [
+                tick.label1
+                for tick in axis.get_major_ticks()
+                if limits[0] <= tick.get_loc() <= limits[1]
+            ]
+            for label in (axis.label, *shown):
+                if label.get_text():
+                    boxes[f"{name}{k} {label.get_text()}"] = label.get_window_extent()
+        if axes.get_title():
+            boxes[f"title {k}"] = axes.title.get_window_extent()
+    page = figure.bbox.padded(1)
+    outside = [
+        (name, "edge") for name, box in boxes.items()
+        if not (page.contains(box.x0, box.y0) and page.contains(box.x1, box.y1))
+    ]  # fmt: skip
+    return outside + [
+        (a, b) for a, b in combinations(boxes, 2)
+        if a[:2] != b[:2] and boxes[a].padded(-0.5).overlaps(boxes[b].padded(-0.5))
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("peak", [5, 30, 45, 59])
@@ -47,7 +58,7 @@ def test_the_legend_of_reference_distances_covers_no_bar(peak: int) -> None:
     )  # fmt: skip
     figure = reference_distance_figure(found)
     FigureCanvasAgg(figure).draw()
-    assert covered(figure.axes[0]) == []
+    assert overlaps(figure) == []
 
 
 @pytest.fixture(scope="module")
@@ -55,19 +66,23 @@ def comparison(tmp_path_factory: pytest.TempPathFactory) -> PlaneComparison:
     return sample_project(tmp_path_factory.mktemp("legends")).validation[0]
 
 
-@pytest.mark.parametrize("size", [(6.3, 2.5), (4.5, 2.6)])
+@pytest.mark.parametrize("size", [(6.3, 2.6), (4.2, 2.6), (2.6, 4.5)])
+@pytest.mark.parametrize("language", ["en", "fr"])
 @pytest.mark.parametrize("share", [False, True])
-def test_the_legend_covers_no_bar_after_zooming(
-    comparison: PlaneComparison, size: tuple[float, float], share: bool
+def test_the_texts_of_a_histogram_are_complete_and_apart(
+    comparison: PlaneComparison, size: tuple[float, float], language: str, share: bool
 ) -> None:
     figure = Figure(size, layout="constrained")
     canvas = FigureCanvasAgg(figure)
-    histogram_figure(comparison, figure, share=share)
-    figure.set_size_inches(size)
-    axes = figure.axes[0]
-    top = 1000 * float(comparison.bin_edges[-1])
-    for low, high in ((0.0, top), (0.0, top / 4), (top / 8, top / 2), (0.0, top / 30)):
-        canvas.draw()  # computes the layout, as in the window
-        axes.set_xlim(low, high)
-        canvas.draw()
-        assert covered(axes) == []
+    with in_language(language):
+        histogram_figure(comparison, figure, share=share)
+        axes = figure.axes[0]
+        top = 1000 * float(comparison.bin_edges[-1])
+        for low, high in ((0.0, top), (0.0, top / 4), (top / 8, top / 2), (0.0, top / 30)):
+            axes.set_xlim(low, high)
+            canvas.draw()  # computes the layout, as in the window
+            assert overlaps(figure) == []
+            for patch in axes.patches:
+                values, edges, _ = patch.get_data()
+                visible = values[(edges[:-1] < high) & (edges[1:] > low)]
+                assert max(visible, default=0.0) <= axes.get_ylim()[1]

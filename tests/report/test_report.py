@@ -448,9 +448,9 @@ def test_invalid_pictures_are_refused(content: ReportContent, tmp_path: Path) ->
 def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     assert project.result is not None
     figure = histogram_figure(project.validation[0])
-    title = figure.axes[0].get_title(loc="left")
-    legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
-    assert title.startswith("V1")
+    (drawn,) = figure.legends
+    legend = [text.get_text() for text in drawn.get_texts()]
+    assert drawn.get_title().get_text().startswith("V1")
     median = 1000 * project.validation[0].before.median
     assert f"median {median:.1f}" in legend[0]
     again = histogram_figure(project.validation[1], figure)

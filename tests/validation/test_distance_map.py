@@ -3,6 +3,7 @@
 import csv
 import json
 import zipfile
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, writ
 from lispac.language import in_language
 from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
-from lispac.report.distance_maps import map_figure, map_figure_of
+from lispac.report.distance_maps import map_figure_of, small_map_figure_of
 from lispac.report.text_width import text_width
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
@@ -56,12 +57,31 @@ def test_each_cell_has_the_distance_at_its_place() -> None:
         np.testing.assert_array_equal(getattr(again, name), values)
 
 
-def test_a_comparison_maps_its_reciprocal_pairs() -> None:
-    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3)}
-    found = compare_plane("V1", clouds, clouds, OPPOSITE | {"L3": 0.1}, facing=TO_VESSEL)
-    assert {(m.line_a, m.line_b) for m in found.maps} == {("L1", "L2"), ("L2", "L3")}
-    none = compare_plane("V1", clouds, clouds, dict.fromkeys(clouds, 0.0), facing=TO_VESSEL)
-    assert len(none.maps) == 3
+def mapped_pairs(plane: PlaneComparison) -> set[tuple[str, str]]:
+    return {(each.line_a, each.line_b) for each in plane.maps}
+
+
+def test_a_comparison_maps_its_reciprocal_pairs_and_that_with_the_largest_offset() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3), "L4": wall(4)}
+    headings = OPPOSITE | {"L3": 0.1, "L4": 1.5}
+    reciprocal = {("L1", "L2"), ("L2", "L3")}
+    moved = clouds | {"L3": wall(3) + [0, 0.02, 0], "L4": wall(4) - [0, 0.03, 0]}
+    found = compare_plane("V1", clouds, moved, headings, facing=TO_VESSEL)
+    assert mapped_pairs(found) == reciprocal | {("L3", "L4")}
+    small = small_map_figure_of(ValidationPlane.of(found))
+    labels = [axes.get_ylabel() for axes in small.axes]
+    assert any("L3" in label and "L4" in label for label in labels)
+
+
+def test_without_reciprocal_pairs_those_with_the_largest_offsets_are_mapped() -> None:
+    clouds = {f"L{k}": wall(k) for k in range(1, 5)}
+    same = dict.fromkeys(clouds, 0.0)
+    three = {k: clouds[k] for k in ("L1", "L2", "L3")}
+    assert len(compare_plane("V1", three, three, same, facing=TO_VESSEL).maps) == 3
+    moved = clouds | {"L4": wall(4) + [0, 0.05, 0]}
+    found = compare_plane("V1", clouds, moved, same, facing=TO_VESSEL)
+    assert len(found.maps) == 4
+    assert {("L1", "L4"), ("L2", "L4"), ("L3", "L4")} <= mapped_pairs(found)
 
 
 def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
@@ -73,21 +93,27 @@ def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
 
 
 @pytest.mark.parametrize("tall", [False, True])
-def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bool) -> None:
-    plane = sample_project(tmp_path).validation[0]
+@pytest.mark.parametrize("draw", [map_figure_of, small_map_figure_of])
+def test_each_state_has_a_scale_that_its_values_fill(
+    tmp_path: Path, tall: bool, draw: Callable[[ValidationPlane], Figure]
+) -> None:
+    plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
+    maps = [replace(m, after_m=tuple(0.05 * d for d in m.before_m)) for m in plane.maps]
     if tall:
-        turned = [replace(m, across=m.up, up=m.across) for m in plane.maps]
-        plane = replace(plane, maps=tuple(turned))
-    figure = map_figure(plane)
+        maps = [replace(m, across_m=m.up_m, up_m=m.across_m) for m in maps]
+    plane = replace(plane, maps=tuple(maps))
+    figure = draw(plane)
     figure.canvas.draw()
     found = images(figure)
-    assert len(found) == 3 * len(plane.maps)
+    assert len(found) == 2 * len(plane.maps)
     limits = {clim for *_, clim in found}
     assert all(low == -high for low, high in limits)
-    assert len(limits) == 2  # the common scale and that of the state after
-    first = plane.maps[0]
+    wide, narrow = sorted((high for _, high in limits), reverse=True)
+    assert narrow == pytest.approx(0.05 * wide, rel=1e-6)
+    bars = [axes for axes in figure.axes if axes.get_xlabel() in {"Before (mm)", "After (mm)"}]
+    assert [bar.get_xlim()[1] for bar in bars] == pytest.approx([wide, narrow])
     cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
-    np.testing.assert_allclose(cells, np.unique(1000 * first.before))
+    np.testing.assert_allclose(cells, np.unique(1000 * np.array(plane.maps[0].before_m)))
     shown = [axes for axes in figure.axes if axes.images]
     assert all(axes.get_aspect() == 1.0 for axes in shown)
 
@@ -152,4 +178,5 @@ def test_the_tables_and_the_project_file_contain_the_cells(tmp_path: Path) -> No
     path.write_text(json.dumps(stored))
     without_maps: PlaneComparison = read_project(project.folder).validation[0]
     assert without_maps.maps == ()
-    assert "Run the validation again" in map_figure(without_maps).axes[0].texts[0].get_text()
+    figure = map_figure_of(ValidationPlane.of(without_maps))
+    assert "Run the validation again" in figure.axes[0].texts[0].get_text()

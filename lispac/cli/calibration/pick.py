@@ -284,6 +284,8 @@ def _target_values(
 def _print_target(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
+    from lispac.present.tables import ratio
+
     for sighting in target.sightings:
         print(
             f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
@@ -293,10 +295,10 @@ def _print_target(
             print(f"    {console_text(reason)}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]
-            north, west, up = patch.centre
+            centre = " ".join(ratio(3).plain_text(value) for value in patch.centre)
             known = "given" if target.sphere_radius is not None else "estimated"
             print(
-                f"    centre {north:.3f} {west:.3f} {up:.3f} m, "
+                f"    centre {centre} m, "
                 f"radius {patch.sphere.radius:.3f} m ({known}), "
                 f"{100 * patch.share:.0f} % of the surface seen"
             )

@@ -32,6 +32,7 @@ def run(arguments: Namespace) -> None:
     import numpy as np
 
     from lispac.adjustment.result import ANGLES
+    from lispac.present.tables import ratio
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
@@ -67,8 +68,8 @@ def run(arguments: Namespace) -> None:
                     "accepted": arguments.accept})  # fmt: skip
         return
     for target in proposal.targets:
-        north, west, up = target.seed
-        print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
+        place = " ".join(ratio(2).plain_text(value) for value in target.seed)
+        print(f"{target.name:4s} {target.role:10s} at {place} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     print_messages(proposal.warnings, sys.stdout)

@@ -76,8 +76,6 @@ class ColourScheme:
     hint_ground: str
     hint_edge: str
     wrong_ground: str
-    candidate_ground: str
-    candidate_edge: str
     progress: str
     positive: str
     negative: str
@@ -159,8 +157,6 @@ LIGHT_SCHEME = ColourScheme(
     hint_ground="#e9f1fa",
     hint_edge="#cfe0f2",
     wrong_ground="#fdeceb",
-    candidate_ground="#fff8df",
-    candidate_edge="#e6c65c",
     progress="#7fb0e2",
     positive="#7fb0e2",
     negative="#f0b26b",
@@ -242,8 +238,6 @@ DARK_SCHEME = ColourScheme(
     hint_ground="#1d3148",
     hint_edge="#33557a",
     wrong_ground="#4a2324",
-    candidate_ground="#38311a",
-    candidate_edge="#8a7532",
     progress="#235f9f",
     positive="#2a649e",
     negative="#8a5418",

@@ -320,8 +320,8 @@ QAbstractSpinBox {{ min-height: 1.15em; }}
 QPlainTextEdit, QTextEdit {{ border: 1px solid {s.edge_strong}; }}
 QPlainTextEdit:focus, QTextEdit:focus {{ border-color: {s.accent}; }}
 QAbstractScrollArea::corner {{ background: {s.window}; border: none; }}
-QFrame[role="candidate"] {{ background: {s.candidate_ground};
-    border: 1px solid {s.candidate_edge}; border-radius: 5px; }}
+QFrame[role="candidate"] {{ background: {s.hint_ground};
+    border: 1px solid {s.hint_edge}; border-radius: 5px; }}
 QTableView, QListView {{ border: 1px solid {s.border}; gridline-color: {s.grid};
     selection-background-color: {s.chosen}; selection-color: {s.text}; }}
 QTableView[rows="true"] {{ outline: none; }}

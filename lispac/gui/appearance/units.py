@@ -13,7 +13,7 @@ from math import floor, log10, radians
 from types import MappingProxyType
 from typing import Literal
 
-from lispac.language import ShownUnit, number, use_units
+from lispac.language import ShownUnit, number, use_units, without_negative_zero
 
 Base = Literal["m", "mm", "°", "m°"]
 
@@ -116,9 +116,11 @@ def figure(value: float, base: Base, form: str) -> str:
     """
     shown = _shown_units[base]
     fixed = _FORMAT_PATTERN.fullmatch(form)
-    if fixed is not None and shown.finer:
-        form = f"{fixed['before']}.{shown_decimals(int(fixed['decimals']), base)}f"
-    return f"{value * shown.factor:{form}}"
+    value *= shown.factor
+    if fixed is None:
+        return f"{value:{form}}"
+    decimals = shown_decimals(int(fixed["decimals"]), base)
+    return f"{without_negative_zero(value, decimals):{fixed['before']}.{decimals}f}"
 
 
 def amount(value: float, base: Base, form: str) -> str:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import Colour as Colour
 from lispac.gui.viewport.clipping import Box
+from lispac.picked_targets import Role
 
 Array = NDArray[np.float64]
 Place = Array | tuple[float, float, float]
@@ -292,6 +293,9 @@ class Viewport(Protocol):
 
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Set the mode of the left mouse button and the hint above the picture."""
+
+    def show_seed_role(self, role: Role) -> None:
+        """Name the surface that Ctrl+click picks, by its role, in the help on the mouse."""
 
     def show_help(self, shown: bool) -> None:
         """Show the help on the mouse, which fades after its first use, or hide it."""

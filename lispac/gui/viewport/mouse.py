@@ -13,7 +13,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from lispac.gui.viewport.base import MouseMode
 
@@ -114,6 +114,7 @@ class ViewportMouse(QObject):
         ):
             if event.key() == Qt.Key.Key_Control:
                 self._show_cursor(kind == QEvent.Type.KeyPress)
+                QToolTip.hideText()  # covers the points to pick
             elif kind == QEvent.Type.KeyPress and self._handle_key(event):
                 event.accept()
                 return True

@@ -4,7 +4,7 @@ The overlay is painted by Qt instead of the 3D library, so that it has the fonts
 sharp on every screen and is never hidden by the scene.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,12 +27,20 @@ from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, gettext
+from lispac.picked_targets import Role
 
 EMPTY_TITLE = N_("No project open")
 EMPTY_HINT = N_("Open or create a project to see its lines here")
-MOUSE_HELP = N_(
-    "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target"
-)
+MOUSE_HELP: Mapping[Role, str] = {
+    "target": N_(
+        "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target"
+    ),
+    "validation": N_(
+        "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a validation "
+        "plane"
+    ),
+}
+"""Help on the mouse, by the role of a picked surface."""
 
 AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Letters of the axes, with the names of their colours in the scheme."""
@@ -107,6 +115,8 @@ class Overlay(QWidget):
         self.shading: PointColouring | None = None
         self.hint = ""
         """Text on the action of the mouse, shown instead of the usual help."""
+        self.seed_role: Role = "target"
+        """Role of the surface that Ctrl+click picks."""
         self.help_opacity = 1.0
         self._fading = QTimeLine(HELP_FADE_MS, self)
         self._fading.setUpdateInterval(80)
@@ -315,7 +325,7 @@ class Overlay(QWidget):
         left, right = MARGIN_PX + 100.0, self.width() - MARGIN_PX - 180.0
         if self.hint:
             left, right = 0.0, float(self.width())
-        text = self.hint or gettext(MOUSE_HELP)
+        text = self.hint or gettext(MOUSE_HELP[self.seed_role])
         width = QFontMetricsF(font).horizontalAdvance(text) + 24.0
         if width < right - left or self.hint:
             middle = 0.5 * (left + right)

@@ -24,6 +24,7 @@ from lispac.gui.viewport.base import (
     sighting_style,
 )
 from lispac.gui.viewport.clipping import Box
+from lispac.picked_targets import Role
 
 
 class RecordingViewport:
@@ -34,7 +35,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, help_shown, sketches, box, wipe_clouds, linked
+    mouse_mode, hint, seed_role, help_shown, sketches, box, wipe_clouds, linked
         Content and state that a real viewport would show.
     """
 
@@ -53,6 +54,7 @@ class RecordingViewport:
         self.parallel = False
         self.mouse_mode: MouseMode = "navigate"
         self.hint = ""
+        self.seed_role: Role = "target"
         self.help_shown = True
         self.box: Box | None = None
         self.wipe_clouds: dict[str, Array] | None = None
@@ -167,6 +169,11 @@ class RecordingViewport:
         """Remember the mode of the left button and the hint."""
         self._record("set_mouse", mode, hint)
         self.mouse_mode, self.hint = mode, hint
+
+    def show_seed_role(self, role: Role) -> None:
+        """Remember the role."""
+        self._record("show_seed_role", role)
+        self.seed_role = role
 
     def show_help(self, shown: bool) -> None:
         """Remember the call."""

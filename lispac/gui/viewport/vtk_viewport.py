@@ -47,6 +47,7 @@ from lispac.gui.viewport.overlay import OverlaidPicture, OverlaidView
 from lispac.gui.viewport.sketches import SketchLayer
 from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
+from lispac.picked_targets import Role
 
 MAX_MOVING_DETAIL_S = 0.03
 """Longest rendering time of detail that is also shown while the camera moves."""
@@ -341,6 +342,11 @@ class VtkViewport:
         """Set the mode of the left mouse button and the hint above the picture."""
         self._navigator.mouse.set_mode(mode)
         self._overlay.hint = hint
+        self._overlay.update()
+
+    def show_seed_role(self, role: Role) -> None:
+        """Name the surface that Ctrl+click picks, by its role, in the help on the mouse."""
+        self._overlay.seed_role = role
         self._overlay.update()
 
     def show_help(self, shown: bool) -> None:

@@ -153,7 +153,7 @@ class DiagnosticsTable(QTableWidget):
 
     def as_text(self) -> str:
         """The table as text, with tabs between the columns for a spreadsheet."""
-        heads = [_column_title(column) for column in self._columns]
+        heads = [_column_title(column).replace("\n", " ") for column in self._columns]
         rows = [
             [spreadsheet_number(self.item(row, column).text()) for column in range(len(heads))]
             for row in range(self.rowCount())

@@ -1,5 +1,6 @@
 """Main window: creates its parts and connects their signals."""
 
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
@@ -53,8 +54,9 @@ from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
-from lispac.language import gettext
+from lispac.language import N_, gettext
 from lispac.messages import Action, Message
+from lispac.picked_targets import Role
 from lispac.project import Project
 from lispac.warning_causes import Cause
 
@@ -62,6 +64,13 @@ NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
 MAX_TITLE_BAR_HEIGHT_PX = 40
 """Largest height of a title bar, pixels, which the size of a window does not include."""
+
+
+MISSED_TEXTS: Mapping[Role, str] = {
+    "target": N_("No point under the cursor. Ctrl+click on a target."),
+    "validation": N_("No point under the cursor. Ctrl+click on a validation plane."),
+}
+"""Notes on a click beside the points, by the role of the surface to pick."""
 
 
 class MainWindow(QMainWindow):
@@ -270,7 +279,7 @@ class MainWindow(QMainWindow):
         self.table.sighting_selected.connect(self._select)
         self.table.sighting_activated.connect(self._go_to)
         self.diagnostics.row_activated.connect(self._go_to)
-        self.histograms.plane_selected.connect(self.table.select)
+        self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)
@@ -328,6 +337,7 @@ class MainWindow(QMainWindow):
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)
+        self.targets.role_changed.connect(self.viewport.show_seed_role)
         self.controller.seed_refused.connect(self._on_seed_refused)
 
     def _note_cancelled(self, task: str) -> None:
@@ -374,7 +384,7 @@ class MainWindow(QMainWindow):
     def _on_missed(self, place: QPoint) -> None:
         QToolTip.showText(place, gettext(NO_POINT_TEXT), self.viewport.widget)
         if not self.tools.mouse_tool.tool:
-            self._note(gettext("No point under the cursor. Ctrl+click on a target."))
+            self._note(gettext(MISSED_TEXTS[self.targets.role]))
 
     def _on_seed_refused(self, reason: str) -> None:
         QToolTip.showText(QCursor.pos(), reason, self.viewport.widget)

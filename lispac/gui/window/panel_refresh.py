@@ -71,6 +71,7 @@ class PanelRefresh(QObject):
         runner.changed.connect(self._show_task)
         runner.progress_changed.connect(self._show_progress)
         controller.candidate_changed.connect(self._show_candidate)
+        panels.targets.candidate.grown.connect(self._scroll_to_candidate)
         computations.counted.connect(self._show_count)
         scene.which_changed.connect(self._show_before_after)
         for name in ("before", "after", "wipe"):
@@ -190,8 +191,14 @@ class PanelRefresh(QObject):
             panels.workflow.open(TARGETS)
         panels.targets.show_candidate(candidate, project)
         if candidate is not None:
-            panels.workflow.scroll_to(panels.targets.candidate)
+            self._scroll_to_candidate()
         self._enable_candidate()
+
+    def _scroll_to_candidate(self) -> None:
+        """Scroll to the detected target, and at least to its buttons."""
+        workflow, candidate = self._panels.workflow, self._panels.targets.candidate
+        workflow.scroll_to(candidate)
+        workflow.scroll_to(candidate.accept)
 
     def _show_count(self, count: PointCount) -> None:
         self._panels.adjust.show_count(count.kept, count.total, count.sightings, count.reason)

@@ -73,7 +73,10 @@ class InspectionTools(QObject):
         self.hover_preview = HoverPreview(
             document, runner, viewport, actions, preview_settings, controller
         )
-        self.point_readout = PointReadout(document, scene, viewport, actions["copy_picture"], note)
+        self.point_readout = PointReadout(
+            document, scene, viewport, actions["copy_picture"], note,
+            lambda: bool(self.mouse_tool.tool) or actions["hover"].isChecked(),
+        )  # fmt: skip
         self.pictures = PictureExport(
             document, runner, viewport, self.sections.panel, actions, dialogs, note
         )

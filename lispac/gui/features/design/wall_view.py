@@ -11,7 +11,7 @@ from lispac.gui.features.design import edits
 from lispac.gui.features.design.canvas import Array, DesignCanvas
 from lispac.gui.features.design.edits import PlacedTarget
 from lispac.gui.features.design.workspace import Workspace
-from lispac.language import LazyText, current_language, gettext, gettext_lazy
+from lispac.language import LazyText, current_language, gettext, gettext_lazy, number
 
 MIN_BOARD_PX = 8.0
 """Smallest drawn size of a board, pixels."""
@@ -81,7 +81,7 @@ class WallView(DesignCanvas):
             colour.setAlpha(120)
             painter.setBrush(QBrush(colour))
             (painter.drawEllipse if each.ball else painter.drawRect)(box)
-            label = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
+            label = each.name if each.ball else f"{each.name} {number(each.lean, 0)}°"
             self.draw_text(painter, box.topLeft() + QPointF(0, -3), label)
             if k == self.workspace.target:
                 along, up = (

@@ -1,6 +1,6 @@
 """Values of the point under the mouse: in the status bar, in a tooltip, and to be copied."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from html import escape
 
 from PySide6.QtCore import QObject, QPoint, QRect, Qt, QTimer, Signal
@@ -14,6 +14,8 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets.result_tables import fact_text
 from lispac.language import N_, gettext
+from lispac.present.measured_point import MeasuredPoint, brief_point_facts, point_facts
+from lispac.present.tables import Fact
 from lispac.project import Project
 from lispac.workflow.project.measured_points import PLANE_RADIUS_M, PointReader
 
@@ -43,14 +45,16 @@ class PointReadout(QObject):
         viewport: Viewport,
         copy_picture: QAction,
         note: Callable[[str], None],
+        is_picking: Callable[[], bool],
     ) -> None:
         super().__init__(scene)
         self._document, self._scene, self._viewport = document, scene, viewport
-        self._copy_picture, self._note = copy_picture, note
+        self._copy_picture, self._note, self._is_picking = copy_picture, note, is_picking
         self._point: PickedPoint | None = None
         self._reader: tuple[Project, PointReader] | None = None
         self.values: list[tuple[str, str]] = []
         self.may_show_tooltip: Callable[[], bool] = lambda: True
+        self._tooltip_lines: list[str] = []
         self._reading = QTimer(self, singleShot=True, interval=READ_DELAY_MS)
         self._reading.timeout.connect(self._show_values)
         self._tooltip = QTimer(self, singleShot=True, interval=TOOLTIP_DELAY_MS)
@@ -82,8 +86,13 @@ class PointReadout(QObject):
 
     def _show_values(self) -> None:
         self._reading.stop()
-        self._set_values([] if self._point is None else self._values_of(self._point))
-        if self.values and self.may_show_tooltip():
+        measured = None if self._point is None else self._measured(self._point)
+        self._set_values([] if measured is None else _facts_texts(point_facts(measured)))
+        if measured is not None and self.may_show_tooltip():
+            self._tooltip_lines = [
+                FIELD_SEPARATOR.join(f"{name}: {text}" for name, text in _facts_texts(line))
+                for line in brief_point_facts(measured)
+            ]
             self._tooltip.start()
 
     def _set_values(self, values: list[tuple[str, str]]) -> None:
@@ -91,35 +100,40 @@ class PointReadout(QObject):
             self.values = values
             self.shown.emit(FIELD_SEPARATOR.join(f"{name} {text}" for name, text in values))
 
-    def _values_of(self, point: PickedPoint) -> list[tuple[str, str]]:
-        from lispac.present.measured_point import point_facts
-
+    def _measured(self, point: PickedPoint) -> MeasuredPoint | None:
+        """Values of a point; None if they are not available."""
         project, survey = self._document.current_data
         index = self._scene.sample_index(point)
         if project is None or survey is None or index is None:
-            return []
+            return None
         try:
             if self._reader is None or self._reader[0].lines is not project.lines:
                 self._reader = project, PointReader(project, survey.trajectory)
             near = self._viewport.drawn_near(point.line, point.position, PLANE_RADIUS_M)
             cloud = self._scene.clouds[point.line]
-            read = self._reader[1].values(point.line, cloud, index, near)
+            return self._reader[1].values(point.line, cloud, index, near)
         except LispacError:  # such as a coordinate system whose grid is missing now
-            return []
-        return [(fact.name, fact_text(fact)) for fact in point_facts(read)]
+            return None
 
     def _show_tooltip(self) -> None:
-        widget = self._viewport.widget
-        if self.values and QGuiApplication.mouseButtons() == Qt.MouseButton.NoButton:
-            lines = [f"{name}: {text}" for name, text in self.values]
-            text = "<br>".join(map(escape, (*lines, gettext("Ctrl+C: copy"))))
-            place = QCursor.pos()
-            here = QRect(widget.mapFromGlobal(place) - QPoint(2, 2), widget.mapFromGlobal(place))
-            QToolTip.showText(place, text, widget, here.adjusted(0, 0, 2, 2))
+        """Show the values beside the mouse until it moves, except while points are picked."""
+        is_pressed = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
+        has_control = Qt.KeyboardModifier.ControlModifier & QGuiApplication.queryKeyboardModifiers()
+        if not self.values or is_pressed or has_control or self._is_picking():
+            return
+        view, place = self._viewport.widget, QCursor.pos()
+        # Qt hides the tooltip if this widget, which must be the one under the mouse, reports a move
+        widget = view.childAt(view.mapFromGlobal(place)) or view
+        here = QRect(widget.mapFromGlobal(place) - QPoint(2, 2), widget.mapFromGlobal(place))
+        text = "<br>".join(map(escape, self._tooltip_lines))
+        QToolTip.showText(
+            place, f"<p style='white-space:pre'>{text}</p>", widget, here.adjusted(0, 0, 2, 2)
+        )
 
     def _show_menu(self, point: PickedPoint | None, place: QPoint) -> None:
         """Show the menu of the view for the point under the right mouse button."""
-        values = [] if point is None else self._values_of(point)
+        measured = None if point is None else self._measured(point)
+        values = [] if measured is None else _facts_texts(point_facts(measured))
         menu = QMenu(self._viewport.widget)
         menu.setObjectName("point_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -131,6 +145,10 @@ class PointReadout(QObject):
     def _clear_project(self) -> None:
         self._reader = None
         self._on_hovered(None)
+
+
+def _facts_texts(facts: Iterable[Fact]) -> list[tuple[str, str]]:
+    return [(fact.name, fact_text(fact)) for fact in facts]
 
 
 def _copy(values: list[tuple[str, str]]) -> None:

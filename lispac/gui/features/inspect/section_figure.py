@@ -44,6 +44,7 @@ def draw_section(
     *,
     exaggeration: float | None = None,
     labelled: bool = True,
+    has_long_titles: bool = True,
 ) -> None:
     """Draw cuts side by side with common limits where their scales are equal.
 
@@ -53,7 +54,8 @@ def draw_section(
     titles : English titles of the horizontal and vertical axis
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
         that of each cut
-    labelled : whether there is space for long titles and titles of the horizontal axes
+    labelled : whether there is space for titles of the horizontal axes
+    has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
     views = [_CutView.of(cut, exaggeration) for cut in cuts]
@@ -63,7 +65,7 @@ def draw_section(
         shared = first if is_shared else None
         axes = figure.add_subplot(1, len(cuts), number, sharex=shared, sharey=shared)
         first = first or axes
-        _draw_cut(axes, view, colours, view.title(short=not labelled))
+        _draw_cut(axes, view, colours, view.title(short=not has_long_titles))
         across, upward = view.axis_titles(titles)
         if labelled:
             axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)

@@ -35,6 +35,8 @@ MIN_PRINT_HEIGHT_INCHES = 3.2
 """Smallest height of a saved picture, whose titles need more space than a low panel has."""
 LOW_PANEL_PX = 230
 """Height of the panel below which the horizontal axes have no titles, pixels."""
+NARROW_PANEL_PX = 1200
+"""Width of the panel below which the titles of the cuts are short, so that they do not overlap."""
 
 
 class SectionPanel(QWidget):
@@ -120,7 +122,7 @@ class SectionPanel(QWidget):
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
-        self._is_low = True
+        self._is_low = self._is_narrow = True
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
@@ -131,11 +133,11 @@ class SectionPanel(QWidget):
         self._allow_pictures(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Omit the titles of the horizontal axes in a low panel."""
+        """Omit the titles of the horizontal axes in a low panel, and shorten those of the cuts."""
         super().resizeEvent(event)
-        is_low = self.height() < LOW_PANEL_PX
-        if is_low != self._is_low:
-            self._is_low = is_low
+        form = self.height() < LOW_PANEL_PX, self.width() < NARROW_PANEL_PX
+        if form != (self._is_low, self._is_narrow):
+            self._is_low, self._is_narrow = form
             self._redraw()
 
     @property
@@ -163,7 +165,7 @@ class SectionPanel(QWidget):
         size = width, max(height, MIN_PRINT_HEIGHT_INCHES)
         printed = Figure(figsize=size, dpi=PRINT_DPI, layout="constrained")
         with theme.paper_colours():
-            self._draw(printed, labelled=True)
+            self._draw(printed, labelled=True, has_long_titles=not self._is_narrow)
         for axes, shown_axes in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=shown_axes.get_xlim(), ylim=shown_axes.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
@@ -214,15 +216,21 @@ class SectionPanel(QWidget):
 
     def _redraw(self) -> None:
         if self.canvas is not None and self.has_section:
-            self._draw(self.canvas.figure, labelled=not self._is_low)
+            self._draw(
+                self.canvas.figure, labelled=not self._is_low,
+                has_long_titles=not (self._is_low or self._is_narrow),
+            )  # fmt: skip
             self._zooming.set_home()
             self.canvas.draw_idle()
 
-    def _draw(self, figure: "Figure", *, labelled: bool) -> None:
+    def _draw(self, figure: "Figure", *, labelled: bool, has_long_titles: bool) -> None:
         # Imported here, so that the start of the window does not wait for Matplotlib.
         from lispac.gui.features.inspect.section_figure import draw_section
 
-        draw_section(*self._shown, figure, exaggeration=self.exaggeration, labelled=labelled)
+        draw_section(
+            *self._shown, figure, exaggeration=self.exaggeration, labelled=labelled,
+            has_long_titles=has_long_titles,
+        )  # fmt: skip
 
     def _make_canvas(self) -> None:
         if self.canvas is not None:

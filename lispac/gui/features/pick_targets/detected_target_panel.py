@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.duplicate_targets import overlap_warning
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.pick_targets.sightings_table import quality_text
+from lispac.gui.features.pick_targets.sightings_table import RATING_TEXTS, quality_text
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -103,6 +103,9 @@ class LineQualityIndicators(QWidget):
         self._grid.setColumnStretch(2 * columns, 1)
 
 
+MAX_REASONS = 2
+"""Largest number of lines whose reason for a doubtful or poor quality is shown; the tooltips of the
+lines have all."""
 TARGET_TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
@@ -126,6 +129,9 @@ FOUND_TEXTS: dict[Shape, str] = {
 class DetectedTargetPanel(QFrame):
     """Panel with the detected target, to be accepted or rejected."""
 
+    grown = Signal()
+    """Text was added, which may move the buttons out of view."""
+
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("candidate_box")
@@ -137,6 +143,8 @@ class DetectedTargetPanel(QFrame):
         layout.addWidget(self.detail)
         self.lights = LineQualityIndicators("candidate_lights")
         layout.addWidget(self.lights)
+        self.reasons = widgets.label("", "warning", wrap=True, name="candidate_reasons")
+        layout.addWidget(self.reasons)
         self.duplicate_warning = widgets.label("", "warning", wrap=True, name="candidate_double")
         layout.addWidget(self.duplicate_warning)
         self.accept = widgets.button(
@@ -189,9 +197,33 @@ class DetectedTargetPanel(QFrame):
             )
         )
         self.lights.show_target(candidate)
+        self.reasons.hide()
         overlap = overlap_warning(candidate, project.targets)
         self.duplicate_warning.setText("" if overlap is None else message_text(overlap))
         self.duplicate_warning.setVisible(overlap is not None)
+
+    def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
+        """Show the quality of the lines, and why some are not good."""
+        self.lights.show_qualities(qualities)
+        order = {"poor": 0, "doubtful": 1}
+        rated = [(line, each) for line, each in qualities.items() if each.rating in order]
+        rated.sort(key=lambda pair: order[pair[1].rating])
+        texts = [
+            gettext(
+                "{line}: {reason}", line=line,
+                reason=message_text(each.reasons[0]) if each.reasons
+                else gettext(RATING_TEXTS[each.rating]),
+            )
+            for line, each in rated[:MAX_REASONS]
+        ]  # fmt: skip
+        if rated[MAX_REASONS:]:
+            names = [line for line, _ in rated[MAX_REASONS:]]
+            texts.append(gettext("Also not good: {lines:names}.", lines=names))
+        self.reasons.setText("\n".join(texts))
+        is_new = bool(texts) and self.reasons.isHidden()
+        self.reasons.setVisible(bool(texts))
+        if is_new:
+            self.grown.emit()
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:

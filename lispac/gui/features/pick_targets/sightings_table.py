@@ -23,17 +23,22 @@ from lispac.project import PickedSighting, Project, Target
 from lispac.targets.sighting_quality import Rating, SightingQuality
 from lispac.workflow.project.survey import Survey
 
+MIN_SHOWN_SMEAR_M = 5e-5
+"""Smallest effect of the prior boresight on the RMS that is shown, metres; a smaller one would be
+0.0 mm."""
+
 Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
 _EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
-_RATING_TEXTS: dict[Rating, str] = {
+RATING_TEXTS: dict[Rating, str] = {
     "good": N_("Quality: good"),
     "doubtful": N_("Quality: doubtful"),
     "poor": N_("Quality: poor"),
 }
+"""Texts of a quality."""
 
 
 class SightingsModel(QAbstractTableModel):
@@ -363,7 +368,7 @@ def _millimetres(metres: float) -> str:
 def quality_text(quality: SightingQuality) -> str:
     """Text of the quality, its reasons and the values behind them, one on each line."""
     lines = [
-        gettext(_RATING_TEXTS[quality.rating]),
+        gettext(RATING_TEXTS[quality.rating]),
         *map(message_text, quality.reasons),
         gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
     ]
@@ -381,7 +386,7 @@ def quality_text(quality: SightingQuality) -> str:
                 share=quality.visible_share,
             )
         )
-    if quality.smear is not None:
+    if quality.smear is not None and quality.smear >= MIN_SHOWN_SMEAR_M:
         lines.append(
             gettext(
                 "The prior boresight may cause up to {rms} of the RMS. Before the calibration, "
@@ -389,7 +394,7 @@ def quality_text(quality: SightingQuality) -> str:
                 rms=_millimetres(quality.smear),
             )
         )
-    elif quality.incidence is not None:
+    elif quality.smear is None and quality.incidence is not None:
         lines.append(
             gettext(
                 Plural(

@@ -187,7 +187,7 @@ class TargetActions(SurveyDependentActions):
         controller, panel, actions = tools.controller, tools.panel, tools.actions
         self.quality_computation = QualityComputation(tools.document, tools.runner, self)
         self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
-        self.quality_computation.candidate_rated.connect(panel.candidate.lights.show_qualities)
+        self.quality_computation.candidate_rated.connect(panel.candidate.show_qualities)
         controller.candidate_changed.connect(
             lambda: self.quality_computation.rate_candidate(controller.candidate)
         )

@@ -30,6 +30,7 @@ from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import DEFAULT_CHOICES
+from lispac.workflow.calibration.target_search import DEFAULT_RADII, TargetSearch
 from lispac.workflow.project.survey import Survey
 
 DEFAULT_BOARD_SIZE_M = (1.23, 1.22)
@@ -203,7 +204,7 @@ class TargetsPanel(QWidget):
             self.line_choice.addItem(gettext(ALL_LINES_TEXT))
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
-        self._show_default_threshold()
+        self._show_defaults()
         self._fill_table(project)
 
     def show_candidate(self, candidate: Target | None, project: Project | None) -> None:
@@ -302,18 +303,20 @@ class TargetsPanel(QWidget):
         self._sphere_radius.setEnabled(self.shape == "sphere")
         self._form.setRowVisible(self._sphere_radius, self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
-        self._show_default_threshold()
+        self._show_defaults()
         self._show_click_hint()
 
-    def _show_default_threshold(self) -> None:
+    def _show_defaults(self) -> None:
         if self._project is None:
             return
-        from lispac.workflow.calibration.target_search import TargetSearch
-
         search = TargetSearch(self.shape, self.sphere_radius)
         default = 1000 * search.threshold(self._project.settings.threshold)
         self._threshold.setSpecialValueText(
             gettext("default ({threshold})", threshold=quantities.amount(default, "mm", 0))
+        )
+        radius = search.search_radii(self.role)[0]
+        self._radius.setSpecialValueText(
+            gettext("default ({radius})", radius=quantities.amount(radius, "m", 1))
         )
 
     def _create_role_buttons(self) -> QHBoxLayout:
@@ -376,7 +379,9 @@ class TargetsPanel(QWidget):
         self._radius = widgets.number(
             "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
             tip=gettext(
-                "Largest distance of a point of the target from the seed. 0 uses the default."
+                "Largest distance of a point of the target from the seed. 0: the default; for a "
+                "validation plane in fewer than two lines it is increased up to {largest}.",
+                largest=_limit_text(DEFAULT_RADII["validation"][-1], "m"),
             ),
         )  # fmt: skip
         self._radius.setSpecialValueText(gettext("default"))

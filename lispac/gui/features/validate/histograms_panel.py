@@ -4,8 +4,8 @@ from html import escape
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication, QIcon, QResizeEvent
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QIcon
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.acceptance import Verdict
+from lispac.acceptance import Verdict, planes_to_show
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
@@ -125,9 +125,16 @@ def profiles_text(comparison: PlaneComparison) -> str:
 
 _COLUMNS = (
     (N_("Plane"), N_("Validation plane")),
+    (
+        N_("Pairs"),
+        N_(
+            "Pairs of lines in n, RMS, 95 % and histogram, of all compared pairs. Only "
+            "reciprocal pairs (run in opposite directions, ⇄) are counted, if there are any; the "
+            "others are in the table of pairs."
+        ),
+    ),
     (N_("n"), N_("Number of distances between points of one line and the surface of another")),
     # Units in a second line, so that all columns fit on a small screen
-    (N_("Median\n({unit})"), N_("Median distance, before → after")),
     (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
 )
@@ -135,16 +142,19 @@ _COLUMNS = (
 VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
 """Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LOW_PANEL_PX = 230
-"""Height of the panel below which the histogram has no title and legend, pixels."""
-_WIDTH_SHARES = (3, 4)
+LOW_PLOT_PX = 280
+"""Height of the plot below which the histogram has no title and legend, pixels."""
+_WIDTH_SHARES = (5, 6)
 """Initial shares of the width for tables and plot."""
 PLOT_TITLES = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 PERCENT_PLOT, PROFILE_PLOT = 1, 2
 """Indices of two of the plots in `PLOT_TITLES`."""
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 POOLED_PLANE_TIPS = {
-    "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
+    "reciprocal pairs": N_(
+        "{plane}: distances of {pooled:n} of {total:n} pairs of lines, the reciprocal ones (⇄), "
+        "{model}"
+    ),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
 """Tips of a plane, by the pairs of lines whose distances are pooled."""
@@ -163,6 +173,8 @@ class HistogramsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
+        self._failed: set[str] = set()
+        self.canvas: QWidget | None = None
         self._drawing = IdleTask(self._redraw_selected, self)
         self._stack = QStackedLayout(self)
         empty = QWidget()
@@ -183,7 +195,9 @@ class HistogramsPanel(QWidget):
         filled.setContentsMargins(4, 2, 4, 2)
         filled.setChildrenCollapsible(False)
         self.table = _create_table()
+        self.table.viewport().installEventFilter(self)
         self.table.itemSelectionChanged.connect(self._on_plane_selected)
+        self.table.clicked.connect(self._announce_plane)  # a row that was selected already
         self.pairs = pairs_table.create_pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
@@ -203,8 +217,8 @@ class HistogramsPanel(QWidget):
             filled.setStretchFactor(part, share)
         self._parts = filled
         self._stack.addWidget(filled)
-        self.canvas: QWidget | None = None
-        self._is_low = True
+        self._plot_form = True, False
+        """Whether the plot is too low for a legend, and whether it is wide."""
 
     def _create_tools(self) -> QVBoxLayout:
         self.plot = widgets.ChoiceBox(
@@ -256,21 +270,33 @@ class HistogramsPanel(QWidget):
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Omit title and legend of the histogram in a low panel, which names the colours."""
-        super().resizeEvent(event)
-        is_low = self.height() < LOW_PANEL_PX
-        if is_low != self._is_low:
-            self._is_low = is_low
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep the selected row visible in a lower table."""
+        if watched is self.table.viewport() and event.type() == QEvent.Type.Resize:
+            self.table.scrollTo(self.table.currentIndex())
+        return super().eventFilter(watched, event)
+
+    def _adapt_to_plot_size(self) -> None:
+        """Arrange title and legend for the size of the plot, or name the colours beside it."""
+        from lispac.report.figures import is_wide
+
+        is_low = self.canvas.height() < LOW_PLOT_PX
+        form = is_low, is_wide(self.canvas.figure)
+        if form != self._plot_form:
+            self._plot_form = form
             self._colours.setVisible(is_low)
-            self._redraw_selected()
+            self._drawing.start()
 
     def show_state(self, state: ProjectState) -> None:
         """Show the comparisons of the project."""
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
+            failed = self._failed
             self._show_verdicts(state.project)
+            if self._failed - failed and self.current not in self._failed:
+                self._select_row(self._worst_row())
+                self._redraw_selected()
             return
         if self.canvas is None:
             self._parts.setSizes([share * self.width() for share in _WIDTH_SHARES])
@@ -291,16 +317,37 @@ class HistogramsPanel(QWidget):
         self.table.blockSignals(False)
         self._show_verdicts(state.project)
         if comparisons:
-            self.table.blockSignals(True)
-            self.table.selectRow(0)
-            self.table.blockSignals(False)
+            self._select_row(self._worst_row())
             self._drawing.start()
+
+    def _worst_row(self) -> int:
+        """Row of the plane with the largest RMS after the calibration, of those that fail if any.
+
+        Raises
+        ------
+        ValueError
+            If there are no planes.
+        """
+        (worst,) = planes_to_show(
+            {each.name: each.after.rms for each in self._comparisons}, self._failed, 1
+        )
+        return [each.name for each in self._comparisons].index(worst)
+
+    def _select_row(self, row: int) -> None:
+        """Select a plane without emitting a signal."""
+        self.table.blockSignals(True)
+        self.table.selectRow(row)
+        self.table.blockSignals(False)
+        self.table.scrollTo(self.table.currentIndex())
 
     def _show_verdicts(self, project: Project | None) -> None:
         """Show whether each plane meets the acceptance criteria."""
         if project is None:
             return
         judgement = project.judgement
+        self._failed = {
+            each.name for each in self._comparisons if judgement.verdict_on(each.name) == "fail"
+        }
         for row, each in enumerate(self._comparisons):
             item = self.table.item(row, 0)
             verdict = judgement.verdict_on(each.name)
@@ -314,15 +361,17 @@ class HistogramsPanel(QWidget):
         """Draw the histograms of one plane without emitting a signal."""
         names = [each.name for each in self._comparisons]
         if name in names and self.current != name:
-            self.table.blockSignals(True)
-            self.table.selectRow(names.index(name))
-            self.table.blockSignals(False)
+            self._select_row(names.index(name))
             self._draw(self._comparisons[names.index(name)])
 
     def _on_plane_selected(self) -> None:
         if self._current_comparison is not None:
             self._draw(self._current_comparison)
-            self.plane_selected.emit(self._current_comparison.name)
+            self._announce_plane()
+
+    def _announce_plane(self) -> None:
+        if self.current is not None:
+            self.plane_selected.emit(self.current)
 
     def _redraw_selected(self) -> None:
         if self._current_comparison is not None:
@@ -348,7 +397,7 @@ class HistogramsPanel(QWidget):
             profile_figure(comparison, canvas.figure)
         else:
             share = self.plot.currentIndex() == PERCENT_PLOT
-            histogram_figure(comparison, canvas.figure, share=share, titled=not self._is_low)
+            histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
         self._show_units(canvas.figure)
         self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
         self.reading.setText(gettext(ZOOM_HINT))
@@ -365,11 +414,11 @@ class HistogramsPanel(QWidget):
         from lispac.gui.widgets.ticks import convert_axis_units
 
         is_profile = self.plot.currentIndex() == PROFILE_PLOT
-        legend = None if is_profile or not units.is_converted("mm") else figure.axes[0].get_legend()
-        if legend is not None and self._current_comparison is not None:
+        legends = () if is_profile or not units.is_converted("mm") else figure.legends
+        if legends and self._current_comparison is not None:
             each = self._current_comparison
             for text, template, state in zip(
-                legend.get_texts(), LEGEND_TEMPLATES, (each.before, each.after), strict=True
+                legends[0].get_texts(), LEGEND_TEMPLATES, (each.before, each.after), strict=True
             ):
                 text.set_text(_statistics_text(template, state))
         for axes in figure.axes:
@@ -389,6 +438,7 @@ class HistogramsPanel(QWidget):
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
+                canvas.mpl_connect("resize_event", lambda _event: self._adapt_to_plot_size()),
             )
             # The mouse may leave the canvas after the label was deleted
             self.reading.destroyed.connect(
@@ -449,7 +499,17 @@ def _statistics_text(template: str, state: DistanceStatistics) -> str:
 
 def _plane_tip(each: PlaneComparison) -> str:
     model = message_text(each.model.name)
-    return gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
+    return gettext(
+        POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
+        pooled=_pooled_pairs(each), total=len(each.pairs),
+    )  # fmt: skip
+
+
+def _pooled_pairs(each: PlaneComparison) -> int:
+    """Number of pairs of lines in the statistics of a plane."""
+    if each.pooled_from == "all pairs":
+        return len(each.pairs)
+    return sum(pair.reciprocal for pair in each.pairs)
 
 
 def _comparison_texts(each: PlaneComparison) -> list[str]:
@@ -459,8 +519,8 @@ def _comparison_texts(each: PlaneComparison) -> list[str]:
 
     return [
         each.name,
+        gettext("{pooled:n} of {total:n}", pooled=_pooled_pairs(each), total=len(each.pairs)),
         number(each.before.n, 0),
-        change(each.before.median, each.after.median),
         change(each.before.rms, each.after.rms),
         change(each.before.p95, each.after.p95),
     ]
