@@ -107,14 +107,39 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 
 
-def run_checks(commands: Sequence[tuple[str, list[str]]], variables: Mapping[str, str]) -> int:
-    """Runs the commands in the checkout until one fails; returns its exit code, or 0."""
-    for name, command in commands:
-        say(f"== {name}")
-        code = subprocess.call(command, cwd=environment.CHECKOUT, env=dict(variables))
-        if code != 0:
-            say(f"{name} failed: {shlex.join(command)}")
-            return code if code > 0 else 1
+def run_checks(
+    commands: Sequence[tuple[str, list[str]]],
+    variables: Mapping[str, str],
+    compiler: Sequence[str] = (),
+) -> int:
+    """Runs the commands in the checkout until one fails; returns its exit code, or 0.
+
+    Parameters
+    ----------
+    commands : sequence of tuple of name and command line
+    variables : mapping, environment variables
+    compiler : sequence of str, optional
+        Command that runs beside all commands except the last one, which waits for it. It compiles
+        the functions of the program, which otherwise every test process would do at the same time.
+    """
+    compilation = (
+        subprocess.Popen(compiler, cwd=environment.CHECKOUT, env=dict(variables))
+        if compiler
+        else None
+    )
+    try:
+        for name, command in commands:
+            if compilation and command is commands[-1][1]:
+                compilation.wait()
+            say(f"== {name}")
+            code = subprocess.call(command, cwd=environment.CHECKOUT, env=dict(variables))
+            if code != 0:
+                say(f"{name} failed: {shlex.join(command)}")
+                return code if code > 0 else 1
+    finally:
+        if compilation:
+            compilation.terminate()
+            compilation.wait()
     return 0
 
 
@@ -167,7 +192,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         is_new = environment.ensure_installed(kind, cache)
         variables = environment.child_variables(os.environ, cache, testing=kind == "test")
         if kind == "test":
-            return run_checks(check_commands(options.command, rest), variables)
+            compiler = [script("python"), "-m", PRECOMPILE_MODULE]
+            whole = options.command == "test" and not rest
+            return run_checks(
+                check_commands(options.command, rest), variables, compiler if whole else ()
+            )
         if kind == "bundle":
             command = [script("python"), "-m", "bundling.build"]
             command += ["--no-archive"] if options.no_archive else []

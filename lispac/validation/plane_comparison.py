@@ -23,7 +23,7 @@ from lispac.errors import InputError, NotComparable
 from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress, no_progress, sub_progress
+from lispac.progress import Progress, no_progress
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.comparison_results import (
     DistanceStatistics,
@@ -163,53 +163,27 @@ def compare_plane(
             if observed
             else error("validation.plane_in_no_line", plane=name, needed=MIN_OVERLAP_POINTS)
         )
-    clouds = _thinned_states(before, after, observed)
-    overlap = LineOverlap(*clouds)
-    if facing is None:
-        facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
-
+    lines = _ComparedLines.of(before, after, observed, ranges, facing)
     couples = sorted(
         combinations(observed, 2),
         key=lambda pair: not are_reciprocal(headings[pair[0]], headings[pair[1]]),
     )
     pairs: list[PairComparison] = []
-    not_compared: list[tuple[str, str]] = []
     measured: list[_MeasuredDistances] = []
-    trees = [{line: PointTree(state[line]) for line in observed} for state in clouds]
-    common_points: list[tuple[Bools, Bools]] = []
+    not_compared: list[tuple[str, str]] = []
     for i, (a, b) in enumerate(couples):
-        common = _common_points(overlap, a, b)
-        if common is None:
-            not_compared.append((a, b))
-            continue
-        a_in_b, b_in_a = common
-        here = sub_progress(progress, i / len(couples), (i + 1) / len(couples))
-        here(
-            0.0,
+        progress(
+            i / len(couples),
             gettext_lazy("Comparing {one} and {other} on {target}", one=a, other=b, target=name),
         )
-        with ThreadPoolExecutor(len(clouds)) as executor:
-            tasks = [
-                executor.submit(
-                    _compare_state, (state[a][a_in_b], state[b][b_in_a]), (tree[a], tree[b]),
-                    model=model, facing=facing, spacing=overlap.spacing(a, b),
-                )
-                for state, tree in zip(clouds, trees, strict=True)
-            ]  # fmt: skip
-            distances, signed, states = zip(*(task.result() for task in tasks), strict=True)
-        both_ways = are_reciprocal(headings[a], headings[b])
+        if (a, b) not in lines.common:
+            not_compared.append((a, b))
+            continue
+        distances, signed, states = lines.compare(a, b, model)
+        reciprocal = are_reciprocal(headings[a], headings[b])
         modes = _modes_of_pair(signed[-1], a, b, errors)
-        pairs.append(PairComparison(a, b, both_ways, states[0], states[1], modes))
-        common_points.append(common)
-        of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
-        if ranges is not None:
-            of_points += [_thin_evenly(ranges[a])[a_in_b], _thin_evenly(ranges[b])[b_in_a]]
-        height, *ranged = (
-            np.concatenate(of_points[k : k + 2]) for k in range(0, len(of_points), 2)
-        )
-        measured.append(
-            _MeasuredDistances(distances[0], distances[1], height, ranged[0] if ranged else None)
-        )
+        pairs.append(PairComparison(a, b, reciprocal, states[0], states[1], modes))
+        measured.append(lines.with_heights_and_ranges(a, b, distances))
     if not pairs:
         raise NotComparable(error("validation.no_overlap", plane=name, needed=MIN_OVERLAP_POINTS))
     progress(1.0)
@@ -238,9 +212,109 @@ def compare_plane(
         by_range=None
         if pool.range is None
         else DistanceProfile.of(pool.range, pool.before, pool.after),
-        maps=_distance_maps(pairs, common_points, clouds, overlap, facing),
+        maps=lines.distance_maps(pairs),
         shifts=() if errors is None else line_shifts(pairs, errors),
     )
+
+
+@dataclass(frozen=True, eq=False)
+class _ComparedLines:
+    """Points of the lines on one plane, before and after the calibration.
+
+    Attributes
+    ----------
+    clouds : tuple of two dicts of line name to ndarray of shape (n, 3), metres, local frame
+        Thinned points, before and after.
+    trees : tuple of two dicts of line name to PointTree
+        Search trees of these points.
+    ranges : dict of line name to ndarray of shape (n,), metres, or None
+    overlap : LineOverlap
+    common : dict of two line names to two ndarrays of shape (n,), bool
+        Points of each line inside the footprint of the other, for the pairs that have enough.
+    facing : ndarray of shape (3,), direction in which signed distances are positive
+    """
+
+    clouds: tuple[dict[str, Array], dict[str, Array]]
+    trees: tuple[dict[str, PointTree], dict[str, PointTree]]
+    ranges: dict[str, Array] | None
+    overlap: LineOverlap
+    common: dict[tuple[str, str], tuple[Bools, Bools]]
+    facing: Array
+
+    @classmethod
+    def of(
+        cls,
+        before: Mapping[str, Array],
+        after: Mapping[str, Array],
+        observed: Sequence[str],
+        ranges: Mapping[str, Array] | None,
+        facing: Array | None,
+    ) -> "_ComparedLines":
+        """Thin the points of the observed lines; ``facing`` as for `compare_plane`."""
+        clouds = _thinned_states(before, after, observed)
+        overlap = LineOverlap(*clouds)
+        if facing is None:
+            facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
+        first, second = ({line: PointTree(cloud[line]) for line in observed} for cloud in clouds)
+        thinned = None
+        if ranges is not None:
+            thinned = {line: _thin_evenly(ranges[line]) for line in observed}
+        masks = {(a, b): _common_points(overlap, a, b) for a, b in combinations(observed, 2)}
+        common = {pair: both for pair, both in masks.items() if both is not None}
+        return cls(clouds, (first, second), thinned, overlap, common, facing)
+
+    def compare(
+        self, a: str, b: str, model: LocalModel
+    ) -> tuple[list[Array], list[list[NormalDistances]], list[PairState]]:
+        """Unsigned and signed distances and statistics of a pair, each before and after."""
+        a_in_b, b_in_a = self.common[a, b]
+        with ThreadPoolExecutor(len(self.clouds)) as pool:
+            tasks = [
+                pool.submit(
+                    _compare_state, (cloud[a][a_in_b], cloud[b][b_in_a]), (tree[a], tree[b]),
+                    model=model, facing=self.facing, spacing=self.overlap.spacing(a, b),
+                )
+                for cloud, tree in zip(self.clouds, self.trees, strict=True)
+            ]  # fmt: skip
+            results = [task.result() for task in tasks]
+        unsigned, signed, states = map(list, zip(*results, strict=True))
+        return unsigned, signed, states
+
+    def with_heights_and_ranges(
+        self, a: str, b: str, distances: Sequence[Array]
+    ) -> "_MeasuredDistances":
+        """Distances of a pair with the heights, after the calibration, and ranges of its points."""
+        masks = self.common[a, b]
+        after = self.clouds[1]
+        height = [after[line][mask, 2] for line, mask in zip((a, b), masks, strict=True)]
+        return _MeasuredDistances(
+            distances[0],
+            distances[1],
+            np.concatenate(height),
+            None
+            if self.ranges is None
+            else np.concatenate(
+                [self.ranges[line][mask] for line, mask in zip((a, b), masks, strict=True)]
+            ),
+        )
+
+    def distance_maps(self, pairs: Sequence[PairComparison]) -> tuple[DistanceMap, ...]:
+        """Maps of the distances of some pairs."""
+        maps = []
+        for k in _pairs_to_map(pairs):
+            pair = pairs[k]
+            a, b = pair.line_a, pair.line_b
+            a_in_b, b_in_a = self.common[a, b]
+            before, after = self.clouds
+            mapped = distance_map(
+                (a, b),
+                (before[a][a_in_b], after[a][a_in_b]),
+                (before[b][b_in_a], after[b][b_in_a]),
+                facing=self.facing, spacing=self.overlap.spacing(a, b),
+                reach=(pair.before.distances.maximum, pair.after.distances.maximum),
+            )  # fmt: skip
+            maps += [] if mapped is None else [mapped]
+        return tuple(maps)
 
 
 def _compare_state(
@@ -298,35 +372,6 @@ def _pairs_to_map(pairs: Sequence[PairComparison]) -> list[int]:
     by_offset = sorted(range(len(pairs)), key=lambda k: -offsets[k])
     pooled = [k for k in by_offset[1:] if pairs[k].reciprocal or not any_reciprocal]
     return sorted([by_offset[0], *pooled[: MAX_MAPS - 1]])
-
-
-def _distance_maps(
-    pairs: Sequence[PairComparison],
-    common_points: Sequence[tuple[Bools, Bools]],
-    clouds: tuple[Mapping[str, Array], Mapping[str, Array]],
-    overlap: LineOverlap,
-    facing: Array,
-) -> tuple[DistanceMap, ...]:
-    """Maps of the distances of some pairs.
-
-    Parameters
-    ----------
-    common_points : masks of the points of both lines in their common part, for each pair
-    clouds : points of each line, before and after
-    """
-    maps = []
-    for k in _pairs_to_map(pairs):
-        pair, (a_in_b, b_in_a) = pairs[k], common_points[k]
-        a, b = pair.line_a, pair.line_b
-        mapped = distance_map(
-            (a, b),
-            (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
-            (clouds[0][b][b_in_a], clouds[1][b][b_in_a]),
-            facing=facing, spacing=overlap.spacing(a, b),
-            reach=(pair.before.distances.maximum, pair.after.distances.maximum),
-        )  # fmt: skip
-        maps += [] if mapped is None else [mapped]
-    return tuple(maps)
 
 
 @dataclass(frozen=True, eq=False)
