@@ -31,7 +31,7 @@ from environment import SetupError, say, script  # noqa: E402
 
 OLDEST_PYTHON = (3, 11)
 NEWEST_PYTHON = (3, 14)  # newest version for which the locked dependencies have wheels
-PROCESS_OPTIONS = ["--numprocesses=3", "--dist=loadfile", "--no-loadscope-reorder"]
+PROCESS_OPTIONS = ["--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder"]
 PRECOMPILE_MODULE = "lispac.workflow.planning.precompile"
 HANG_OPTIONS = [
     "--max-worker-restart=0", "-o", "faulthandler_timeout=330",
@@ -100,8 +100,7 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
     if command == "benchmark":
         options = ["tests/benchmarks", "--benchmark-enable", "--capture=no", "-m", ""]
         return [("benchmarks", [*pytest, *options, *arguments])]
-    # Three processes also use two cores while tests wait for windows and other programs. Each runs
-    # whole test files, because their tests share data that are slow to make, in
+    # Each process runs whole test files, because their tests share data that are slow to make, in
     # the order of tests/conftest.py. Selected tests run in one process, for debugging.
     chosen = arguments or [*PROCESS_OPTIONS, *HANG_OPTIONS]
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]

@@ -31,7 +31,7 @@ class PointTree:
     """K-d tree of a cloud.
 
     The box around the points of a node is divided at the centre of its longest side (midpoint
-    rule), as in SciPy's unbalanced tree.
+    rule: Maneewongvatana and Mount 1999), as in SciPy's unbalanced tree.
 
     Parameters
     ----------
@@ -48,10 +48,6 @@ class PointTree:
     ------
     ValueError
         If the array has another shape or contains NaN or infinity.
-
-    References
-    ----------
-    S. Maneewongvatana and D. Mount, It's okay to be skinny, if your friends are fat, 1999.
     """
 
     def __init__(self, points: ArrayLike) -> None:

@@ -80,7 +80,12 @@ class ObjectSurface:
 
 
 def neighbour_indices(points: Array) -> Neighbours:
-    """Indices of the nearest points of each point (n, 3), itself included, shape (n, k)."""
+    """Indices (n, k) of the nearest points of each point, itself included.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, any frame
+    """
     tree = PointTree(points)
     _, found = tree.neighbours(points, min(NEIGHBOUR_COUNT, len(points)))
     return tree.order[found]
