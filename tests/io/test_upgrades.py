@@ -93,7 +93,7 @@ def test_open_project_opens_older_versions(tmp_path: Path) -> None:
 
 def test_sigmas_stay_given_or_assumed(tmp_path: Path) -> None:
     """Standard deviations of earlier versions are given; those that nobody gave stay assumed."""
-    shutil.copytree(OLDER_PROJECTS[-1], tmp_path / "old")
+    shutil.copytree(OLDER_PROJECTS[11], tmp_path / "old")
     old = read_project(tmp_path / "old")
     assert old.settings.assumed_sigmas == ()
     made = sample_project(tmp_path / "new")

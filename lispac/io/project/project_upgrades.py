@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 13
+SCHEMA_VERSION = 14
 
 
 def upgrade_content(content: Content) -> Content:
@@ -214,6 +214,11 @@ def _upgrade_from_12(content: Content) -> Content:
     return content | {"schema_version": 13, "cross_checks": checks}
 
 
+def _upgrade_from_13(content: Content) -> Content:
+    """Upgrade to version 14, whose result contains the angle of incidence of each sighting."""
+    return content | {"schema_version": 14}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -227,4 +232,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     10: _upgrade_from_10,
     11: _upgrade_from_11,
     12: _upgrade_from_12,
+    13: _upgrade_from_13,
 }
