@@ -231,6 +231,10 @@ TEXTS: Mapping[str, Template] = {
         "Observed on {lines:n} lines. Without this target the standard deviation of {angle} would "
         "be {without:deg.4}° instead of {sigma:deg.4}°."
     ),
+    "propose.target_checks": N_(
+        "Observed on {lines:n} lines. It checks the other targets; without it the standard "
+        "deviations of the angles would increase by less than {share:percent.0} %."
+    ),
     "propose.target_needed": N_(
         "Observed on {lines:n} lines. Without this target the angles are not determined."
     ),

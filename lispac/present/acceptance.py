@@ -116,15 +116,17 @@ class AcceptanceValues:
 
 
 def decisive_checks(values: AcceptanceValues) -> list[AcceptanceCheckValues]:
-    """One check for each criterion: the one of the planes that decides about the verdict."""
+    """All failed checks of each criterion; without one, that of the plane with the worst value."""
     order: list[Verdict] = ["fail", "not judged", "pass"]
-    decisive: dict[Quantity, AcceptanceCheckValues] = {}
+    decisive: dict[Quantity, list[AcceptanceCheckValues]] = {
+        check.quantity: [] for check in values.checks
+    }
     for check in sorted(
         values.checks, key=lambda each: (order.index(each.verdict), -(each.value or 0.0))
     ):
-        decisive.setdefault(check.quantity, check)
-    quantities = dict.fromkeys(check.quantity for check in values.checks)
-    return [decisive[quantity] for quantity in quantities]
+        if not decisive[check.quantity] or check.verdict == "fail":
+            decisive[check.quantity].append(check)
+    return [check for checks in decisive.values() for check in checks]
 
 
 def _format(check: AcceptanceCheckValues) -> Format:

@@ -11,6 +11,7 @@ from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_t
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
+from lispac.present.acceptance import decisive_checks
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
@@ -170,6 +171,16 @@ def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Proj
     assert values["criteria"]["source"] == "Contract 4.2"
     assert {each["unit"] for each in values["checks"]} == {"deg", "m"}
     assert len(values["planes"]) == len(project.validation)
+
+
+def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project) -> None:
+    rms = {plane.name: plane.after.rms for plane in project.validation}
+    for limit, expected in (
+        (0.5 * min(rms.values()), sorted(rms, key=lambda name: -rms[name])),
+        (2.0 * max(rms.values()), [max(rms, key=lambda name: rms[name])]),
+    ):
+        values = content_with(project, rms=limit).acceptance
+        assert [check.plane for check in decisive_checks(values)] == expected
 
 
 def test_only_a_pass_without_messages_is_good(project: Project) -> None:

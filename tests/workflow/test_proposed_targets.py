@@ -237,6 +237,9 @@ def test_parallel_planes_are_proposed_if_accepted() -> None:
     project = project.with_settings(accepted)
     proposal = propose_targets(project, survey)
     assert [target.name for target in proposal.targets] == ["T1", "T2"]
+    for reason in proposal.reasons.values():
+        if reason.code == "propose.target":
+            assert reason.params["without"] >= 1.02 * reason.params["sigma"]
     result = estimate(replace(project, targets=proposal.targets), survey, cross_check=False).result
     assert result is not None
     assert (np.abs(result.boresight - scene_site.boresight) < 3.5 * result.sigma).all()

@@ -60,6 +60,9 @@ UNCHECKED_TARGET_CODES = {
     "adjustment.carried_by_one",
 }  # fmt: skip
 """Codes of warnings that the targets do not check each other."""
+MIN_SIGMA_INCREASE = 0.02
+"""Relative increase of a predicted sigma without a target, below which the target is said to check
+the others instead of to improve the angle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -322,6 +325,8 @@ def _target_reason(
     k = int(np.argmax(without / now))
     if len(chosen) < MIN_TARGETS or not np.isfinite(without[k]):
         return note("propose.target_needed", lines=lines)
+    if without[k] < (1.0 + MIN_SIGMA_INCREASE) * now[k]:
+        return note("propose.target_checks", lines=lines, share=MIN_SIGMA_INCREASE)
     return note(
         "propose.target",
         lines=lines, angle=mounting_value_name(ANGLES[k]),
