@@ -18,9 +18,9 @@ from lispac.workflow.planning.sensors import user_sensors_folder
 
 MAX_RECENT_PROJECTS = 8
 MAX_COMPANIES = 20
+"""Largest number of companies whose details for the report are stored."""
 MAX_EXPORTED_REPORTS = 100
 """Largest number of projects whose last exported report is stored."""
-"""Largest number of companies whose details for the report are stored."""
 THEMES = ("system", "light", "dark")
 POINT_SIZES_PX = range(1, 13)
 DEFAULT_POINT_SIZE_PX = 2
