@@ -11,7 +11,7 @@ from lispac.acceptance import (
     Verdict,
 )
 from lispac.language import N_, gettext, gettext_lazy
-from lispac.present.tables import Column, Format, Table
+from lispac.present.tables import Column, Format, Table, cell_text
 
 ANGLE_FORMAT, LENGTH_FORMAT = Format("deg", 4), Format("mm", 1, 1e3)
 VERDICT_TEXTS: dict[Verdict, str] = {
@@ -133,6 +133,12 @@ def _format(check: AcceptanceCheckValues) -> Format:
     return ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
 
 
+MEASURED_COLUMN, LIMIT_COLUMN = (
+    Column[AcceptanceCheckValues](name, title, _format, has_unit_in_cells=True)
+    for name, title in (("value", N_("Measured")), ("limit", N_("Limit")))
+)
+
+
 def acceptance_table(source: str) -> Table[AcceptanceCheckValues]:
     """Table of checks.
 
@@ -147,11 +153,24 @@ def acceptance_table(source: str) -> Table[AcceptanceCheckValues]:
         (
             Column("title", N_("Criterion")),
             Column("place", N_("Plane, lines")),
-            Column("value", N_("Measured"), _format, has_unit_in_cells=True),
-            Column("limit", N_("Limit"), _format, has_unit_in_cells=True),
+            MEASURED_COLUMN,
+            LIMIT_COLUMN,
             Column("verdict", N_("Verdict"), texts=VERDICT_TEXTS),
         ),
     )
+
+
+def failed_texts(values: AcceptanceValues, plane: str) -> list[str]:
+    """Value and limit of each criterion that a validation plane does not meet."""
+    return [
+        gettext(
+            "{criterion}, {place}: {value}, limit {limit}",
+            criterion=check.title, place=check.place, value=cell_text(MEASURED_COLUMN, check),
+            limit=cell_text(LIMIT_COLUMN, check),
+        )
+        for check in values.checks
+        if check.plane == plane and check.verdict == "fail"
+    ]  # fmt: skip
 
 
 def verdict_text(verdict: Verdict) -> str:

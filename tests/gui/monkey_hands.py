@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
     QTextEdit,
     QWidget,
 )
+from shiboken6 import isValid
 
 Key, Button, Modifier = Qt.Key, Qt.MouseButton, Qt.KeyboardModifier
 Doing = Iterator[None]
@@ -168,9 +169,12 @@ class Hands:
         try:
             for k in range(1, 6):
                 yield
+                if not isValid(handle):  # the window was closed during the drag
+                    return
                 QTest.mouseMove(handle, first + (last - first) * (k / 5))
         finally:
-            QTest.mouseRelease(handle, button, modifier, last)
+            if isValid(handle):
+                QTest.mouseRelease(handle, button, modifier, last)
 
     def _wheel(self, widget: QWidget, spot: QPoint) -> None:
         turn = self.chance.choice((-360, -120, 120, 360))

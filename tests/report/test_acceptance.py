@@ -11,7 +11,7 @@ from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_t
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
-from lispac.present.acceptance import decisive_checks
+from lispac.present.acceptance import decisive_checks, failed_texts
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
@@ -181,6 +181,12 @@ def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project)
     ):
         values = content_with(project, rms=limit).acceptance
         assert [check.plane for check in decisive_checks(values)] == expected
+        failing = [name for name in rms if failed_texts(values, name)]
+        assert sorted(failing) == sorted(expected if limit < min(rms.values()) else [])
+        for name in failing:
+            (text,) = failed_texts(values, name)
+            assert f"{1e3 * rms[name]:.1f}\u00a0mm" in text
+            assert f"{1e3 * limit:.1f}\u00a0mm" in text
 
 
 def test_only_a_pass_without_messages_is_good(project: Project) -> None:

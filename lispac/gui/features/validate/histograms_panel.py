@@ -29,7 +29,7 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.present.acceptance import verdict_text
+from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
 from lispac.present.validation import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
@@ -345,6 +345,7 @@ class HistogramsPanel(QWidget):
         if project is None:
             return
         judgement = project.judgement
+        values = AcceptanceValues.of(judgement)
         self._failed = {
             each.name for each in self._comparisons if judgement.verdict_on(each.name) == "fail"
         }
@@ -354,7 +355,8 @@ class HistogramsPanel(QWidget):
             quality = VERDICT_QUALITIES.get(verdict)
             item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
             text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
-            item.setToolTip(widgets.plain_tip(f"{_plane_tip(each)}\n{text}"))
+            lines = [_plane_tip(each), text, *failed_texts(values, each.name)]
+            item.setToolTip(widgets.plain_tip("\n".join(lines)))
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def select(self, name: str) -> None:
