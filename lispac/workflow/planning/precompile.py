@@ -73,6 +73,7 @@ def _precompile_with_low_priority() -> None:
 def run_all_methods(folder: Path) -> None:
     """Run all methods on a small simulated survey, which is written to a folder."""
     from lispac.alternative_methods import ALTERNATIVE_METHODS
+    from lispac.validation.local_models import LocalModel
     from lispac.workflow.calibration.estimation import estimate
     from lispac.workflow.calibration.method_runs import run_method
     from lispac.workflow.calibration.picking import pick_target
@@ -80,6 +81,7 @@ def run_all_methods(folder: Path) -> None:
     from lispac.workflow.checking.line_quality import line_quality
     from lispac.workflow.checking.subsampling import subsampling_study
     from lispac.workflow.checking.survey_sections import section_at_target
+    from lispac.workflow.checking.validation import validate
     from lispac.workflow.output.export import write_report
     from lispac.workflow.output.georeferencing import georeference_project
     from lispac.workflow.planning.demo import calibrate_demo, demo_seeds, make_demo
@@ -98,6 +100,8 @@ def run_all_methods(folder: Path) -> None:
         lambda: subsampling_study(project, survey),
         lambda: georeference_project(project, folder / "georeferenced", system="local"),
     ]
+    for model in (LocalModel("quadric", 12), LocalModel("plane", radius=0.2)):
+        further.append(lambda model=model: validate(project, survey, model=model))  # type: ignore[misc]
     for method in ALTERNATIVE_METHODS:
         further.append(lambda method=method: run_method(project, survey, method))  # type: ignore[misc]
     for other in (
