@@ -51,7 +51,8 @@ def draw_planes(
     """
     rng = np.random.default_rng(settings.seed)
     step = max(1, len(points) // SAMPLE_SIZE)
-    sample, weights = points[::step], votes[::step]
+    # Contiguous, so that the search is not compiled for a second memory layout
+    sample, weights = (np.ascontiguousarray(values[::step]) for values in (points, votes))
     chance = np.cumsum(weights / weights.sum())
     normal = np.zeros(3) if expected_normal is None else np.asarray(expected_normal, np.float64)
     tilt_limit = settings.max_tilt if expected_normal is not None else -1.0
