@@ -8,6 +8,7 @@ Tukey 1974).
 """
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Literal
 
 import numpy as np
@@ -45,17 +46,20 @@ class Loss:
     @property
     def expected_square_share(self) -> float:
         """Expected ratio of the weighted to the unweighted sum of squares of normal residuals."""
-        z = np.linspace(-10, 10, 20_001)
-        weights = [
-            1.0 if self.name == "none" else loss_weight(self.code, self.tuning, v) for v in z
-        ]
-        density = np.exp(-(z**2) / 2) / np.sqrt(2 * np.pi)
-        return float(np.trapezoid(weights * z**2 * density, z))
+        return _expected_square_share(self)
 
     @property
     def start(self) -> "Loss":
         """Loss for the first iterations, since a redescending loss needs good starting values."""
         return Loss("huber") if self.name == "tukey" else self
+
+
+@cache
+def _expected_square_share(loss: Loss) -> float:
+    z = np.linspace(-10, 10, 20_001)
+    weights = [1.0 if loss.name == "none" else loss_weight(loss.code, loss.tuning, v) for v in z]
+    density = np.exp(-(z**2) / 2) / np.sqrt(2 * np.pi)
+    return float(np.trapezoid(weights * z**2 * density, z))
 
 
 def robust_scale(residuals: NDArray[np.float64]) -> float:

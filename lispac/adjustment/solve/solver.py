@@ -349,9 +349,10 @@ def _iterate_variance_components(
             found.form_error_factor * problem.default_surface_sigmas
         )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
-    final = estimate_variance_components(solution.linearised, *chosen)
+    else:
+        found = estimate_variance_components(solution.linearised, *chosen)
     if "LiDAR" in settings.components and "LiDAR" in settings.assumed and total[0] != 1:
-        final = with_lidar_interval(final, solution.linearised)
+        found = with_lidar_interval(found, solution.linearised)
     return (
         solution,
         tuple(
@@ -364,7 +365,7 @@ def _iterate_variance_components(
                 float(t),
                 bool(determined or t != 1),
             )
-            for c, t, determined in zip(final.components, total, final.determined, strict=True)
+            for c, t, determined in zip(found.components, total, found.determined, strict=True)
             if c.name in settings.components
         ),
         total,
