@@ -127,6 +127,7 @@ def test_sigmas_are_raised_by_the_scatter_without_single_targets_or_one_line(
     assert (np.abs(result.boresight - TRUTH.boresight) < 2 * result.sigma).all()
 
 
+@pytest.mark.long
 def test_the_expected_increase_of_the_sigmas_is_that_of_simulated_surveys() -> None:
     """Even with a correct model, the sigmas of some surveys are raised by chance."""
     squared, expected = [], np.zeros(3)

@@ -84,7 +84,7 @@ def cause_groups(result: AdjustmentResult) -> list[list[Place]]:
     return [[(each.kind, each.target, each.line) for each in group] for group in result.causes]
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("kind", list(WRONG_MOUNTINGS))
 def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
@@ -107,7 +107,9 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
     assert f"contradicted_{kind}" in map(former_code, found)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in (1, 2))]
+)
 @pytest.mark.parametrize("kind", ["line_boresight", "line_position", "line_time", "sighting_shift"])
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)

@@ -61,6 +61,7 @@ def problem_and_origins(found: SolvedEquations) -> tuple[LinearisedProblem, np.n
     return found.linearised, found.origins
 
 
+@pytest.mark.long
 def test_sigmas_hardly_change_where_the_model_is_right(
     thinned: Opened, clean: TargetlessResult
 ) -> None:

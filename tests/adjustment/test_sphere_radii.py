@@ -69,7 +69,7 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
         assert each.largest - each.smallest > 0.01
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize(
     ("cause", "value", "tolerance", "courses"),
     [

@@ -138,6 +138,7 @@ def test_a_lost_worker_loses_no_result(cluster: distributed.LocalCluster, tmp_pa
     assert marker.exists()
 
 
+@pytest.mark.long
 def test_a_worker_killed_from_outside_loses_no_result(
     cluster: distributed.LocalCluster,
 ) -> None:

@@ -31,7 +31,7 @@ def start_search(driver: Driver, design: DesignWindow, folder: Path) -> None:
     click(driver, design.search.find)
 
 
-@pytest.mark.parametrize("which", ["plan_view", "wall_view"])
+@pytest.mark.parametrize("which", [pytest.param("plan_view", marks=pytest.mark.long), "wall_view"])
 def test_a_search_that_ends_during_a_drag_ends_the_drag(
     driver: Driver, design: DesignWindow, tmp_path: Path, which: str
 ) -> None:

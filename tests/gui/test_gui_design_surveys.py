@@ -104,6 +104,7 @@ def test_simulated_surveys_agree_with_the_command_line(
         ), "the curve holds as many surveys as the bars"
 
 
+@pytest.mark.long
 def test_a_cancelled_campaign_shows_its_finished_surveys_if_they_suffice(
     driver: Driver, coarse: DesignWindow
 ) -> None:
@@ -136,6 +137,7 @@ def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWin
     assert driver.dialogs.errors == []
 
 
+@pytest.mark.long
 def test_a_campaign_that_ends_during_a_drag_does_not_end_the_drag(
     driver: Driver, coarse: DesignWindow
 ) -> None:

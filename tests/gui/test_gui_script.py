@@ -44,6 +44,7 @@ def values_in_window(driver: Driver, path: Path) -> dict:
     return same_part(path)
 
 
+@pytest.mark.long
 def test_window_and_script_give_the_same_report(opened: Driver, tmp_path: Path) -> None:
     """The reports agree after seeds, an undone edit, a kept edit, an estimate and a validation."""
     for name in ("T1", "T2", "V1", "V2"):

@@ -38,6 +38,7 @@ SCENE_OPPOSITE_LINES = 11
 """Two opposite lines whose flat surfaces do not determine yaw."""
 
 
+@pytest.mark.long
 def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None:
     site = natural_site(SCENE_GOOD)
     project, survey = opened(site, np.array([1.0, -1.0, 1.0]))
@@ -131,7 +132,7 @@ def test_targets_without_mutual_control_are_reported() -> None:
     assert "targets.proposal_unchecked" in codes
 
 
-@pytest.mark.parametrize(("scene", "bent"), [(64, ()), (73, ("T1", "T3"))])
+@pytest.mark.parametrize(("scene", "bent"), [(64, ()), pytest.param(73, ("T1", "T3"), marks=pytest.mark.long)])
 def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -> None:
     """Both scenes have two lines; in scene 64 POS errors make a flat target look bent."""
     project, survey = opened(

@@ -67,6 +67,7 @@ BOARDS = (
 )  # fmt: skip
 
 
+@pytest.mark.long
 def test_a_real_flight_over_boards_and_a_mesh(
     shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -119,6 +119,7 @@ def test_results_are_saved_and_invalid_ones_are_refused(tmp_path: Path) -> None:
     assert refusal_reason(lambda one: one.update(method="guess")).code == "content.wrong_form"
 
 
+@pytest.mark.long
 def test_natural_planes_use_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:
     """The result without boards agrees with the truth within its sigmas."""
     project, survey = calibrated

@@ -118,6 +118,7 @@ def test_a_rippled_sheet_is_detected_and_not_proposed(
         assert all(s.rms < 3 * lidar_noise(project.settings) for s in target.sightings)
 
 
+@pytest.mark.long
 def test_a_plane_of_poor_quality_on_most_lines_is_not_proposed(
     detected: list[DetectedPlane], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -194,6 +195,7 @@ def normalised_differences(first: AdjustmentResult, second: AdjustmentResult) ->
     return np.abs(first.boresight - second.boresight) / np.hypot(first.sigma, second.sigma)
 
 
+@pytest.mark.long
 def test_planes_are_added_if_boards_do_not_determine_an_angle() -> None:
     """Two boards of similar orientation, a wall and a roof, on two opposite lines."""
     scene_site = site(
@@ -245,6 +247,7 @@ def test_parallel_planes_are_proposed_if_accepted() -> None:
     assert (np.abs(result.boresight - scene_site.boresight) < 3.5 * result.sigma).all()
 
 
+@pytest.mark.long
 def test_in_the_classical_model_the_same_boards_are_proposed() -> None:
     project, survey = site_of_few_lines().opened((1, -1, 1))
     thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
@@ -302,6 +305,7 @@ def test_boards_are_proposed_while_each_adds_information() -> None:
         assert reason.params["sigma"] == proposal.sigma[k] < cast(float, reason.params["without"])
 
 
+@pytest.mark.long
 def test_a_target_that_is_probably_not_flat_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first adjustment finds this for T1, that without it for no target."""
     chosen: list[list[str]] = []

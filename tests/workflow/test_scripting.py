@@ -161,6 +161,7 @@ def test_a_point_of_a_line_can_be_a_seed(quay: lispac.OpenProject) -> None:
     assert len(shared) > 0.95 * len(sighting.indices)
 
 
+@pytest.mark.long
 def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
     proposal = quay.propose()
     names = [target.name for target in proposal.targets if target.role == "target"]
