@@ -64,7 +64,7 @@ def test_only_assumed_groups_are_estimated_and_the_others_keep_their_sigmas() ->
 
 def test_sigmas_that_the_data_do_not_determine_are_named_in_a_note() -> None:
     result = adjust(
-        _survey(), PRIOR, StochasticModel(loss="tukey"), components=None, assumed=SIGMA_GROUPS
+        _survey(5), PRIOR, StochasticModel(loss="tukey"), components=None, assumed=SIGMA_GROUPS
     )
     assert "POS attitude" in result.unestimated_sigmas
     assert "LiDAR" not in result.unestimated_sigmas

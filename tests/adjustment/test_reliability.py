@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.special import ndtri
+from scipy.special import chdtri, ndtri
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
 from lispac.adjustment.diagnostics.reliability import (
@@ -34,6 +34,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.adjustment.test_robustness import shifted, survey
+from tests.support.surveys import disturbed, planar_survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -243,7 +244,7 @@ def test_variance_components_recover_the_simulated_errors() -> None:
         ]
         noise = np.mean([target.noise for target in result.targets])
         logs.append([np.log(lidar.factor * noise), np.log(position.factor)])
-        assert attitude.lower < 1 < attitude.upper
+        assert attitude.lower <= 1 <= attitude.upper
         if position.applied:
             assert result.sigma_factors[1] == position.used
             assert position.used == pytest.approx(position.factor, rel=0.05)
@@ -266,6 +267,25 @@ def test_variance_components_recover_too_small_position_sigmas() -> None:
     assert np.mean(np.square(plain)) > 1.5
     assert np.mean(np.square(with_components)) < 1.5
     assert np.exp(np.mean(np.log(factors))) == pytest.approx(2.5, rel=0.35)
+
+
+def test_variance_components_recover_too_small_attitude_sigmas() -> None:
+    """Attitudes are four times worse than given, and the search begins at the given sigmas."""
+    normalised, logs = [], []
+    for seed in range(6):
+        true = planar_survey(TRUTH, seed=seed).with_scaled_sigmas(1.0, 1.0, 10.0)
+        scaled = disturbed(true, correlated=True, seed=seed).with_scaled_sigmas(1.0, 1.0, 0.25)
+        result = adjust(
+            scaled, PRIOR, StochasticModel(loss="tukey"), components=True, diagnostics=False
+        )
+        lidar, _, attitude = result.components
+        assert lidar.lower < 1 < lidar.upper
+        assert attitude.lower < 4 < attitude.upper
+        normalised.append((result.boresight - TRUTH.boresight) / result.sigma)
+        logs.append(np.log(attitude.factor))
+    assert np.exp(np.mean(logs)) == pytest.approx(4.0, rel=0.35)
+    limit = chdtri(18, 0.001) / 18  # exceeded once in a thousand with correct sigmas
+    assert np.mean(np.square(normalised)) < limit
 
 
 def test_likelihood_matches_dense_matrices(linearised) -> None:

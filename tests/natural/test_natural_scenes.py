@@ -132,7 +132,9 @@ def test_targets_without_mutual_control_are_reported() -> None:
     assert "targets.proposal_unchecked" in codes
 
 
-@pytest.mark.parametrize(("scene", "bent"), [(64, ()), pytest.param(73, ("T1", "T3"), marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    ("scene", "bent"), [(64, ()), pytest.param(73, ("T1", "T3"), marks=pytest.mark.long)]
+)
 def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -> None:
     """Both scenes have two lines; in scene 64 POS errors make a flat target look bent."""
     project, survey = opened(

@@ -68,9 +68,7 @@ def test_compiled_functions_use_only_names_of_watched_files() -> None:
                 assert not unwatched, (path.name, node.name)
 
 
-@pytest.mark.parametrize(
-    "what", ["function", pytest.param("constant", marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("what", ["function", pytest.param("constant", marks=pytest.mark.long)])
 def test_code_is_compiled_again_after_a_change_in_another_file(tmp_path: Path, what: str) -> None:
     """Numba checks only the file of the caller, which does not change."""
     copy = tmp_path / "lispac"

@@ -146,7 +146,9 @@ def test_the_short_report_has_at_most_four_well_filled_pages(
     assert min(_filled_shares(made.pages[:-1], page)) >= 0.5
 
 
-@pytest.mark.parametrize(("language", "page"), [("en", "a4"), pytest.param("fr", "letter", marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    ("language", "page"), [("en", "a4"), pytest.param("fr", "letter", marks=pytest.mark.long)]
+)
 def test_the_full_report_keeps_planes_together_on_well_filled_pages(
     project: Project,
     views: dict[str | LazyText, Path],

@@ -7,6 +7,7 @@ another pass over the points.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 import scipy
@@ -160,6 +161,18 @@ The noise estimated from the residuals then already replaces the given LiDAR sig
 MIN_SEPARATING_LINES = 3
 """Smallest number of lines with which position errors and form errors can be separated."""
 
+DEVIANCE_TOLERANCE = 1e-3
+"""Change of the deviance at which its minimum is found; a factor of one sigma changes it by 1."""
+
+LOG_FACTOR_STEP = 1e-4
+"""Step of the logarithm of a factor for the numerical derivatives of the deviance."""
+
+LOG_FACTOR_GRID = np.log([0.2, 1.0, 5.0])
+"""Logarithms of the factors on the sigmas of POS and form errors at which the search begins."""
+
+LIKELIHOOD_RATIO_LIMIT = 3.84
+"""Difference of the deviances from which on a factor differs significantly from 1, at 95 %."""
+
 MAX_LOG_SIGMA = 0.6
 """Largest standard deviation of the logarithm of a determined factor, with the others fixed."""
 
@@ -204,8 +217,6 @@ def estimate_variance_components(
         Groups whose sigmas nobody gave. The points of any number of lines determine an assumed
         LiDAR sigma.
     """
-    import scipy.optimize
-
     problem, likelihood = linearised.problem, _RestrictedLikelihood(linearised)
     free = np.array([*(group in groups for group in SIGMA_GROUPS), True])
     free[0] &= bool(problem.noise.max() < MIN_NOISE_FACTOR)
@@ -218,37 +229,26 @@ def estimate_variance_components(
         *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(SIGMA_GROUPS),
         (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
-
-    def deviance(some: Array) -> float:
-        factors = np.zeros(4)
-        factors[free] = some
-        return likelihood(factors)
-
-    # The form errors may have absorbed errors of the POS.
-    starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
-    best = min(
-        (
-            scipy.optimize.minimize(
-                deviance, start[free], method="Nelder-Mead",
-                bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
-                options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
-            )
-            for start in (starts if free[3] else starts[:1])
-        ),
-        key=lambda result: float(result.fun),
-    )  # fmt: skip
-    curvature = _likelihood_curvature(deviance, best.x) / 2
-    found, spread, alone = np.zeros(4), np.full(4, np.inf), np.full(4, np.inf)
-    found[free] = best.x
+    found, least = _most_likely_factors(likelihood, free, bounds)
+    curvature = _likelihood_curvature(
+        lambda some: likelihood(_with_values(np.zeros(4), free, some)), found[free]
+    )
+    curvature /= 2
+    spread, alone = np.full(4, np.inf), np.full(4, np.inf)
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
     alone[free] = 1 / np.sqrt(np.diag(curvature))
     reach = np.log(MAX_FACTOR_RATIO)
+    intervals = np.clip(
+        [found[:3], found[:3] - 1.96 * spread[:3], found[:3] + 1.96 * spread[:3]], -reach, reach
+    )
+    for k in np.flatnonzero((intervals[1] > 0) | (intervals[2] < 0)):
+        fixed = free & (np.arange(4) != k)
+        if _most_likely_factors(likelihood, fixed, bounds)[1] - least < LIKELIHOOD_RATIO_LIMIT:
+            intervals[1, k], intervals[2, k] = min(intervals[1, k], 0), max(intervals[2, k], 0)
     return MaximumLikelihood(
         tuple(
-            VarianceComponent(
-                name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
-            )
-            for name, x, s in zip(SIGMA_GROUPS, found[:3], spread[:3], strict=True)
+            VarianceComponent(name, *np.exp(column).tolist())
+            for name, column in zip(SIGMA_GROUPS, intervals.T, strict=True)
         ),
         tuple(
             bool(spread < MAX_LOG_SIGMA) and (enough or (group == "LiDAR" and group in assumed))
@@ -256,6 +256,45 @@ def estimate_variance_components(
         ),
         float(np.exp(found[3])),
     )
+
+
+def _most_likely_factors(
+    likelihood: Callable[[Array], float],
+    free: NDArray[np.bool_],
+    bounds: Sequence[tuple[float, float]],
+) -> tuple[Array, float]:
+    """Logarithms of the factors, shape (4,), at the minimum of the deviance, and the minimum.
+
+    The logarithms of factors that are not ``free`` are 0.
+    """
+    import scipy.optimize
+
+    if not free.any():
+        return np.zeros(4), likelihood(np.zeros(4))
+
+    def minimise(start: Array) -> tuple[Array, float]:
+        best = scipy.optimize.minimize(
+            lambda some: likelihood(_with_values(np.zeros(4), free, some)), start[free],
+            method="SLSQP",
+            bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
+            options={"ftol": DEVIANCE_TOLERANCE, "eps": LOG_FACTOR_STEP},
+        )  # fmt: skip
+        return _with_values(np.zeros(4), free, best.x), float(best.fun)
+
+    # Errors of POS and of form can explain the same residuals, so that there are several minima.
+    nearest = minimise(np.zeros(4))
+    steps = [
+        np.clip(LOG_FACTOR_GRID, *bound) if is_free else np.zeros(1)
+        for bound, is_free in zip(bounds[1:], free[1:], strict=True)
+    ]
+    grid = [np.array([nearest[0][0], *values]) for values in product(*steps)]
+    return min(nearest, minimise(min(grid, key=likelihood)), key=lambda found: found[1])
+
+
+def _with_values(array: Array, places: NDArray[np.bool_], values: Array) -> Array:
+    """The array with other values at some places, in place."""
+    array[places] = values
+    return array
 
 
 def with_lidar_interval(
