@@ -10,7 +10,7 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.targets.sighting_quality import SightingQuality
-from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
+from tests.gui.support import Demo, Driver, Key, Left, open_step, press, seed, wait_until_idle
 from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
@@ -41,6 +41,19 @@ def test_every_sighting_has_a_quality_light_with_its_reason(picked: Driver) -> N
     steep = picked.project.target("T2").sightings[-1].line
     assert "Quality: doubtful" in shown_value(picked, "T2", steep, Role.ToolTipRole)
     assert "surface normal is" in shown_value(picked, "T2", steep, Role.ToolTipRole)
+    assert shown_value(picked, "T2", steep).endswith("oblique"), "the mark is named beside it"
+
+
+def test_the_status_bar_gives_the_reasons_of_the_selected_sighting(picked: Driver) -> None:
+    good = picked.project.target("T1").sightings[0].line
+    steep = picked.project.target("T2").sightings[-1].line
+    table, bar = picked.window.table, picked.window.task_bar
+    picked.bot.waitUntil(lambda: shown_value(picked, "T2", steep, Role.DecorationRole) is not None)
+    for name, line, is_named in (("T2", steep, True), ("T1", good, False)):
+        model = table.sightings
+        cell = table.visualRect(model.index(model.row_of(name), model.column_of(line)))
+        picked.bot.mouseClick(table.viewport(), Left, pos=cell.center())
+        assert is_shown("quality.oblique", bar.currentMessage()) == is_named
 
 
 def test_an_effect_of_the_prior_boresight_below_a_tenth_of_a_millimetre_is_not_shown(
@@ -63,13 +76,13 @@ def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Dr
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
-    assert shown_value(picked, "T1", line).endswith("poor")
+    assert shown_value(picked, "T1", line).endswith("poor: few points")
     tip = shown_value(picked, "T1", line, Role.ToolTipRole)
     assert message_text(note("quality.few_points", count=40)) in tip
     assert is_shown("quality.shows_less", tip)
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
-    assert shown_value(picked, "T1", line).endswith("poor")
+    assert shown_value(picked, "T1", line).endswith("poor: few points")
     picked.window.document.undo_stack.undo()
     picked.window.document.undo_stack.undo()
     picked.rest()
@@ -103,7 +116,7 @@ def test_other_tasks_take_precedence_over_quality(picked: Driver) -> None:
     picked.window.runner.run("Something else", lambda progress: 1, done.append)
     picked.rest()
     assert done == [1]
-    assert shown_value(picked, "T1", line).endswith("poor")
+    assert shown_value(picked, "T1", line).endswith("poor: few points")
 
 
 def lights(driver: Driver) -> dict[str, str]:

@@ -361,9 +361,9 @@ def test_a_panel_that_opens_does_not_cover_the_selected_target(viewport, qtbot):
     viewport.widget.resize(viewport.widget.width(), height - 120)
     qtbot.waitUntil(lambda: canvas.height() == height - 120)
     x, y = viewport.to_pixels(lowest).T
-    assert 0.0 <= x.min()
+    assert x.min() >= 0.0
     assert x.max() <= canvas.width()
-    assert 0.0 <= y.min()
+    assert y.min() >= 0.0
     assert y.max() <= canvas.height() - 30.0
     before = viewport.to_pixels(lowest)
     viewport.keep_picture()

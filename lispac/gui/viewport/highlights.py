@@ -74,7 +74,7 @@ class HighlightLayer:
             self._renderer.AddActor(actor)
 
     def selected_points(self) -> Array:
-        """Points (n, 3) of the emphasised sighting, or of all sightings of the emphasised target."""
+        """Points (n, 3) of the emphasised sighting, or of all sightings of the target."""
         name, line = self.selected or ("", "")
         parts = [
             each.points

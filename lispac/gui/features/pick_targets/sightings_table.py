@@ -39,6 +39,28 @@ RATING_TEXTS: dict[Rating, str] = {
     "poor": N_("Quality: poor"),
 }
 """Texts of a quality."""
+REASON_WORDS: Mapping[str, str] = {
+    "quality.curved": N_("curved"),
+    "quality.uneven": N_("uneven"),
+    "quality.oblique": N_("oblique"),
+    "quality.sparse": N_("gaps"),
+    "quality.sphere_part": N_("partly visible"),
+    "quality.few_points": N_("few points"),
+    "quality.rough": N_("rough"),
+    "quality.rough_without_prior": N_("rough"),
+    "quality.rough_beyond_threshold": N_("rough"),
+    "quality.rough_without_prior_beyond_threshold": N_("rough"),
+    "quality.shows_more": N_("larger"),
+    "quality.shows_less": N_("partly visible"),
+    "quality.mistakable": N_("ambiguous"),
+    "quality.wider": N_("other size"),
+    "quality.narrower": N_("other size"),
+    "quality.higher": N_("other size"),
+    "quality.lower": N_("other size"),
+    "quality.steeper": N_("other tilt"),
+    "quality.less_steep": N_("other tilt"),
+}
+"""Short forms of the reasons for a doubtful or poor quality, by message code."""
 
 
 class SightingsModel(QAbstractTableModel):
@@ -71,6 +93,14 @@ class SightingsModel(QAbstractTableModel):
         if self.rowCount():
             last = self.index(self.rowCount() - 1, self.columnCount() - 1)
             self.dataChanged.emit(self.index(0, 0), last)
+
+    def quality_sentences(self, name: str, line: str) -> str:
+        """Name of a sighting of doubtful or poor quality with all reasons; empty for others."""
+        quality = self._qualities.get((name, line))
+        if quality is None or quality.rating == "good":
+            return ""
+        reasons = " ".join(map(message_text, quality.reasons))
+        return gettext("{target} in line {line}: {reason}", target=name, line=line, reason=reasons)
 
     def key(self, index: Index) -> tuple[str, str] | None:
         """Target and line of a cell; the line is empty in the column of names."""
@@ -219,8 +249,8 @@ class SightingsModel(QAbstractTableModel):
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            is_poor = quality is not None and quality.rating == "poor"
-            light = "   " + gettext("poor") if is_poor else ""
+            word = "" if quality is None else quality_word(quality)
+            light = f"   {word}" if word else ""
             edited = f" {EDITED_SYMBOL}" if sighting.by_hand else ""
             return (
                 f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
@@ -363,6 +393,17 @@ class SightingsTable(QTableView):
 
 def _millimetres(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
+
+
+def quality_word(quality: SightingQuality) -> str:
+    """Short form of the first reason for a doubtful or poor quality; empty for a good one."""
+    if quality.rating == "good":
+        return ""
+    words = [
+        gettext(REASON_WORDS[each.code]) for each in quality.reasons if each.code in REASON_WORDS
+    ]
+    word = words[0] if words else gettext("doubtful")
+    return gettext("poor: {reason}", reason=word) if quality.rating == "poor" else word
 
 
 def quality_text(quality: SightingQuality) -> str:
