@@ -29,8 +29,8 @@ from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, gettext
 from lispac.picked_targets import Role
 
-EMPTY_TITLE = N_("No project open")
-EMPTY_HINT = N_("Open or create a project to see its lines here")
+EMPTY_TITLE = N_("No lines are shown")
+EMPTY_HINT = N_("The lines appear here when they have been read")
 MOUSE_HELP: Mapping[Role, str] = {
     "target": N_(
         "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target"
