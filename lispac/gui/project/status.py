@@ -235,7 +235,7 @@ def _adjust_status(
         fits = project.result.chi_square.outcome != "failed"
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
-            sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
+            sentence = gettext("done, with warnings (F12)")
             advice = gettext("Read the warnings (F12) before you use the angles.")
         else:
             sentence = gettext("done: variance factor {factor:x.2}", factor=factor)
