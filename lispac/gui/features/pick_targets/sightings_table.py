@@ -1,6 +1,6 @@
 """Table of targets by lines: points, RMS and use of every sighting."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from PySide6.QtCore import (
@@ -174,6 +174,8 @@ class SightingsModel(QAbstractTableModel):
             return self._line_cell_value(index.column(), role)
         target = self._targets[index.row()]
         if index.column() == 0:
+            if role == Role.DisplayRole and (words := self._quality_words(target)):
+                return f"{target.name}   {words}"
             return _name_cell_value(target, role)
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
@@ -245,12 +247,16 @@ class SightingsModel(QAbstractTableModel):
     def _sighting(self, index: Index) -> PickedSighting | None:
         return self._targets[index.row()].sighting(self._lines[index.column() - 1])
 
+    def _quality_words(self, target: Target) -> str:
+        keys = ((target.name, sighting.line) for sighting in target.sightings)
+        return quality_words(self._qualities[key] for key in keys if key in self._qualities)
+
     def _sighting_cell_value(self, target: Target, sighting: PickedSighting, role: int) -> Any:
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            word = "" if quality is None else quality_word(quality)
-            light = f"   {word}" if word else ""
+            is_poor = quality is not None and quality.rating == "poor"
+            light = "   " + gettext("poor") if is_poor else ""
             edited = f" {EDITED_SYMBOL}" if sighting.by_hand else ""
             return (
                 f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
@@ -395,15 +401,15 @@ def _millimetres(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
 
 
-def quality_word(quality: SightingQuality) -> str:
-    """Short form of the first reason for a doubtful or poor quality; empty for a good one."""
-    if quality.rating == "good":
-        return ""
-    words = [
-        gettext(REASON_WORDS[each.code]) for each in quality.reasons if each.code in REASON_WORDS
-    ]
-    word = words[0] if words else gettext("doubtful")
-    return gettext("poor: {reason}", reason=word) if quality.rating == "poor" else word
+def quality_words(qualities: Iterable[SightingQuality]) -> str:
+    """Short forms of the first reasons of the sightings that are not good, each once."""
+    words = {
+        next((REASON_WORDS[each.code] for each in quality.reasons if each.code in REASON_WORDS),
+             N_("doubtful"))
+        for quality in qualities
+        if quality.rating != "good"
+    }  # fmt: skip
+    return ", ".join(sorted(map(gettext, words)))
 
 
 def quality_text(quality: SightingQuality) -> str:
