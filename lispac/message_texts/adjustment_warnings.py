@@ -142,14 +142,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.lidar_noise_conservative": N_(
         "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
-        "{given:mm.1} mm. The standard deviations of the angles are computed with the given noise "
-        "and are probably too large; to reduce them, use the noise of the residuals and estimate "
+        "{given:mm.1} mm, with which the standard deviations of the angles are computed. The "
+        "angles are probably more precise than stated. Use the noise of the residuals and estimate "
         "again."
     ),
     "adjustment.lidar_noise_ratio_conservative": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one. The standard "
-        "deviations of the angles are computed with the given noise and are probably too large; to "
-        "reduce them, use the noise of the residuals and estimate again."
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one, with which the "
+        "standard deviations of the angles are computed. The angles are probably more precise than "
+        "stated. Use the noise of the residuals and estimate again."
     ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "
