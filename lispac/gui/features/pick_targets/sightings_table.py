@@ -1,5 +1,6 @@
 """Table of targets by lines: points, RMS and use of every sighting."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -174,8 +175,8 @@ class SightingsModel(QAbstractTableModel):
             return self._line_cell_value(index.column(), role)
         target = self._targets[index.row()]
         if index.column() == 0:
-            if role == Role.DisplayRole and (words := self._quality_words(target)):
-                return f"{target.name}   {words}"
+            if role == Role.DisplayRole and (reason := self._main_reason(target)):
+                return f"{target.name}  {reason}"
             return _name_cell_value(target, role)
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
@@ -247,9 +248,9 @@ class SightingsModel(QAbstractTableModel):
     def _sighting(self, index: Index) -> PickedSighting | None:
         return self._targets[index.row()].sighting(self._lines[index.column() - 1])
 
-    def _quality_words(self, target: Target) -> str:
+    def _main_reason(self, target: Target) -> str:
         keys = ((target.name, sighting.line) for sighting in target.sightings)
-        return quality_words(self._qualities[key] for key in keys if key in self._qualities)
+        return main_reason(self._qualities[key] for key in keys if key in self._qualities)
 
     def _sighting_cell_value(self, target: Target, sighting: PickedSighting, role: int) -> Any:
         used = target.used and sighting.used
@@ -401,15 +402,15 @@ def _millimetres(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
 
 
-def quality_words(qualities: Iterable[SightingQuality]) -> str:
-    """Short forms of the first reasons of the sightings that are not good, each once."""
-    words = {
+def main_reason(qualities: Iterable[SightingQuality]) -> str:
+    """Short form of the most frequent reason of the sightings that are not good."""
+    words = Counter(
         next((REASON_WORDS[each.code] for each in quality.reasons if each.code in REASON_WORDS),
              N_("doubtful"))
         for quality in qualities
         if quality.rating != "good"
-    }  # fmt: skip
-    return ", ".join(sorted(map(gettext, words)))
+    )  # fmt: skip
+    return gettext(words.most_common(1)[0][0]) if words else ""
 
 
 def quality_text(quality: SightingQuality) -> str:
