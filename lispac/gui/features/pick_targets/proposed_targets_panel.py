@@ -136,7 +136,7 @@ class ProposedTargetsPanel(QFrame):
     def _on_ticked(self) -> None:
         ticked, total = len(self.ticked_entries), self.table.rowCount()
         self.accept_button.setText(
-            gettext("Add {ticked:n} of {total:n} surfaces", ticked=ticked, total=total)
+            gettext("Add {ticked:n} of {total:n}", ticked=ticked, total=total)
         )
         self.accept_button.setEnabled(ticked > 0)
         self.ticks_changed.emit()
