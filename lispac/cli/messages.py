@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import TextIO
 
 from lispac.language import to_plain_text
-from lispac.message_texts import action_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import Action, Message
 
 OPTION_HINTS = {
@@ -52,15 +52,29 @@ def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> N
         print(f"{message.level}: {console_text(message)}", file=file)
         if option := option_hint(message):
             print(f"    {option}", file=file)
-        for action in message.actions:
-            print(f"    {_action_text(action)}", file=file)
+        for option in filter(None, map(_action_option, message.actions)):
+            print(f"    {option}", file=file)
 
 
-def _action_text(action: Action) -> str:
-    """Suggested action of a message, as an option of the command line if there is one."""
-    if action.code == "set_option":
-        switch = action.params.get("switch", "line")
-        return f"--{switch}-option {action.params['name']}={action.params['value']}"
-    if action.code == "split_line":
-        return f"--split-by {action.params['by']}"
-    return action_text(action)
+ACTION_OPTIONS = {
+    "split_line": "--split-by {by}",
+    "shift_times": "--time-shift {shift:g}",
+    "bridge_gaps": "--longest-gap {gap:g}",
+    "use_lidar_noise": "--lidar-sigma {measured:.2g}",
+}
+"""Option by the code of an action that is not about an option of a file."""
+TRAJECTORY_ACTION_CODES = {"use_degrees", "swap_coordinates", "check_sign"}
+"""Codes of actions on options of a trajectory; the others are on options of a line."""
+
+
+def _action_option(action: Action) -> str:
+    """Option for a suggested action; empty if only the window has the action."""
+    params = action.params
+    if action.code in ACTION_OPTIONS:
+        return ACTION_OPTIONS[action.code].format(**params)
+    if "name" not in params:
+        return ""
+    is_trajectory = action.code in TRAJECTORY_ACTION_CODES or params["name"] == "time"
+    switch = params.get("switch", "trajectory" if is_trajectory else "line")
+    value = params.get("value", "VALUE")
+    return f"--{switch}-option {params['name']}={value}"

@@ -152,6 +152,9 @@ TEXTS: Mapping[str, Template] = {
     "observability.no_main_line": N_(
         "The standard deviation of {angle} does not depend on any single line."
     ),
+    "observability.no_main_lines": N_(
+        "The standard deviations of these angles do not depend on any single line: {angles:names}."
+    ),
     "observability.one_sphere": N_(
         "{target} is the only target, so its deformation or displacement cannot be detected. Add "
         "another target."

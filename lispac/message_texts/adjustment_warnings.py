@@ -59,8 +59,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "targets.sigma_below_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % smaller than predicted when the "
-        "targets were proposed, and may be too small: {angles:names}. Check the residuals of the "
-        "targets, or use more targets and lines."
+        "targets were proposed: {angles:names}. The prediction contains the noise and the form "
+        "errors of all flat surfaces, the result only those of the targets, so it may be too "
+        "small. Check the residuals of the targets, or use more targets and lines."
     ),
     "targets.sigma_above_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
@@ -141,14 +142,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.lidar_noise_conservative": N_(
         "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
-        "{given:mm.1} mm. The standard deviations of the angles are computed with the given noise "
-        "and are probably too large; to reduce them, use the noise of the residuals and estimate "
+        "{given:mm.1} mm, with which the standard deviations of the angles are computed. The "
+        "angles are probably more precise than stated. Use the noise of the residuals and estimate "
         "again."
     ),
     "adjustment.lidar_noise_ratio_conservative": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one. The standard "
-        "deviations of the angles are computed with the given noise and are probably too large; to "
-        "reduce them, use the noise of the residuals and estimate again."
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one, with which the "
+        "standard deviations of the angles are computed. The angles are probably more precise than "
+        "stated. Use the noise of the residuals and estimate again."
     ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "

@@ -26,8 +26,13 @@ TEXTS: Mapping[str, Template] = {
     "project.import_note": N_("Import: {reason}"),
     "project.storage": N_("Saving: {reason}"),
     "project.not_found_on_line": N_("{target} was not found on {line}. {reason}"),
+    "project.not_found_on_lines": N_("{target} was not found on {lines:names}. {reason}"),
     "project.doubtful_sighting": N_(
         "{target} on {line} is a doubtful sighting. {reasons:sentences}"
+    ),
+    "project.doubtful_sightings": N_(
+        "Sightings of {target} on {lines:names} are doubtful, most of all on {line}: "
+        "{reasons:sentences}"
     ),
     "project.poor_sighting": N_("{target} on {line} is a poor sighting. {reasons:sentences}"),
     "project.single_target": N_(

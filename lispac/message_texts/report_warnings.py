@@ -41,8 +41,8 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the data sheet or of the processing report, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The residuals are smaller than the standard deviations used predict. The standard "
-        "deviations of the angles are therefore probably too large."
+        "The residuals are smaller than the standard deviations used predict. The angles are "
+        "therefore probably more precise than stated."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."
@@ -84,8 +84,8 @@ TEXTS: Mapping[str, Template] = {
         "Validation planes {names:names} were not found on {lines:names}. {reasons:sentences}",
     ),
     "report.sightings": N_(
-        "Of {targets:n} sightings of targets and {planes:n} of validation planes, {poor:n} are "
-        "poor and {doubtful:n} doubtful. The worst is {target} on {line}: {reasons:sentences}"
+        "Quality of {targets:n} sightings of targets and {planes:n} of validation planes: "
+        "{doubtful:n} doubtful, {poor:n} poor. The worst is {target} on {line}: {reasons:sentences}"
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(

@@ -113,7 +113,7 @@ TOO_LARGE_ASSUMED_TEXT = N_(
 )
 TOO_SMALL_TEXT = N_(
     "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "
-    "sigmas of the angles are therefore probably too large as well."
+    "angles are therefore probably more precise than stated."
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "

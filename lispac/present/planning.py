@@ -82,7 +82,7 @@ class PredictionValues:
 NOTHING_PREDICTED = PredictionValues(False, None, None, ())
 """Values of a plan without targets or lines."""
 
-PLAN_TITLES = N_("this plan"), N_("Shahraji's plan")
+PLAN_TITLES = N_("this plan"), N_("reference plan")
 PREDICTED_SIGMAS_TABLE = Table[AnglesRow](
     N_("Predicted standard deviations"),
     (Column("name", ""), *angle_columns("values", DEGREES, unknown=NOT_DETERMINED_TEXT)),
@@ -162,7 +162,7 @@ GAINS_TABLE = Table[GainRow](
     N_("Information gain of each target and line"),
     (
         Column(
-            "name", N_("Omitted target or line"),
+            "name", N_("Omitted"),
             tip=N_("Target or line omitted from the survey plan"),
         ),
         Column(

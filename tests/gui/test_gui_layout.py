@@ -7,12 +7,20 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QRect, Qt
 from PySide6.QtGui import QAction, QHelpEvent
-from PySide6.QtWidgets import QAbstractButton, QApplication, QMenu, QToolBar, QToolTip, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QLabel,
+    QMenu,
+    QToolBar,
+    QToolTip,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
 from lispac.gui.app.unavailable import Unavailable
-from lispac.gui.project.status import VALIDATE
+from lispac.gui.project.status import DATA, VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import Button
 from lispac.language import LANGUAGES
@@ -409,12 +417,14 @@ def test_commands_that_open_a_project_are_disabled_while_one_is_opened(
         link = window.central_widget.start.links[name]
         assert not link.isEnabled()
         assert Unavailable.BUSY.text in link.toolTip()
-    (new,) = window.data.findChildren(Button, "empty_new")
-    assert not new.isEnabled()
-    assert Unavailable.BUSY.text in new.toolTip()
+    advice = window.central_widget.start.findChild(QLabel, "start_advice")
+    task, opening = advice.text(), sentence(driver, DATA)
     driver.rest()
     assert window.document.project is not None
     assert window.actions_["new"].isEnabled()
+    assert sentence(driver, DATA) != opening
+    window.central_widget.start.show_task("")
+    assert advice.text() != task
 
 
 def test_the_steps_say_that_the_validation_is_running(

@@ -15,6 +15,7 @@ from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.inspect.picture_export import NO_SECTION_TEXT
 from lispac.gui.features.pick_targets.sightings_table import EDITED_SYMBOL
 from lispac.gui.viewport.base import PointColouring
+from lispac.gui.viewport.camera import ViewportSize
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
 from tests.support.view_scenes import scene
@@ -178,18 +179,27 @@ def test_labels_of_adjacent_targets_do_not_overlap(qapp) -> None:
     assert occupied[0].bottom() < 200.0
     for k, box in enumerate(occupied):
         assert not any(box.intersects(other) for other in occupied[:k])
-    # If all places are taken, the default place is used.
-    fifth = free_label_place(QPointF(300.0, 200.0), metrics, "T0", occupied)
-    assert fifth == occupied[0]
+    for step in range(4, 12):  # in a crowd, labels are farther from their points
+        occupied.append(
+            free_label_place(QPointF(300.0, 200.0 + step), metrics, f"T{step}", occupied)
+        )
+        assert not any(occupied[-1].intersects(other) for other in occupied[:-1])
+
+
+def test_labels_stay_in_the_picture(qapp) -> None:
+    metrics, picture = QFontMetricsF(qapp.font()), QRectF(0.0, 0.0, 400.0, 300.0)
+    for spot in (QPointF(3.0, 3.0), QPointF(397.0, 3.0), QPointF(397.0, 297.0)):
+        assert picture.contains(free_label_place(spot, metrics, "V12", [], picture))
 
 
 def test_labels_of_targets_do_not_overlap_the_colour_scale(qapp) -> None:
     stage = OverlaidView()
     overlay = stage.overlay
-    assert overlay.occupied() == []
+    size = ViewportSize(640.0, 480.0)
+    without_scale = overlay.occupied(size)
     overlay.shading = PointColouring({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))
-    (scale,) = overlay.occupied()
+    (scale,) = (box for box in overlay.occupied(size) if box not in without_scale)
     metrics = QFontMetricsF(qapp.font())
     spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)
     assert free_label_place(spot, metrics, "V3", []).intersects(scale)
-    assert not free_label_place(spot, metrics, "V3", overlay.occupied()).intersects(scale)
+    assert not free_label_place(spot, metrics, "V3", [scale]).intersects(scale)

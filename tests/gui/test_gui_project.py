@@ -161,7 +161,7 @@ def test_the_demo_is_written_to_the_documents_of_the_user(
     monkeypatch.setattr(QStandardPaths, "writableLocation", lambda _kind: str(documents))
     documents.mkdir()
     demo_copy.rename(documents / "LISPAC demo")
-    click(driver, driver.window.data.findChild(QWidget, "empty_demo"))
+    click(driver, driver.window.central_widget.start.links["demo"])
     driver.rest()
     assert driver.project.folder == documents / "LISPAC demo"
 

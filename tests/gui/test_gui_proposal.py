@@ -15,14 +15,15 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
-from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
+from lispac.gui.appearance import theme
+from lispac.gui.features.pick_targets.proposed_targets_panel import ProposedTargetsPanel
 from lispac.project import Project
 from lispac.workflow.calibration.proposal_acceptance import (
     remove_picked_surfaces,
     with_accepted_targets,
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
-from tests.gui.support import Demo, Driver, Left, click, open_step
+from tests.gui.support import Demo, Driver, Left, click, open_step, seed
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
@@ -51,47 +52,83 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
     driver.bot.mouseClick(dialog.findChild(QPushButton, name), Left)
 
 
+def propose(driver: Driver) -> QTableWidget:
+    """Press the button, wait, and return the table of the proposal."""
+    open_step(driver, TARGETS_STEP)
+    click(driver, driver.window.targets.propose)
+    driver.rest()
+    return driver.window.targets.proposal.table
+
+
+def cells(table: QTableWidget, column: int) -> list[str]:
+    return [table.item(row, column).text() for row in range(table.rowCount())]
+
+
 def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
-    open_step(opened, TARGETS_STEP)
     before = opened.project
-    shown_content = []
-
-    def use_dialog(dialog: QDialog) -> None:
-        table = dialog.findChild(QTableWidget, "proposal_table")
-        rows = range(table.rowCount())
-        shown_content.append([[table.item(row, k).text() for k in range(4)] for row in rows])
-        shown_content.append(dialog.findChild(object, "proposal_sigmas").text())
-        table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
-        press(opened, dialog, "accept_proposal")
-
-    use_next_dialog(opened, use_dialog)
-    click(opened, opened.window.targets.propose)
-    assert opened.window.runner.busy
-    assert not opened.window.targets.propose.isEnabled()
+    table = propose(opened)
+    panel = opened.window.targets.proposal
+    assert cells(table, 1).count("Validation plane") >= 4
+    assert "roll 0." in panel.findChild(QLabel, "proposal_sigmas").text()
+    assert opened.project is before
+    proposed = cells(table, 0)
+    opened.bot.keyClick(table, Qt.Key.Key_Space)  # unticks the first one
+    click(opened, panel.accept_button)
     opened.rest()
-    rows, sigmas = shown_content
-    assert [row[1] for row in rows].count("Validation plane") >= 4
-    assert all(row[3] for row in rows)
-    assert "roll 0." in sigmas
-    names = [target.name for target in opened.project.targets]
-    assert names == [row[0] for row in rows][1:]
+    assert not panel.isVisible()
+    assert [target.name for target in opened.project.targets] == proposed[1:]
     assert opened.window.document.undo_stack.undoText() == "addition of proposed targets"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 
 
-def test_the_return_key_accepts_the_proposed_targets(opened: Driver, proposal: Proposal) -> None:
-    """Enter accepts, as in other dialogues; rejecting would discard a minute of work."""
-    dialog = ProposedTargetsDialog(proposal)
-    with opened.bot.waitExposed(dialog):
-        dialog.open()
-    dialog.table.setFocus()
-    opened.bot.keyClick(dialog.table, Qt.Key.Key_Tab)
-    assert dialog.focusWidget() is dialog.accept_button
-    dialog.table.setFocus()
-    opened.bot.keyClick(dialog.table, Qt.Key.Key_Return)
-    assert dialog.result() == QDialog.DialogCode.Accepted
-    dialog.deleteLater()
+def test_proposed_targets_are_shown_in_the_scene_and_selected_with_the_keys(
+    opened: Driver,
+) -> None:
+    table = propose(opened)
+    view, names = opened.viewport, cells(table, 0)
+    assert {marker.label for marker in view.markers} == {f"{name}?" for name in names}
+    assert {each.key[0] for each in view.highlights} == set(names)
+    reason = opened.window.targets.proposal.reason
+    reasons = set()
+    for name in names:
+        assert view.selected == (name, "")
+        assert name in reason.text()
+        assert reason.hasHeightForWidth(), "not cut off"
+        reasons.add(reason.text())
+        opened.bot.keyClick(table, Qt.Key.Key_Down)
+    assert len(reasons) == len(names)
+    opened.bot.keyClick(table, Qt.Key.Key_Space)
+    opened.rest()
+    grey = {marker.label for marker in view.markers if marker.colour == theme.UNUSED_COLOUR}
+    assert grey == {f"{names[-1]}?"}
+
+
+def test_the_return_key_accepts_the_proposed_targets(opened: Driver) -> None:
+    """Enter accepts; rejecting would discard a minute of work."""
+    table = propose(opened)
+    names = cells(table, 0)
+    assert opened.window.focusWidget() is table
+    opened.bot.keyClick(table, Qt.Key.Key_Tab)
+    assert opened.window.focusWidget() is opened.window.targets.proposal.accept_button
+    opened.bot.keyClick(table, Qt.Key.Key_Return)
+    opened.rest()
+    assert [target.name for target in opened.project.targets] == names
+
+
+def test_a_target_picked_meanwhile_is_no_longer_proposed(opened: Driver) -> None:
+    table = propose(opened)
+    count = table.rowCount()
+    opened.bot.keyClick(table, Qt.Key.Key_End, Qt.KeyboardModifier.ControlModifier)
+    opened.bot.keyClick(table, Qt.Key.Key_Space)
+    seed(opened, "T1")
+    click(opened, opened.window.targets.candidate.accept)
+    opened.rest()
+    assert [target.name for target in opened.project.targets] == ["T1"]
+    assert table.rowCount() == count - 1
+    assert "T1" not in cells(table, 0)
+    ticked = opened.window.targets.proposal.ticked_entries
+    assert ticked == tuple(cells(table, 0)[:-1]), "still unticked"
 
 
 def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
@@ -101,12 +138,12 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 
 
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
-    open_step(opened, TARGETS_STEP)
     before = opened.project
-    use_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
-    click(opened, opened.window.targets.propose)
+    propose(opened)
+    click(opened, opened.window.targets.proposal.reject_button)
     opened.rest()
     assert opened.project is before
+    assert opened.viewport.markers == []
     click(opened, opened.window.targets.propose)
     opened.bot.waitUntil(lambda: opened.window.runner.current.fraction > 0)
     opened.window.actions_["cancel"].trigger()
@@ -148,22 +185,22 @@ def test_the_heading_names_the_targets_of_the_sigmas(
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
     named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
-    dialog = ProposedTargetsDialog(
-        remove_picked_surfaces(replace(demo.project, targets=named), proposal)
-    )
-    qtbot.addWidget(dialog)
-    assert words in dialog.findChild(QLabel, "proposal_sigmas").text()
-    names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
+    panel = ProposedTargetsPanel()
+    qtbot.addWidget(panel)
+    panel.show_proposal(remove_picked_surfaces(replace(demo.project, targets=named), proposal))
+    assert words in panel.findChild(QLabel, "proposal_sigmas").text()
+    names = cells(panel.table, 0)
     assert names[0] == ("V1" if known == 9 else "T1")
 
 
 def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
-    dialog = ProposedTargetsDialog(proposal)
-    qtbot.addWidget(dialog)
-    for row in range(dialog.table.rowCount()):
-        dialog.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)
-    assert dialog.ticked_entries == ()
-    assert not dialog.accept_button.isEnabled()
+    panel = ProposedTargetsPanel()
+    qtbot.addWidget(panel)
+    panel.show_proposal(proposal)
+    for row in range(panel.table.rowCount()):
+        panel.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)
+    assert panel.ticked_entries == ()
+    assert not panel.accept_button.isEnabled()
 
 
 def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:

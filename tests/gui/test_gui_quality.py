@@ -10,7 +10,7 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.targets.sighting_quality import SightingQuality
-from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
+from tests.gui.support import Demo, Driver, Key, Left, open_step, press, seed, wait_until_idle
 from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
@@ -41,6 +41,22 @@ def test_every_sighting_has_a_quality_light_with_its_reason(picked: Driver) -> N
     steep = picked.project.target("T2").sightings[-1].line
     assert "Quality: doubtful" in shown_value(picked, "T2", steep, Role.ToolTipRole)
     assert "surface normal is" in shown_value(picked, "T2", steep, Role.ToolTipRole)
+    model = picked.window.table.sightings
+    heads = {name: model.data(model.index(model.row_of(name), 0)) for name in ("T1", "T2")}
+    assert heads["T1"] == "T1"
+    assert heads["T2"].removeprefix("T2").strip() in {"oblique", "few points"}, "named"
+
+
+def test_the_status_bar_gives_the_reasons_of_the_selected_sighting(picked: Driver) -> None:
+    good = picked.project.target("T1").sightings[0].line
+    steep = picked.project.target("T2").sightings[-1].line
+    table, bar = picked.window.table, picked.window.task_bar
+    picked.bot.waitUntil(lambda: shown_value(picked, "T2", steep, Role.DecorationRole) is not None)
+    for name, line, is_named in (("T2", steep, True), ("T1", good, False)):
+        model = table.sightings
+        cell = table.visualRect(model.index(model.row_of(name), model.column_of(line)))
+        picked.bot.mouseClick(table.viewport(), Left, pos=cell.center())
+        assert is_shown("quality.oblique", bar.currentMessage()) == is_named
 
 
 def test_an_effect_of_the_prior_boresight_below_a_tenth_of_a_millimetre_is_not_shown(

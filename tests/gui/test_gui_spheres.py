@@ -8,7 +8,7 @@ from lispac.gui.project.status import TARGETS
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.widgets.number_field import NumberField
 from lispac.project import Project
-from tests.gui.support import Driver, click, open_step
+from tests.gui.support import Driver, Left, click, open_step
 from tests.support.ball_survey import BallSurvey, make_ball_survey
 
 
@@ -98,6 +98,7 @@ def test_spheres_are_mentioned_where_there_are_some(opened, balls):
 def test_only_a_target_can_be_a_sphere(opened, balls):
     panel = opened.window.targets
     open_step(opened, TARGETS)
+    opened.bot.mouseClick(panel.settings.head, Left)
     assert not panel._sphere_radius.isVisible()
     panel.shape_choice.setCurrentIndex(1)
     assert panel._sphere_radius.isVisible()

@@ -347,6 +347,31 @@ def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     np.testing.assert_allclose(viewport.to_pixels(middle[None])[0], before, atol=1.0)
 
 
+def test_a_panel_that_opens_does_not_cover_the_selected_target(viewport, qtbot):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    canvas = viewport.canvas
+    height = canvas.height()
+    pixels = viewport.to_pixels(clouds["red"])
+    lowest = clouds["red"][np.argsort(pixels[:, 1])[-20:]]
+    assert viewport.to_pixels(lowest)[:, 1].mean() > height - 120
+    viewport.show_highlights([Highlight(("T1", "red"), lowest, (0, 0, 0), (0, 0, 0))])
+    viewport.select(("T1", ""))
+    viewport.keep_picture()
+    viewport.widget.resize(viewport.widget.width(), height - 120)
+    qtbot.waitUntil(lambda: canvas.height() == height - 120)
+    x, y = viewport.to_pixels(lowest).T
+    assert x.min() >= 0.0
+    assert x.max() <= canvas.width()
+    assert y.min() >= 0.0
+    assert y.max() <= canvas.height() - 30.0
+    before = viewport.to_pixels(lowest)
+    viewport.keep_picture()
+    viewport.widget.resize(viewport.widget.width(), height - 122)
+    qtbot.waitUntil(lambda: canvas.height() == height - 122)
+    np.testing.assert_allclose(viewport.to_pixels(lowest), before, atol=3.0)
+
+
 def test_a_cross_shows_where_a_seed_would_be_set(viewport):
     viewport.show_clouds(*scene())
     viewport.canvas.setFocus()

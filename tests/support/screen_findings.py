@@ -16,7 +16,6 @@ from lispac.present.subsampling import SubsamplingValues
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
-from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.budget import error_budget_of
@@ -48,7 +47,6 @@ class Findings:
     histories: tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]
     subsampled: tuple[SubsamplingValues, ...]
     visible: list[VisibilityStudy]
-    proposal: Proposal
     seeds: Path
     outcomes: tuple[SeedOutcome, ...]
 
@@ -70,7 +68,6 @@ class Findings:
                 project, survey, sorted({*DEFAULT_DISTANCES, project.settings.subsample})
             ),
             [study_visibility(site) for site in SITES.values()],
-            propose_targets(bare, survey),
             seeds,
             pick_seeds(bare, survey, listed, {})[1],
         )
@@ -86,7 +83,6 @@ class Findings:
             "history": lambda: dialogs.history(*self.histories),
             "subsampling": lambda: dialogs.subsampling(self.subsampled, used),
             "visibility": lambda: dialogs.visibility(self.visible),
-            "proposal": lambda: dialogs.proposal(self.proposal),
             "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, SEARCH_TEXT),
             "seeds-found": lambda: dialogs.seeds_found(self.outcomes, len(project.lines)),
             "sensors-of-plan": lambda: dialogs.sensors_of_plan(settings),

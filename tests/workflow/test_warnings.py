@@ -16,6 +16,7 @@ from lispac.messages import Level, Message, error, note, plain_params, warning
 from lispac.project import PickedSighting, Project, Target
 from lispac.report.json_report import json_text
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.targets.sighting_quality import undetermined_quality
 from lispac.warning_causes import Cause
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.checking.warnings import SUMMARY_CODES, warnings_of
@@ -108,6 +109,39 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
         "project.not_found_on_line",
         target=target.name, line=line, reason=error("finder.line_no_points", radius=4.5),
         subject=Cause.of_sighting(target.name, line),
+    )  # fmt: skip
+
+
+def test_lines_without_the_target_for_one_reason_are_one_note(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    target = project.targets[0]
+    reason, other = error("finder.line_no_points", radius=4.5), error("finder.no_plane")
+    without = replace(target, sightings=(), missing={"A": reason, "B": other, "C": reason})
+    notes = [
+        (each.code, each.params.get("lines", each.params.get("line")))
+        for each in warnings_of(project.with_target(without), None)
+        if each.params.get("target") == target.name and "reason" in each.params
+    ]
+    assert notes == [
+        ("project.not_found_on_lines", ("A", "C")),
+        ("project.not_found_on_line", "B"),
+    ]
+
+
+def test_doubtful_sightings_of_a_target_are_one_note(tmp_path: Path) -> None:
+    project = sample_project(tmp_path)
+    target = project.targets[0]
+    first, *_, last = (sighting.line for sighting in target.used_sightings)
+    rated = replace(
+        undetermined_quality(90, 0.004, note("quality.few_points", count=90)), rating="doubtful"
+    )
+    worse = replace(rated, reasons=(*rated.reasons, note("quality.oblique", angle=1.2)))
+    qualities = {(target.name, first): rated, (target.name, last): worse}
+    (found,) = [each for each in warnings_of(project, None, qualities) if "doubtful" in each.code]
+    assert found == note(
+        "project.doubtful_sightings",
+        target=target.name, lines=(first, last), line=last, reasons=worse.reasons,
+        subject=Cause.of_sighting(target.name, last),
     )  # fmt: skip
 
 

@@ -208,6 +208,7 @@ def _extreme_directions_note(eigenvalues: Array, directions: Array) -> Message:
 
 def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
     """Notes on the lines that each angle depends on most."""
+    independent: list[Message] = []
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
@@ -222,4 +223,8 @@ def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iter
                 without=float(grown[lines[0]]) * now, sigma=now,
             )  # fmt: skip
         elif len(grown) == len(without):
-            yield note("observability.no_main_line", angle=name)
+            independent.append(name)
+    if len(independent) > 1:
+        yield note("observability.no_main_lines", angles=independent)
+    elif independent:
+        yield note("observability.no_main_line", angle=independent[0])

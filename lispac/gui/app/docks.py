@@ -20,7 +20,7 @@ SIDE_WIDTH_PX = 336
 """Initial width of the panel at the left, pixels."""
 MIN_STRIP_HEIGHT_PX, MAX_STRIP_SHARE = 150, 0.3
 """Limits of the initial height of the panels at the bottom: pixels, and share of the window."""
-VIEW_SHARES = {768: 0.455, 1000: 0.555}
+VIEW_SHARES = {768: 0.457, 1000: 0.56}
 """Share of the window that the panels at the bottom initially leave to the 3D view, by the height
 of the window in pixels; interpolated between, constant beyond."""
 

@@ -269,6 +269,8 @@ QToolBar {{ background: {s.bar}; border: none; border-bottom: 1px solid {s.borde
 QToolBar QToolButton {{ padding: 1px 6px; border: 1px solid transparent; border-radius: 5px; }}
 QToolBar QToolButton:hover {{ background: {s.hover}; }}
 QToolBar QToolButton:checked {{ background: {s.chosen}; border-color: {s.chosen_edge}; }}
+QToolBar QToolButton:checked:disabled {{ background: transparent;
+    border-color: transparent; }}
 QToolBar QToolButton:focus {{ border-color: {s.accent}; }}
 QToolBar::separator {{ background: {s.border}; width: 1px; margin: 6px 5px; }}
 QStatusBar {{ background: {s.bar}; border-top: 1px solid {s.border}; }}
@@ -291,6 +293,8 @@ QPushButton[segment="true"] {{ padding: 5px 8px; }}
 QPushButton[segment="true"]:focus {{ padding: 4px 7px; }}
 QPushButton[segment="true"]:checked {{ background: {s.chosen}; border-color: {s.accent};
     color: {s.on_chosen}; }}
+QPushButton[segment="true"]:checked:disabled {{ background: transparent; border-color: {s.border};
+    color: {s.disabled}; }}
 QPushButton[step="true"] {{ text-align: left; padding: 0; border: none; border-radius: 0;
     border-bottom: 1px solid {s.border}; background: {s.bar}; }}
 QPushButton[step="true"]:hover {{ background: {s.hover}; }}

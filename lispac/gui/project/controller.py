@@ -435,6 +435,7 @@ class Controller(QObject):
             return
         self._discard_candidate()
         name, sightings = candidate.name, len(candidate.sightings)
+        self._scene.select(name)  # a panel that opens now must not cover it
         self._document.edit(
             N_("detection of {target}"), project.with_target(candidate), target=name
         )

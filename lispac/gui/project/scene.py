@@ -1,6 +1,6 @@
 """Content of the viewport: lines before or after the adjustment, sightings and labels."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -45,6 +45,9 @@ class Scene(QObject):
         self._former: Scene | None = None
         self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
+        self._proposed: tuple[Target, ...] = ()
+        self._ticked: frozenset[str] = frozenset()
+        """Names of the proposed targets that the user has ticked."""
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
@@ -174,6 +177,27 @@ class Scene(QObject):
         self._schedule_targets()
         self._viewport.select(None if candidate is None else (candidate.name, ""))
 
+    def show_proposed(self, targets: Sequence[Target], ticked: Collection[str]) -> None:
+        """Show proposed targets beside those of the project, the ones not ``ticked`` in grey."""
+        proposed, names = tuple(targets), frozenset(ticked)
+        if (proposed, names) != (self._proposed, self._ticked):
+            if not proposed:
+                self._viewport.select(self.selected)
+            self._proposed, self._ticked = proposed, names
+            self._schedule_targets()
+
+    def select_proposed(self, name: str) -> None:
+        """Highlight a proposed target, and move the view to it if it is outside the picture."""
+        target = next((each for each in self._proposed if each.name == name), None)
+        if target is None:
+            return
+        self._viewport.select((name, ""))
+        groups = _points_by_line(target, self.clouds)
+        x, y = self._viewport.to_pixels(np.array([_label_position(target, groups)]))[0]
+        rect = self._viewport.widget.rect()
+        if groups and not (0 <= x < rect.width() and 0 <= y < rect.height()):
+            self._viewport.fit(np.concatenate(list(groups.values())))
+
     def select(self, name: str, line: str = "") -> None:
         """Highlight a sighting, or a target if ``line`` is empty, without moving the view."""
         self.selected = (name, line)
@@ -197,6 +221,7 @@ class Scene(QObject):
 
     def _clear(self) -> None:
         self.candidate = self.selected = None
+        self._proposed = ()
         self._markers, self._searched = [], ()
         self._viewport.clear()  # not redrawn before the next project
         self._drawn = {}
@@ -297,6 +322,7 @@ class Scene(QObject):
     def _shown_targets(self) -> list[Target]:
         project = self._document.project
         targets = [] if project is None or self._document.survey is None else list(project.targets)
+        targets += self._proposed
         if self.candidate is not None:
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
         return targets
@@ -317,6 +343,7 @@ class Scene(QObject):
                 if points is not None:
                     key = target.name, sighting.line
                     used = target.used and sighting.used and key not in rejected
+                    used &= not self._is_unticked(target)
                     colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
                     halo = self._colour(target) if used else theme.UNUSED_COLOUR
                     shades = self._residuals.get(key)
@@ -326,13 +353,22 @@ class Scene(QObject):
         return highlights
 
     def _marker(self, target: Target) -> Marker:
-        label = f"{target.name}?" if target is self.candidate else target.name
+        is_found = target is self.candidate or self._is_proposed(target)
+        label = f"{target.name}?" if is_found else target.name
         position = _label_position(target, _points_by_line(target, self.clouds))
         return Marker(label, position, self._colour(target))
+
+    def _is_proposed(self, target: Target) -> bool:
+        return any(each is target for each in self._proposed)
+
+    def _is_unticked(self, target: Target) -> bool:
+        return self._is_proposed(target) and target.name not in self._ticked
 
     def _colour(self, target: Target):
         if target is self.candidate:
             return theme.CANDIDATE_COLOUR
+        if self._is_unticked(target):
+            return theme.UNUSED_COLOUR
         return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
 
 

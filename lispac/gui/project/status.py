@@ -16,7 +16,9 @@ from lispac.workflow.project.survey import Survey
 
 StepState = Literal["empty", "todo", "done", "warning"]
 
-STEP_NAMES = (N_("Data"), N_("Targets"), N_("Adjust"), N_("Validate"), N_("Report"))
+STEP_NAMES = (N_("Data"), N_("Targets"), N_("Adjustment"), N_("Validation"), N_("Report"))
+STEP_KEYS = ("Data", "Targets", "Adjust", "Validate", "Report")
+"""Names of the steps in the causes of warnings, which never change."""
 """Names of the steps, as in `Cause`."""
 STEP_TITLES = (
     N_("1  Data"), N_("2  Targets"), N_("3  Adjust"), N_("4  Validate"), N_("5  Report"),
@@ -108,6 +110,7 @@ def step_statuses(
     refusal: Message | str = "",
     report: ExportedReport | None = None,
     running: int | None = None,
+    opening: bool = False,
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
 
@@ -123,6 +126,8 @@ def step_statuses(
         Report that was last exported from the project; None if there is none.
     running : int or None
         Step whose task is running: `ADJUST` or `VALIDATE`.
+    opening : bool
+        Whether a task runs without a project, which opens one.
     """
     if project is None:
         nothing = StepStatus(
@@ -133,7 +138,7 @@ def step_statuses(
         )
         first = StepStatus(
             "todo",
-            gettext("no project open"),
+            gettext("reading files …") if opening else gettext("no project open"),
             gettext("Create a project from a trajectory and lines, or open the demo survey."),
             Unavailable.NO_PROJECT,
         )
@@ -230,7 +235,7 @@ def _adjust_status(
         fits = project.result.chi_square.outcome != "failed"
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
-            sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
+            sentence = gettext("done, with warnings (F12)")
             advice = gettext("Read the warnings (F12) before you use the angles.")
         else:
             sentence = gettext("done: variance factor {factor:x.2}", factor=factor)

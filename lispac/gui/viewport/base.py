@@ -271,7 +271,10 @@ class Viewport(Protocol):
         """Bring everything, or the given points of shape (n, 3), into view."""
 
     def keep_picture(self) -> None:
-        """Keep the scene in place while a panel that opens takes a part of the view."""
+        """Keep the scene in place while a panel that opens takes a part of the view.
+
+        If the panel would cover the selected surface, the scene is shifted just enough to show it.
+        """
 
     def view(self, name: str) -> None:
         """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""

@@ -178,6 +178,24 @@ class Camera:
         distance = max(self.distance * size.height / former.height, MIN_DISTANCE_M)
         return replace(self, focal=focal, distance=distance)
 
+    def revealing(self, points: Array, size: ViewportSize, margin: float) -> "Camera":
+        """Camera shifted as little as possible so that points (n, 3) are within the margin, pixels.
+
+        Of points that extend over more than half of the picture, the part around their middle is
+        considered. The camera is unchanged if a point is behind the eye.
+        """
+        spots = self.project(points, size)
+        if len(points) == 0 or not np.isfinite(spots).all():
+            return self
+        low, high = spots[:, :2].min(axis=0), spots[:, :2].max(axis=0)
+        extent = np.array([size.width, size.height])
+        middle, half = 0.5 * (low + high), np.minimum(0.5 * (high - low), 0.25 * extent)
+        shift = np.maximum(margin - (middle - half), 0.0)
+        shift += np.minimum(extent - margin - (middle + half), 0.0)
+        if not shift.any():
+            return self
+        return self.panned(*shift.tolist(), float(spots[:, 2].mean()), size)
+
     def fitted(self, points: Array, size: ViewportSize, margin: float = 1.06) -> "Camera":
         """Camera with the same direction that shows all of the points (n, 3)."""
         aspect = max(size.width, 1.0) / max(size.height, 1.0)

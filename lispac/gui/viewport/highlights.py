@@ -6,6 +6,8 @@ This module does not import VTK: the functions of `actors` create its objects.
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from lispac.gui.viewport.actors import (
     SHADED_EDGE_COLOUR,
     clip_actors,
@@ -70,6 +72,16 @@ class HighlightLayer:
             self._drawn.append((highlight, actor, halo))
             self._renderer.AddActor(halo)
             self._renderer.AddActor(actor)
+
+    def selected_points(self) -> Array:
+        """Points (n, 3) of the emphasised sighting, or of all sightings of the target."""
+        name, line = self.selected or ("", "")
+        parts = [
+            each.points
+            for each in self.highlights
+            if each.key[0] == name and line in ("", each.key[1])
+        ]
+        return np.concatenate(parts) if parts else np.empty((0, 3))
 
     def style(self, pixels: int, scale: float, hidden: set[str]) -> None:
         """Set size and colour of the points by selection, and hide sightings of hidden lines."""

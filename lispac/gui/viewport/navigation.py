@@ -29,6 +29,9 @@ MAX_FIT_POINTS = 60_000
 KEPT_TIME_S = 0.5
 """Time after `Navigator.keep_picture` in which the layout of the window settles."""
 
+REVEALED_MARGIN_PX = 36.0
+"""Distance from the edges of a selected surface that a panel would have covered, pixels."""
+
 VIEWS_DEG = {
     "front": (0.0, 0.0),
     "back": (180.0, 0.0),
@@ -145,7 +148,8 @@ class Navigator(QObject):
         """Keep the scene in place while a panel that opens takes a part of the widget.
 
         Exactly in place are the points as far away as the surface under the mouse, or as the one in
-        the middle of the picture.
+        the middle of the picture. If the panel would cover a selected surface, the scene is shifted
+        just enough for it to remain visible.
         """
         place = self._widget.mapFromGlobal(QCursor.pos())
         inside = self._widget.rect().contains(place)
@@ -154,13 +158,29 @@ class Navigator(QObject):
         self.camera = self.camera.with_focal_depth(depth)
         self._kept_size, self._kept_until = self.size, time.monotonic() + KEPT_TIME_S
 
-    def on_resized(self) -> None:
-        """Bring the fitted points into view again, unless the scene stays in place."""
+    def on_resized(self, selected: Array) -> None:
+        """Bring the fitted points into view again, unless the scene stays in place.
+
+        Parameters
+        ----------
+        selected : ndarray of shape (n, 3), metres, local frame
+            Points of the selected surface; see `keep_picture`.
+        """
         if time.monotonic() > self._kept_until:
             self.refit()
         elif self.size != self._kept_size:
+            was_visible = self._is_visible(selected, self._kept_size)
             self.camera = self.camera.resized(self._kept_size, self.size)
+            if was_visible:
+                self.camera = self.camera.revealing(selected, self.size, REVEALED_MARGIN_PX)
             self._kept_size, self._fitted_points = self.size, None
+
+    def _is_visible(self, points: Array, size: ViewportSize) -> bool:
+        """Whether the middle of points (n, 3) is in a picture of a size."""
+        if len(points) == 0:
+            return False
+        x, y, _ = self.camera.project(points.mean(axis=0), size)[0]
+        return bool(0.0 <= x <= size.width and 0.0 <= y <= size.height)  # NaN behind the eye
 
     def clear_fit(self) -> None:
         """Stop keeping the fitted points in view, and discard the former views."""

@@ -29,8 +29,8 @@ from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, gettext
 from lispac.picked_targets import Role
 
-EMPTY_TITLE = N_("No project open")
-EMPTY_HINT = N_("Open or create a project to see its lines here")
+EMPTY_TITLE = N_("No lines are shown")
+EMPTY_HINT = N_("The lines appear here when they have been read")
 MOUSE_HELP: Mapping[Role, str] = {
     "target": N_(
         "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target"
@@ -51,6 +51,10 @@ MARGIN_PX = 14.0
 """Distance of axes, scale bar, legend and help from the edges."""
 SCALE_PX = 110.0
 """Smallest length of the colour scale of the legend."""
+DOT_PX = 7.0
+"""Radius of the dot of a marker with its rings, pixels."""
+LABEL_RINGS = 6
+"""Number of distances from its point at which a place for a label is searched for."""
 NEIGHBOUR_RADIUS_PX = 40.0
 """Distance of two points on the screen below which their labels would overlap."""
 
@@ -123,6 +127,8 @@ class Overlay(QWidget):
         self._fading.valueChanged.connect(lambda share: self._set_help_opacity(1.0 - share))
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Functions that paint after the markers and before axes, scale and help."""
+        self.label_boxes: list[QRectF] = []
+        """Labels of the markers in the picture being painted."""
 
     def show_help(self, shown: bool) -> None:
         """Show or hide the help on the mouse."""
@@ -212,6 +218,7 @@ class Overlay(QWidget):
             each for each in self.markers
             if box is None or len(box.inside(np.array([each.position])))
         ]  # fmt: skip
+        self.label_boxes.clear()
         if not markers:
             return
         font = QFont(self.font())
@@ -219,16 +226,25 @@ class Overlay(QWidget):
         painter.setFont(font)
         metrics = QFontMetricsF(font)
         spots = camera.project(np.array([m.position for m in markers]), size)
+        picture = QRectF(0.0, 0.0, size.width, size.height)
         # Near markers are placed first and painted last.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
-        occupied = self.occupied()
+        dots = [
+            QRectF(x - DOT_PX, y - DOT_PX, 2 * DOT_PX, 2 * DOT_PX)
+            for x, y, depth in spots
+            if depth > 0.0 and picture.contains(x, y)
+        ]
+        occupied = [*self.occupied(size), *dots]
         for k in np.argsort(spots[:, 2]):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
                 spot = QPointF(x, y)
                 crowded = has_right_neighbour(spots[:, :2], k)
-                box = free_label_place(spot, metrics, markers[k].label, occupied, leftwards=crowded)
+                box = free_label_place(
+                    spot, metrics, markers[k].label, occupied, picture, leftwards=crowded
+                )
                 occupied.append(box)
+                self.label_boxes.append(box)
                 placed.append((spot, box, markers[k]))
         for spot, box, marker in reversed(placed):
             _paint_marker(painter, spot, box, marker)
@@ -279,9 +295,13 @@ class Overlay(QWidget):
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
 
-    def occupied(self) -> list[QRectF]:
-        """Rectangles where no label of a target may be placed."""
-        return [] if self.shading is None else [self.legend_rect(self.shading)]
+    def occupied(self, size: ViewportSize) -> list[QRectF]:
+        """Rectangles of axes, scale bar and colour scale, where no label of a target is placed."""
+        base = size.height - MARGIN_PX
+        axes = QRectF(MARGIN_PX, base - 86.0, 86.0, 86.0)
+        scale = QRectF(size.width - MARGIN_PX - 170.0, base - 34.0, 170.0, 38.0)
+        legend = [] if self.shading is None else [self.legend_rect(self.shading)]
+        return [axes, scale, *legend]
 
     def legend_rect(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""
@@ -386,22 +406,41 @@ def free_label_place(
     metrics: QFontMetricsF,
     label: str,
     occupied: Sequence[QRectF],
+    picture: QRectF | None = None,
     *,
     leftwards: bool = False,
 ) -> QRectF:
     """Rectangle of a label beside its point, preferably at the upper right.
 
+    In a crowd of labels it is farther from the point; without a free place, it covers as little as
+    possible.
+
     Parameters
     ----------
+    picture : rectangle that the label should not leave
     leftwards : whether the upper left is preferred instead
     """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
-    right, left = spot.x() + 12.0, spot.x() - 12.0 - width
-    above, below = spot.y() - 18.0 - height, spot.y() + 18.0
-    sides = (left, right) if leftwards else (right, left)
-    places = [QRectF(x, y, width, height) for y in (above, below) for x in sides]
-    free = (box for box in places if not any(box.intersects(other) for other in occupied))
-    return next(free, places[0])
+    least, found = np.inf, QRectF()
+    for ring in range(LABEL_RINGS):
+        farther = ring * (height + 3.0)
+        right, left = spot.x() + 12.0 + farther, spot.x() - 12.0 - width - farther
+        above, below = spot.y() - 18.0 - height - farther, spot.y() + 18.0 + farther
+        for y in (above, below):
+            for x in (left, right) if leftwards else (right, left):
+                box = QRectF(x, y, width, height)
+                covered = sum(_area(box.intersected(other)) for other in occupied)
+                if picture is not None:
+                    covered += _area(box) - _area(box.intersected(picture))
+                if covered < least:
+                    least, found = covered, box
+                if covered == 0.0:
+                    return box
+    return found
+
+
+def _area(rect: QRectF) -> float:
+    return rect.width() * rect.height()
 
 
 def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker) -> None:

@@ -233,7 +233,8 @@ class SketchLayer(QObject):
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
         # Labels last: no line crosses them, and none overlap
-        _paint_labels(painter, list(self._sketches.values()), camera, size)
+        taken = self._overlay.label_boxes
+        _paint_labels(painter, list(self._sketches.values()), camera, size, taken)
         if self._shows_dividing_line:
             _paint_dividing_line(painter, self.share * size.width, size)
         if len(self._outline) > 1:
@@ -284,13 +285,18 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Viewp
 
 
 def _paint_labels(
-    painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: ViewportSize
+    painter: QPainter,
+    sketches: Sequence[Sketch],
+    camera: Camera,
+    size: ViewportSize,
+    taken: Sequence[QRectF],
 ) -> None:
+    """Paint the labels of sketches beside each other and beside the rectangles ``taken``."""
     labelled = [each for each in sketches if each.label and each.label_point is not None]
     if not labelled:
         return
     spots = camera.project(np.array([each.label_point for each in labelled]), size)[:, :2]
-    occupied: list[QRectF] = []
+    occupied = list(taken)
     for k, sketch in enumerate(labelled):
         if np.isfinite(spots[k]).all():
             leftwards = has_right_neighbour(spots, k)

@@ -525,7 +525,7 @@ class VtkViewport:
 
     def _on_resized(self) -> None:
         if not self._closed:
-            self._navigator.on_resized()
+            self._navigator.on_resized(self._main.sightings.selected_points())
             self._refine_later()
 
     def _refine_later(self) -> None:

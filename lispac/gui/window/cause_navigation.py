@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QScrollArea, QWidget
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
-from lispac.gui.project.status import ADJUST, DATA, STEP_NAMES, TARGETS
+from lispac.gui.project.status import ADJUST, DATA, STEP_KEYS, TARGETS
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.window.panels import Panels
@@ -104,7 +104,7 @@ class CauseNavigation(QObject):
         _focus_widget(diagnostics.list)
 
     def _go_to_step(self, cause: Cause) -> None:
-        self._panels.workflow.go_to(STEP_NAMES.index(cause.name))
+        self._panels.workflow.go_to(STEP_KEYS.index(cause.name))
 
     def _go_to_result(self, _cause: Cause) -> None:
         raise_panel(self._panels.results)

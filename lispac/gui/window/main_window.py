@@ -29,6 +29,7 @@ from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu, with_help_until_used
 from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
 from lispac.gui.features.pick_targets.hover_preview import HoverPreviewSettings
+from lispac.gui.features.pick_targets.proposals import ProposedTargets
 from lispac.gui.features.pick_targets.seeds import SeedActions
 from lispac.gui.features.pick_targets.target_actions import TargetActions, TargetTools
 from lispac.gui.features.preferences.controller import PreferencesController
@@ -174,6 +175,8 @@ class MainWindow(QMainWindow):
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
         self.target_actions = TargetActions(tools, panels.table)
+        proposed = ProposedTargets(tools, scene)
+        proposed.shown.connect(lambda: self._show_in_targets_step(panels.targets.proposal))
         control.accepted.connect(self._select_accepted)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
@@ -270,9 +273,6 @@ class MainWindow(QMainWindow):
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
         data.settings_edited.connect(control.change_settings)
-        data.new_requested.connect(self.lifecycle.new)
-        data.open_requested.connect(self.lifecycle.open)
-        data.demo_requested.connect(self.lifecycle.demo)
         targets.renamed.connect(self._rename)
         targets.selected.connect(lambda name: self._select(name, ""))
         targets.activated.connect(lambda name: self._go_to(name, ""))
@@ -375,6 +375,10 @@ class MainWindow(QMainWindow):
         self.targets.set_role(role)
         self.workflow.open(status.TARGETS)
 
+    def _show_in_targets_step(self, widget: QWidget) -> None:
+        self.workflow.open(status.TARGETS)
+        self.workflow.scroll_to(widget)
+
     def _on_seed_clicked(self, point: PickedPoint) -> None:
         def seed() -> None:
             self.controller.seed(point, self.targets.seed_options)
@@ -408,6 +412,8 @@ class MainWindow(QMainWindow):
         """Select a sighting, or a target if ``line`` is empty, without moving the view."""
         self.scene.select(name, line)
         self._select_in_panels(name, line)
+        reasons = self.table.sightings.quality_sentences(name, line)
+        self.task_bar.showMessage(reasons, NOTE_DURATION_MS)
 
     def _go_to(self, name: str, line: str) -> None:
         """Select a sighting, or a target if ``line`` is empty, and move the view to it."""

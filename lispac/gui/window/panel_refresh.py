@@ -85,6 +85,7 @@ class PanelRefresh(QObject):
         self._central_widget.show_view(state.project is not None)
         if state.project is None:
             self._central_widget.start.show_recent(self._settings.recent())
+            self._central_widget.start.show_task(self._task_title())
         self._panels.show_state(state)
         self._dock_layout.show_filled(
             filled_docks(state, self._tool_titles), is_new_project=self._is_new_project
@@ -111,6 +112,7 @@ class PanelRefresh(QObject):
             refusal=document.refusal,
             report=document.report,
             running=self._running_step(),
+            opening=project is None and self._runner.busy,
         )
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
@@ -163,7 +165,6 @@ class PanelRefresh(QObject):
         }.items():
             self._actions.set_reason(name, reason)
         self._central_widget.start.set_reason(reason_text(busy))
-        self._panels.data.set_reason(reason_text(busy))
         self._enable_save()
         self._enable_candidate()
 
@@ -178,8 +179,14 @@ class PanelRefresh(QObject):
             task if task is not None and task.key == ESTIMATE_KEY else None
         )
 
+    def _task_title(self) -> str:
+        """Title of the running task; empty if none runs."""
+        task = self._runner.current
+        return task.title if task is not None and self._runner.busy else ""
+
     def _show_task(self) -> None:
         panels, state = self._panels, self._project_state()
+        self._central_widget.start.show_task(self._task_title())
         for panel in (panels.workflow, panels.adjust, panels.validate, panels.report):
             panel.show_state(state)
         self._enable_controls(state)

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
-from lispac.gui.project.status import STEP_NAMES, ProjectState, StepState, StepStatus
+from lispac.gui.project.status import STEP_KEYS, STEP_NAMES, ProjectState, StepState, StepStatus
 from lispac.language import N_, gettext
 
 _HEADER_HEIGHT_PX = 46
@@ -39,7 +39,8 @@ class WorkflowPanel(QWidget):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.setSpacing(0)
-        self.headers = [_StepHeader(k + 1, title) for k, title in enumerate(STEP_NAMES)]
+        names = zip(STEP_KEYS, STEP_NAMES, strict=True)
+        self.headers = [_StepHeader(k + 1, *each) for k, each in enumerate(names)]
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
@@ -79,9 +80,9 @@ class WorkflowPanel(QWidget):
 class _StepHeader(QPushButton):
     """Header with number, name and status of a step; a click opens the step."""
 
-    def __init__(self, number: int, title: str) -> None:
+    def __init__(self, number: int, key: str, title: str) -> None:
         super().__init__()
-        self.setObjectName(f"step_{title.lower()}")
+        self.setObjectName(f"step_{key.lower()}")
         self.setProperty("step", True)
         self.setCheckable(True)
         self.setMinimumHeight(_HEADER_HEIGHT_PX)

@@ -115,26 +115,60 @@ def _file_cause(project: Project, about: Message) -> Cause:
 def _poor_sightings(
     project: Project, qualities: Mapping[tuple[str, str], SightingQuality]
 ) -> Iterator[Message]:
+    """Notes on every poor sighting, and one for all doubtful sightings of a target."""
     for target in project.targets:
-        for sighting in target.used_sightings:
-            quality = qualities.get((target.name, sighting.line))
-            if quality is not None and quality.rating != "good":
-                is_poor = quality.rating == "poor"
-                yield note(
-                    "project.poor_sighting" if is_poor else "project.doubtful_sighting",
-                    target=target.name, line=sighting.line, reasons=quality.reasons,
-                    subject=Cause.of_sighting(target.name, sighting.line),
-                )  # fmt: skip
+        doubtful: dict[str, SightingQuality] = {}
+        for line in (sighting.line for sighting in target.used_sightings):
+            quality = qualities.get((target.name, line))
+            if quality is None or quality.rating == "good":
+                continue
+            if quality.rating == "doubtful":
+                doubtful[line] = quality
+                continue
+            yield note(
+                "project.poor_sighting", target=target.name, line=line, reasons=quality.reasons,
+                subject=Cause.of_sighting(target.name, line),
+            )  # fmt: skip
+        if not doubtful:
+            continue
+        line = max(doubtful, key=lambda each: _severity(doubtful[each]))
+        worst, subject = doubtful[line], Cause.of_sighting(target.name, line)
+        if len(doubtful) == 1:
+            yield note(
+                "project.doubtful_sighting",
+                target=target.name, line=line, reasons=worst.reasons, subject=subject,
+            )  # fmt: skip
+        else:
+            yield note(
+                "project.doubtful_sightings",
+                target=target.name, lines=tuple(doubtful), line=line, reasons=worst.reasons,
+                subject=subject,
+            )  # fmt: skip
+
+
+def _severity(quality: SightingQuality) -> tuple[int, float]:
+    """Rank of a doubtful quality; the larger one is worse."""
+    return len(quality.reasons), quality.incidence or 0.0
 
 
 def _targets_not_found(project: Project) -> Iterator[Message]:
+    """One note for all lines on which a target was not found for the same reason."""
     for target in project.targets:
+        lines: dict[Message, list[str]] = {}
         for line, reason in target.missing.items() if target.used else ():
-            yield note(
-                "project.not_found_on_line",
-                target=target.name, line=line, reason=reason,
-                subject=Cause.of_sighting(target.name, line),
-            )  # fmt: skip
+            lines.setdefault(reason, []).append(line)
+        for reason, found in lines.items():
+            subject = Cause.of_sighting(target.name, found[0])
+            if len(found) == 1:
+                yield note(
+                    "project.not_found_on_line",
+                    target=target.name, line=found[0], reason=reason, subject=subject,
+                )  # fmt: skip
+            else:
+                yield note(
+                    "project.not_found_on_lines",
+                    target=target.name, lines=tuple(found), reason=reason, subject=subject,
+                )  # fmt: skip
 
 
 def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:

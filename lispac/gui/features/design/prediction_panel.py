@@ -166,12 +166,15 @@ class BackgroundPrediction(QObject):
         self.failed.emit(error)
 
 
+REFERENCE_PLAN_TIP = N_(
+    "Plan with the targets and lines of Shahraji's thesis, on which the method is based"
+)
 PLAN_KEYS = ("plan", "thesis")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
 
 
 class PredictionPanel(QScrollArea):
-    """Standard deviations beside those of Shahraji's plan, correlations and information gain."""
+    """Standard deviations beside those of the reference plan, correlations and information gain."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -192,7 +195,10 @@ class PredictionPanel(QScrollArea):
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
         for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
-            grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+            head = widgets.label(title, "muted")
+            if column == 2:
+                head.setToolTip(gettext(REFERENCE_PLAN_TIP))
+            grid.addWidget(head, 0, column, Qt.AlignmentFlag.AlignRight)
         self.sigma: dict[str, QLabel] = {}
         self.thesis: dict[str, QLabel] = {}
         for row, angle in enumerate(ANGLES, start=1):

@@ -209,6 +209,16 @@ class ResultsPanel(QWidget):
         form.setHorizontalSpacing(14)
         form.setVerticalSpacing(2)
         self._values = {}
+        tips = {
+            "factor": gettext(
+                "1: the residuals are as large as the standard deviations used predict; above 1 "
+                "they are larger, below 1 smaller"
+            ),
+            "chi": gettext(
+                "Compares the sum of the squared residuals with the interval that contains it in "
+                "95 % of all surveys if the standard deviations used are correct"
+            ),
+        }
         for key, title in (
             ("rms", gettext("RMS point-to-plane")),
             ("factor", gettext("Variance factor")),
@@ -226,6 +236,8 @@ class ResultsPanel(QWidget):
             self._values[key] = value
             label = widgets.label(title, "muted")
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
+            for each in (label, value):
+                each.setToolTip(widgets.plain_tip(tips.get(key, "")))
             form.addRow(label, value)
             if key == "chi":
                 form.addRow(widgets.label(gettext("Cross-checks"), "muted"), self._checks_link())

@@ -30,8 +30,9 @@ ASSUMED_TEXT = N_(
     "Values in grey italics are assumed, because nobody gave them. Enter those of the data sheet "
     "or of the processing report."
 )
-
-
+EMPTY_TEXT = N_(
+    "A project contains a trajectory (SBET), its accuracies and one raw scan file for each line."
+)
 EXCLUDED_TEXT = Plural(
     "{count:n} point of {lines:names} is not used. The reason is in the messages (F12).",
     "{count:n} points of {lines:names} are not used. The reasons are in the messages (F12).",
@@ -45,16 +46,14 @@ class DataPanel(QWidget):
     """Name of a line, and whether it is to be shown."""
     settings_edited = Signal(object)
     """Settings with the value of the edited field."""
-    new_requested = Signal()
-    open_requested = Signal()
-    demo_requested = Signal()
     details_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
         self._settings: Settings | None = None
         layout = widgets.vertical_layout(self)
-        self._empty = _EmptyState(self)
+        # The start page, beside it, has the actions
+        self._empty = widgets.label(gettext(EMPTY_TEXT), "hint", wrap=True)
         layout.addWidget(self._empty)
         self._filled = QWidget()
         layout.addWidget(self._filled)
@@ -152,11 +151,6 @@ class DataPanel(QWidget):
         self._filled.hide()
         self._settings = None
 
-    def set_reason(self, reason: str) -> None:
-        """Disable the buttons that open a project, with the reason; empty enables them."""
-        for each in self._empty.buttons:
-            each.set_reason(reason)
-
     def select_line(self, name: str) -> bool:
         """Select a line in the list; return whether it is in the list."""
         found = self.lines.findItems(name, Qt.MatchFlag.MatchExactly)
@@ -203,7 +197,7 @@ class DataPanel(QWidget):
                 cell.setFont(theme.tabular_font(table.font()))
                 table.setItem(row, column, cell)
         table.blockSignals(False)
-        height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
+        height = table.horizontalHeader().sizeHint().height() + 26 * len(names) + 4
         table.setFixedHeight(height)
         excluded = {} if survey is None else survey.excluded
         self.excluded.setVisible(bool(excluded))
@@ -302,34 +296,6 @@ class DataPanel(QWidget):
         if above is not None and field.hasFocus():
             for each in (self.mounting.sketch, field):
                 above.ensureWidgetVisible(each, 0, 4)
-
-
-class _EmptyState(QWidget):
-    """Instructions shown when no project is open."""
-
-    def __init__(self, panel: DataPanel) -> None:
-        super().__init__()
-        layout = widgets.vertical_layout(self, 0)
-        layout.addWidget(
-            widgets.label(
-                gettext(
-                    "A project contains a trajectory (SBET), its accuracies and one raw scan "
-                    "file for each line."
-                ),
-                "hint", wrap=True,
-            )
-        )  # fmt: skip
-        new = widgets.button(
-            gettext("New project…"), "empty_new", icon="folder-plus-outline", primary=True
-        )
-        load = widgets.button(gettext("Open project…"), "empty_open", icon="folder-open-outline")
-        demo = widgets.button(gettext("Open the demo survey"), "empty_demo", icon="ferry")
-        new.clicked.connect(panel.new_requested)
-        load.clicked.connect(panel.open_requested)
-        demo.clicked.connect(panel.demo_requested)
-        self.buttons = (new, load, demo)
-        for each in self.buttons:
-            layout.addWidget(each)
 
 
 def _lines_table() -> QTableWidget:

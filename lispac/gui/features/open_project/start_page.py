@@ -60,13 +60,9 @@ class StartPage(QScrollArea):
         title = widgets.label(gettext("Boresight calibration"), "heading")
         title.setStyleSheet("font-size: 22px;")
         outer.addWidget(title)
-        outer.addWidget(
-            widgets.label(
-                gettext("Drop lines and a trajectory anywhere on this window, or choose an "
-                        "action."),
-                "muted", wrap=True,
-            )
-        )  # fmt: skip
+        self._advice = widgets.label("", "muted", wrap=True, name="start_advice")
+        outer.addWidget(self._advice)
+        self.show_task("")
         outer.addSpacing(14)
         sides = QHBoxLayout()
         sides.setSpacing(36)
@@ -94,6 +90,16 @@ class StartPage(QScrollArea):
         outer.addLayout(sides)
         outer.addStretch(1)
         self.setWidget(body)
+
+    def show_task(self, title: str) -> None:
+        """Show the running task, after which a project is open; empty for none."""
+        if title:
+            text = gettext("{task} …", task=title)
+        else:
+            text = gettext(
+                "Drop lines and a trajectory anywhere on this window, or choose an action."
+            )
+        self._advice.setText(text)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Show descriptions as tooltips in a low window, so that all links stay visible."""

@@ -194,8 +194,10 @@ class PatchTestPanel(QWidget):
         lists.addWidget(self.objects)
         lists.addWidget(self.pairs, 1)
         grid.addLayout(lists, 2, 0, 1, 3)
-        grid.addWidget(self.go, 3, 0)
-        grid.addWidget(self.remove, 3, 1)
+        self.pair_kinds = widgets.label("", "muted", wrap=True, name="patch_pair_kinds")
+        grid.addWidget(self.pair_kinds, 3, 0, 1, 3)
+        grid.addWidget(self.go, 4, 0)
+        grid.addWidget(self.remove, 4, 1)
         grid.setRowStretch(2, 1)
         grid.setVerticalSpacing(4)
         return grid
@@ -264,7 +266,15 @@ class PatchTestPanel(QWidget):
         self._middle.setCurrentIndex(1 if names else 0)
 
     def show_pairs(self, pairs: Sequence[LinePair]) -> None:
-        """Show the list of pairs with all pairs ticked."""
+        """Show the list of pairs with all pairs ticked, and the meaning of their symbols."""
+        shown = {pair.kind for pair in pairs}
+        self.pair_kinds.setText(
+            "\n".join(
+                f"{PAIR_SYMBOLS[kind]}  {gettext(name)}"
+                for kind, name in PAIR_KIND_NAMES.items()
+                if kind in shown
+            )
+        )
         with QSignalBlocker(self.pairs):
             _fill_list(
                 self.pairs, [(p.name, f"{PAIR_SYMBOLS[p.kind]} {p.name}") for p in pairs], ()

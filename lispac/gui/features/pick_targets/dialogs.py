@@ -19,7 +19,6 @@ from lispac.targets.finder_settings import FinderChoices
 
 if TYPE_CHECKING:
     from lispac.survey.trajectory import LocalTrajectory
-    from lispac.workflow.calibration.proposals import Proposal
     from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 
 
@@ -77,13 +76,6 @@ class FindAgainDialog(NumberDialog):
 
 class TargetDialogs(Questions):
     """Dialogues about seeds and targets."""
-
-    def proposal(self, proposal: "Proposal") -> tuple[str, ...]:
-        """Show proposed targets; return the names of the accepted ones."""
-        from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
-
-        dialog = ProposedTargetsDialog(proposal, self.parent)
-        return dialog.ticked_entries if run_dialog(dialog) else ()
 
     def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
         """Ask for threshold and radius (metres) and other settings of a repeated search."""

@@ -1,6 +1,7 @@
 """Table of targets by lines: points, RMS and use of every sighting."""
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from PySide6.QtCore import (
@@ -39,6 +40,28 @@ RATING_TEXTS: dict[Rating, str] = {
     "poor": N_("Quality: poor"),
 }
 """Texts of a quality."""
+REASON_WORDS: Mapping[str, str] = {
+    "quality.curved": N_("curved"),
+    "quality.uneven": N_("uneven"),
+    "quality.oblique": N_("oblique"),
+    "quality.sparse": N_("gaps"),
+    "quality.sphere_part": N_("partly visible"),
+    "quality.few_points": N_("few points"),
+    "quality.rough": N_("rough"),
+    "quality.rough_without_prior": N_("rough"),
+    "quality.rough_beyond_threshold": N_("rough"),
+    "quality.rough_without_prior_beyond_threshold": N_("rough"),
+    "quality.shows_more": N_("larger"),
+    "quality.shows_less": N_("partly visible"),
+    "quality.mistakable": N_("ambiguous"),
+    "quality.wider": N_("other size"),
+    "quality.narrower": N_("other size"),
+    "quality.higher": N_("other size"),
+    "quality.lower": N_("other size"),
+    "quality.steeper": N_("other tilt"),
+    "quality.less_steep": N_("other tilt"),
+}
+"""Short forms of the reasons for a doubtful or poor quality, by message code."""
 
 
 class SightingsModel(QAbstractTableModel):
@@ -71,6 +94,14 @@ class SightingsModel(QAbstractTableModel):
         if self.rowCount():
             last = self.index(self.rowCount() - 1, self.columnCount() - 1)
             self.dataChanged.emit(self.index(0, 0), last)
+
+    def quality_sentences(self, name: str, line: str) -> str:
+        """Name of a sighting of doubtful or poor quality with all reasons; empty for others."""
+        quality = self._qualities.get((name, line))
+        if quality is None or quality.rating == "good":
+            return ""
+        reasons = " ".join(map(message_text, quality.reasons))
+        return gettext("{target} in line {line}: {reason}", target=name, line=line, reason=reasons)
 
     def key(self, index: Index) -> tuple[str, str] | None:
         """Target and line of a cell; the line is empty in the column of names."""
@@ -144,6 +175,8 @@ class SightingsModel(QAbstractTableModel):
             return self._line_cell_value(index.column(), role)
         target = self._targets[index.row()]
         if index.column() == 0:
+            if role == Role.DisplayRole and (reason := self._main_reason(target)):
+                return f"{target.name}  {reason}"
             return _name_cell_value(target, role)
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
@@ -214,6 +247,10 @@ class SightingsModel(QAbstractTableModel):
 
     def _sighting(self, index: Index) -> PickedSighting | None:
         return self._targets[index.row()].sighting(self._lines[index.column() - 1])
+
+    def _main_reason(self, target: Target) -> str:
+        keys = ((target.name, sighting.line) for sighting in target.sightings)
+        return main_reason(self._qualities[key] for key in keys if key in self._qualities)
 
     def _sighting_cell_value(self, target: Target, sighting: PickedSighting, role: int) -> Any:
         used = target.used and sighting.used
@@ -363,6 +400,17 @@ class SightingsTable(QTableView):
 
 def _millimetres(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
+
+
+def main_reason(qualities: Iterable[SightingQuality]) -> str:
+    """Short form of the most frequent reason of the sightings that are not good."""
+    words = Counter(
+        next((REASON_WORDS[each.code] for each in quality.reasons if each.code in REASON_WORDS),
+             N_("doubtful"))
+        for quality in qualities
+        if quality.rating != "good"
+    )  # fmt: skip
+    return gettext(words.most_common(1)[0][0]) if words else ""
 
 
 def quality_text(quality: SightingQuality) -> str:

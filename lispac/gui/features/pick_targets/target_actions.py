@@ -1,8 +1,7 @@
-"""Actions on targets besides picking: rate, search again, propose, change the role."""
+"""Actions on targets besides picking: rate, search again, change the role."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -25,10 +24,6 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.calibration import edits
 from lispac.workflow.calibration.sighting_assessment import AssessedQuality, assess_sightings
 from lispac.workflow.project.survey import Survey
-
-if TYPE_CHECKING:
-    from lispac.workflow.calibration.proposals import Proposal
-
 
 SightingKey = tuple[str, str]
 
@@ -180,10 +175,10 @@ class SurveyDependentActions(QObject):
 
 
 class TargetActions(SurveyDependentActions):
-    """Controls proposed targets, repeated searches and the quality of targets."""
+    """Controls repeated searches and the quality of targets."""
 
     def __init__(self, tools: TargetTools, table: SightingsTable) -> None:
-        super().__init__(tools, [tools.panel.propose], ["propose"])
+        super().__init__(tools, [], [])
         controller, panel, actions = tools.controller, tools.panel, tools.actions
         self.quality_computation = QualityComputation(tools.document, tools.runner, self)
         self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
@@ -191,7 +186,6 @@ class TargetActions(SurveyDependentActions):
         controller.candidate_changed.connect(
             lambda: self.quality_computation.rate_candidate(controller.candidate)
         )
-        panel.propose_requested.connect(actions["propose"].trigger)
         panel.accepted.connect(controller.accept)
         panel.rejected.connect(controller.reject)
         panel.removed.connect(controller.remove)
@@ -206,34 +200,11 @@ class TargetActions(SurveyDependentActions):
         table.sightings.line_use_changed.connect(controller.use_line)
         actions.connect_slots(
             {
-                "propose": self.propose,
                 "find_again": self.find_again,
                 "accept": controller.accept,
                 "reject": controller.reject,
             }
         )
-
-    def propose(self) -> None:
-        """Detect planes in all lines and propose targets."""
-        project, survey = self._current_data()
-        if project is None or survey is None:
-            return
-
-        def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.calibration.proposal_acceptance import remove_picked_surfaces
-            from lispac.workflow.calibration.proposals import propose_targets
-
-            return remove_picked_surfaces(
-                project, propose_targets(project, survey, progress=progress)
-            )
-
-        task = self._runner.run(
-            gettext("Searching for targets to propose"),
-            work,
-            lambda proposal: self._add_proposed_targets(project, proposal),
-            modal=True,
-        )
-        self._controller.cancel_on_edit(task)
 
     def find_again(self) -> None:
         """Search for the selected target at its seed with other settings."""
@@ -260,22 +231,6 @@ class TargetActions(SurveyDependentActions):
         title = gettext("Searching for {target} again", target=name)
         task = self._runner.run(title, work, self._controller.set_candidate)
         self._controller.cancel_on_edit(task)
-
-    def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
-        from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
-
-        if self._document.project is not project:
-            return
-        if not proposal.targets:
-            self._controller.logged.emit(gettext("No other suitable targets were found."))
-            return
-        names = self._dialogs.proposal(proposal)
-        if not names:
-            self._controller.logged.emit(gettext("The proposed targets were rejected."))
-            return
-        edited, accepted = with_accepted_targets(project, proposal, names)
-        self._document.edit(N_("addition of proposed targets"), edited)
-        self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _enable_controls(self) -> None:
         super()._enable_controls()

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QTableWidget,
     QTableWidgetItem,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -23,9 +24,11 @@ from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.appearance.units import Base
 from lispac.gui.features.pick_targets.detected_target_panel import DetectedTargetPanel
+from lispac.gui.features.pick_targets.proposed_targets_panel import ProposedTargetsPanel
 from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFields
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.project.status import ProjectState
+from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
@@ -106,22 +109,30 @@ class TargetsPanel(QWidget):
         self._project: Project | None = None
         self._survey: Survey | None = None
         self.hint = widgets.label("", "hint", wrap=True, name="seed_hint", rich=True)
+        self.proposal = ProposedTargetsPanel()
+        self.proposal.hide()
+        layout.addWidget(self.proposal)
         layout.addWidget(self.hint)
         layout.addLayout(self._create_role_buttons())
-        layout.addLayout(self._seed_form())
-        self.search_fields = SearchOptionFields("seed")
-        layout.addWidget(self.search_fields)
+        layout.addLayout(self._search_buttons())
         self.candidate = DetectedTargetPanel()
         self.candidate.accept.clicked.connect(self.accepted)
         self.candidate.reject.clicked.connect(self.rejected)
         self.candidate.hide()
         layout.addWidget(self.candidate)
+        self.search_fields = SearchOptionFields("seed")
+        self.settings = FoldableGroup(
+            gettext("Search settings"), "fold_search", self._settings_fields()
+        )
+        layout.addWidget(self.settings)
         self.table = _targets_table()
         self.table.itemChanged.connect(self._on_item_changed)
         self.table.itemSelectionChanged.connect(self._on_selection_changed)
         self.table.activated.connect(lambda index: self.activated.emit(self._names[index.row()]))
         layout.addWidget(self.table)
-        layout.addLayout(self._buttons())
+        layout.addLayout(self._table_buttons())
+        for field in (self._radius, self._threshold, *self._expected.fields):
+            field.valueChanged.connect(self._summarise_settings)
         self._names: list[str] = []
         self._on_shape_changed()
         self._on_selection_changed()
@@ -207,6 +218,10 @@ class TargetsPanel(QWidget):
         self._show_defaults()
         self._fill_table(project)
 
+    def show_proposal(self, shown: bool) -> None:
+        """Show or hide the proposed targets, above everything else."""
+        self.proposal.setVisible(shown)
+
     def show_candidate(self, candidate: Target | None, project: Project | None) -> None:
         """Show the candidate to accept or reject; None if there is none."""
         self.candidate.setVisible(candidate is not None)
@@ -241,7 +256,7 @@ class TargetsPanel(QWidget):
         if selected in self._names:
             self.table.selectRow(self._names.index(selected))
         self.table.blockSignals(False)
-        rows = 26 * min(max(len(targets), 3), 8)
+        rows = 26 * max(len(targets), 2)  # all, as the panel scrolls
         self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows + 4)
         self._on_selection_changed(emit=False)
 
@@ -296,6 +311,7 @@ class TargetsPanel(QWidget):
                     "an existing target, select the target in the list first."
                 )
         self.hint.setText(gettext(text, line=line, target=target))
+        self._summarise_settings()
 
     def _on_shape_changed(self) -> None:
         """Enable the fields that apply to the role and the shape."""
@@ -305,6 +321,15 @@ class TargetsPanel(QWidget):
         self._expected.setEnabled(self.shape == "plane")
         self._show_defaults()
         self._show_click_hint()
+
+    def _summarise_settings(self) -> None:
+        """Show settings that are not the defaults in the heading of the folded settings."""
+        parts = [gettext("sphere")] if self.shape == "sphere" else []
+        parts += [self.line] if self.line is not None else []
+        fields = (self._radius, self._threshold)
+        parts += [field.text() for field in fields if field.value()]
+        parts += [gettext("expected plane")] if self.expected is not None else []
+        self.settings.set_summary(", ".join(parts))
 
     def _show_defaults(self) -> None:
         if self._project is None:
@@ -367,6 +392,14 @@ class TargetsPanel(QWidget):
         self._sphere_radius.setSpecialValueText(gettext("unknown"))
         self._sphere_radius.valueChanged.connect(self._on_shape_changed)
 
+    def _settings_fields(self) -> QWidget:
+        body = QWidget()
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addLayout(self._seed_form())
+        layout.addWidget(self.search_fields)
+        return body
+
     def _seed_form(self) -> QFormLayout:
         self._shape_fields()
         self.line_choice = QComboBox()
@@ -409,7 +442,7 @@ class TargetsPanel(QWidget):
         form.addRow(gettext("Expected plane"), self._expected)
         return form
 
-    def _buttons(self) -> QGridLayout:
+    def _table_buttons(self) -> QHBoxLayout:
         self.rename = widgets.button(
             gettext("Rename"), "rename_target", icon="pencil-outline", tip=gettext("Rename (F2)")
         )
@@ -421,6 +454,12 @@ class TargetsPanel(QWidget):
         self.remove.clicked.connect(self._remove)
         delete = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
         delete.setContext(Qt.ShortcutContext.WidgetShortcut)
+        row = QHBoxLayout()
+        row.addWidget(self.rename)
+        row.addWidget(self.remove)
+        return row
+
+    def _search_buttons(self) -> QGridLayout:
         self.propose = widgets.button(
             gettext("Propose targets"), "propose_targets", icon="auto-fix",
             tip=gettext("Find planes in all lines and propose targets and validation planes"),
@@ -435,11 +474,9 @@ class TargetsPanel(QWidget):
             tip=gettext("Read seed coordinates from a file and detect their targets (Shift+F3)"),
         )  # fmt: skip
         rows = QGridLayout()
-        rows.addWidget(self.type_seed, 0, 0)
-        rows.addWidget(self.list_seeds, 0, 1)
-        rows.addWidget(self.propose, 1, 0, 1, 2)
-        rows.addWidget(self.rename, 2, 0)
-        rows.addWidget(self.remove, 2, 1)
+        rows.addWidget(self.propose, 0, 0, 1, 2)
+        rows.addWidget(self.type_seed, 1, 0)
+        rows.addWidget(self.list_seeds, 1, 1)
         return rows
 
     def _rename(self) -> None:
@@ -470,6 +507,7 @@ def _targets_table() -> QTableWidget:
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         )
     table.verticalHeader().hide()
+    table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.verticalHeader().setDefaultSectionSize(26)
     table.setShowGrid(False)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -1,0 +1,213 @@
+"""Panel with the proposed targets: a list to tick, accept or reject."""
+
+from collections.abc import Collection
+from math import degrees
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHBoxLayout,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+)
+
+from lispac.adjustment.result import ANGLES
+from lispac.gui import widgets
+from lispac.gui.appearance import theme, units
+from lispac.gui.widgets.tab_order import ENTER_KEYS
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.picked_targets import Triple
+
+if TYPE_CHECKING:
+    from lispac.workflow.calibration.proposals import Proposal
+
+ROLE_NAMES = {"target": N_("Target"), "validation": N_("Validation plane")}
+COLUMN_TITLES = (N_("Name"), N_("Role"), N_("Lines"))
+TITLE = N_("Proposed targets")
+ROW_HEIGHT_PX = 22
+"""Height of a row of the table, pixels."""
+
+
+class ProposedTargetsPanel(QFrame):
+    """Proposed targets and validation planes, to be ticked and added or all rejected."""
+
+    accepted = Signal()
+    rejected = Signal()
+    ticks_changed = Signal()
+    selected = Signal(str)
+    """Another row was selected; its name."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("proposal_box")
+        self.setProperty("role", "candidate")
+        self._proposal: Proposal | None = None
+        layout = widgets.vertical_layout(self, 10)
+        layout.addWidget(widgets.label(gettext(TITLE), "heading"))
+        self._sigmas = widgets.label("", wrap=True, name="proposal_sigmas")
+        self._warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
+        self.table = _ProposalTable(len(COLUMN_TITLES))
+        self.table.itemChanged.connect(self._on_ticked)
+        self.table.itemSelectionChanged.connect(self._on_selected)
+        self.table.accepted.connect(self._accept)
+        self.reason = widgets.label("", wrap=True, name="proposal_reason")
+        for each in (self._warnings, self.table, self.reason):
+            layout.addWidget(each)
+        self.accept_button = widgets.button(
+            "", "accept_proposal", primary=True, tip=gettext("Add the ticked targets and planes")
+        )
+        self.accept_button.clicked.connect(self._accept)
+        self.reject_button = widgets.button(
+            gettext("Reject all"),
+            "reject_proposal",
+            tip=gettext("Close without adding targets or planes"),
+        )
+        self.reject_button.clicked.connect(self.rejected)
+        row = QHBoxLayout()
+        row.addWidget(self.accept_button, 1)
+        row.addWidget(self.reject_button)
+        layout.addLayout(row)
+        layout.addWidget(self._sigmas)
+
+    def show_proposal(self, proposal: "Proposal", unticked: Collection[Triple] = ()) -> None:
+        """Show a proposal; the targets with the ``unticked`` seeds are not ticked."""
+        name = self.current
+        self._proposal = proposal
+        self._sigmas.setText(_targets_text(proposal))
+        self._warnings.setText("\n".join(map(message_text, proposal.warnings)))
+        self._warnings.setVisible(bool(proposal.warnings))
+        self.table.blockSignals(True)
+        self._fill(proposal, unticked)
+        names = [target.name for target in proposal.targets]
+        self.table.selectRow(names.index(name) if name in names else 0)
+        self.table.blockSignals(False)
+        self.table.fit_height()
+        self._on_ticked()
+        self._on_selected()
+
+    @property
+    def current(self) -> str | None:
+        """Name of the selected target or plane."""
+        rows = self.table.selectionModel().selectedRows()
+        return self.table.item(rows[0].row(), 0).text() if rows else None
+
+    @property
+    def ticked_entries(self) -> tuple[str, ...]:
+        """Names of the ticked targets and planes."""
+        checked = Qt.CheckState.Checked
+        items = (self.table.item(row, 0) for row in range(self.table.rowCount()))
+        return tuple(item.text() for item in items if item.checkState() == checked)
+
+    def _accept(self) -> None:
+        if self.ticked_entries:
+            self.accepted.emit()
+
+    def _fill(self, proposal: "Proposal", unticked: Collection[Triple]) -> None:
+        self.table.setRowCount(len(proposal.targets))
+        for row, target in enumerate(proposal.targets):
+            is_target = target.role == "target"
+            colour = theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR
+            name = QTableWidgetItem(theme.swatch(colour), target.name)
+            name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+            ticked = target.seed not in unticked
+            name.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
+            name.setToolTip(gettext("Untick to exclude this target or plane"))
+            role = QTableWidgetItem(gettext(ROLE_NAMES[target.role]))
+            lines = [sighting.line for sighting in target.sightings]
+            count_item = QTableWidgetItem(str(len(lines)))
+            count_item.setToolTip(
+                widgets.plain_tip(gettext("Observed on lines: {lines:names}", lines=lines))
+            )
+            for column, item in enumerate((name, role, count_item)):
+                self.table.setItem(row, column, item)
+
+    def _on_selected(self) -> None:
+        name, proposal = self.current, self._proposal
+        if proposal is not None and name is not None:
+            reason = message_text(proposal.reasons[name])
+            self.reason.setText(gettext("{title}: {summary}", title=name, summary=reason))
+            self.selected.emit(name)
+
+    def _on_ticked(self) -> None:
+        ticked, total = len(self.ticked_entries), self.table.rowCount()
+        self.accept_button.setText(
+            gettext("Add {ticked:n} of {total:n}", ticked=ticked, total=total)
+        )
+        self.accept_button.setEnabled(ticked > 0)
+        self.ticks_changed.emit()
+
+
+class _ProposalTable(QTableWidget):
+    """Table as high as its rows, in which Enter accepts and Space ticks the selected row."""
+
+    accepted = Signal()
+
+    def __init__(self, columns: int) -> None:
+        super().__init__(0, columns)
+        self.setTabKeyNavigation(False)
+        self.setObjectName("proposal_table")
+        self.setAccessibleName(gettext("Proposed targets and validation planes"))
+        self.setHorizontalHeaderLabels([gettext(head) for head in COLUMN_TITLES])
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
+        self.setShowGrid(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setProperty("rows", True)  # no frame around a cell, like a button
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        header = self.horizontalHeader()
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+
+    def fit_height(self) -> None:
+        """Make the table as high as its rows."""
+        head = self.horizontalHeader().sizeHint().height()
+        self.setFixedHeight(head + ROW_HEIGHT_PX * self.rowCount() + 4)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Accept with Enter; tick or untick the current row with Space, in any column."""
+        name = self.item(self.currentRow(), 0)
+        if event.key() in ENTER_KEYS:
+            self.accepted.emit()
+        elif event.key() == Qt.Key.Key_Space and name is not None:
+            checked = name.checkState() == Qt.CheckState.Checked
+            name.setCheckState(Qt.CheckState.Unchecked if checked else Qt.CheckState.Checked)
+        else:
+            super().keyPressEvent(event)
+
+
+def _targets_text(proposal: "Proposal") -> str:
+    """Text on the predicted precision, or that all useful targets are picked."""
+    if not any(target.role == "target" for target in proposal.targets):
+        return gettext(
+            "No more targets are proposed because all suitable surfaces are already targets or "
+            "validation planes: {targets:names}.",
+            targets=proposal.picked,
+        )
+    sigmas = dict(zip(ANGLES, map(_angle_text, proposal.sigma), strict=True))
+    if proposal.picked:
+        return gettext(
+            "Predicted standard deviations of the boresight with the proposed and the existing "
+            "targets ({targets:names}): roll {roll}, pitch {pitch}, yaw {yaw}.",
+            targets=proposal.picked, **sigmas,
+        )  # fmt: skip
+    return gettext(
+        "Predicted standard deviations of the boresight with the proposed targets: roll {roll}, "
+        "pitch {pitch}, yaw {yaw}.",
+        **sigmas,
+    )
+
+
+def _angle_text(radians: float) -> str:
+    """Text of an angle in the unit that the user has chosen."""
+    sign = units.shown_unit("°").sign
+    value = units.localised(units.figure(degrees(radians), "°", ".3f"))
+    return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")
