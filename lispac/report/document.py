@@ -80,7 +80,7 @@ def undrawn_document(
     letterhead = options.company or content.identity.company
     return Document(
         title=gettext("Boresight calibration report"),
-        project=content.project,
+        project=_subject_text(content),
         program=content.program,
         generated=time_text(content.generated),
         status=status,
@@ -127,6 +127,12 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
         _make_section(gettext("Settings and input files"), settings_blocks(content)),
         _make_section(gettext("Pictures"), _view_pictures(views)),
     ]
+
+
+def _subject_text(content: ReportContent) -> str:
+    """Vessel, site and project, below the title."""
+    names = dict.fromkeys((content.identity.vessel, content.identity.site, content.project))
+    return " · ".join(name for name in names if name)
 
 
 def _header_texts(content: ReportContent) -> tuple[str, str]:

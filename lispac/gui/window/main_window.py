@@ -208,6 +208,7 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.validate.cause_requested.connect(self.cause_navigation.show_cause)
         panels.results.cross_checks_requested.connect(
             lambda: self.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
         )

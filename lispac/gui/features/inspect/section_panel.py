@@ -90,7 +90,7 @@ class SectionPanel(QWidget):
             tip=gettext("Copy the section as shown to the clipboard"),
         )  # fmt: skip
         buttons = QHBoxLayout()
-        for each in (self.points, self.save_picture, self.copy_picture):
+        for each in (self.save_picture, self.copy_picture):
             buttons.addWidget(each)
         self.text_label = widgets.label(
             gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
@@ -99,15 +99,13 @@ class SectionPanel(QWidget):
         form.addRow(self.through)
         form.addRow(gettext("Orientation"), self.orientation)
         form.addRow(gettext("Exaggeration"), self.exaggeration_choice)
-        sizes = QHBoxLayout()
-        size_label = widgets.label(gettext("Size"))
-        size_label.setBuddy(self.size)
-        for each in (self.thickness, size_label, self.size):
-            sizes.addWidget(each)
-        form.addRow(gettext("Thickness"), sizes)
+        form.addRow(gettext("Thickness"), self.thickness)
+        form.addRow(gettext("Size"), self.size)
         form.setVerticalSpacing(4)
         self._left = QVBoxLayout()
+        self._left.setSpacing(4)
         self._left.addLayout(form)
+        self._left.addWidget(self.points)
         self._left.addLayout(buttons)
         self._left.addStretch(1)
         side = QWidget()
@@ -123,6 +121,8 @@ class SectionPanel(QWidget):
         self.text_label.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
         self._is_low = self._is_narrow = True
+        self._drawn_proportion = 0.0
+        """Ratio of width to height of the figure for which the section was drawn."""
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
@@ -138,6 +138,13 @@ class SectionPanel(QWidget):
         form = self.height() < LOW_PANEL_PX, self.width() < NARROW_PANEL_PX
         if form != (self._is_low, self._is_narrow):
             self._is_low, self._is_narrow = form
+            self._redraw()
+
+    def _fill_resized_plots(self) -> None:
+        """Draw the section for other proportions of its plots."""
+        width, height = self.canvas.figure.get_size_inches()
+        if (proportion := round(width / height, 1)) != self._drawn_proportion:
+            self._drawn_proportion = proportion
             self._redraw()
 
     @property
@@ -242,4 +249,5 @@ class SectionPanel(QWidget):
         self.canvas.setObjectName("section_canvas")
         self.canvas.setToolTip(gettext(ZOOM_HINT))
         self._zooming = PlotZoom(self.canvas)
+        self.canvas.mpl_connect("resize_event", lambda _event: self._fill_resized_plots())
         self._row.addWidget(self.canvas, 1)
