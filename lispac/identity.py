@@ -96,6 +96,8 @@ SIGNATURE_FIELDS = ("surveyor", "processed_by", "checked_by")
 """Fields of the persons who sign the report."""
 REQUIRED_FIELDS = ("vessel", "site", "dates", "surveyor", "scanner", "pos")
 """Fields without which a signed report does not identify the calibrated system."""
+TITLE_FIELDS = ("vessel", "site")
+"""Fields that are printed below the title of the report, not in its form."""
 COMPANY_FIELDS = (
     *SIGNATURE_FIELDS, "scanner", "scanner_serial", "pos", "pos_serial", "processing_software",
 )  # fmt: skip

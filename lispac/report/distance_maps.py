@@ -28,8 +28,8 @@ Array = NDArray[np.float64]
 PANEL_TITLES = N_("before"), N_("after")
 BAR_TITLES = N_("Before (mm)"), N_("After (mm)")
 """Titles of the colour bars."""
-FINER_BAR_TITLE = N_("After (mm):\nscale {factor} × finer")
-COARSER_BAR_TITLE = N_("After (mm):\nscale {factor} × coarser")
+FINER_BAR_TITLE = N_("After (mm), {factor} × finer")
+COARSER_BAR_TITLE = N_("After (mm), {factor} × coarser")
 """Titles of the colour bar after, if the scales differ."""
 MAX_COMMON_RATIO = 2.0
 """Largest ratio of the two colour scales for which both states have the larger one."""
@@ -46,7 +46,7 @@ INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
 MIN_PANEL_HEIGHT = 0.5
 """Smallest height of a panel, inches."""
 MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
-MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 1.05
+MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.9
 """Margins around and between the panels, inches; the top margin is larger if all pairs are in one
 row."""
 MAX_TEXT_SHARE = 0.95

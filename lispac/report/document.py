@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError, system_reason
+from lispac.identity import FIELD_LABELS, TITLE_FIELDS
 from lispac.language import LazyText, gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
@@ -131,8 +132,12 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
 
 def _subject_text(content: ReportContent) -> str:
     """Vessel, site and project, below the title."""
-    names = dict.fromkeys((content.identity.vessel, content.identity.site, content.project))
-    return " · ".join(name for name in names if name)
+    known = [
+        gettext("{label}: {text}", label=gettext(FIELD_LABELS[name]), text=text)
+        for name in TITLE_FIELDS
+        if (text := getattr(content.identity, name))
+    ]
+    return " · ".join((*known, content.project))
 
 
 def _header_texts(content: ReportContent) -> tuple[str, str]:

@@ -43,6 +43,7 @@ MAX_NOTES = 8
 MAX_MAP_ROWS = 3
 """Largest number of planes whose maps are as wide as the page; more are in two columns."""
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 80.0
+MAX_MAP_ROW_HEIGHT_MM = 62.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
@@ -179,8 +180,9 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     shown = [plane for plane in _planes_to_show(content, MAX_MAPPED_PLANES) if plane.maps]
     columns = 1 if len(shown) <= MAX_MAP_ROWS else 2
     maps = [_map(plane, is_row=columns == 1) for plane in shown]
+    tallest = MAX_MAP_ROW_HEIGHT_MM if columns == 1 else MAX_MAP_HEIGHT_MM
     blocks += [
-        PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=MAX_MAP_HEIGHT_MM)
+        PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=tallest)
         for k in range(0, len(maps), columns)
     ]
     if maps:

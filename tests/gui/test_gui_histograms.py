@@ -248,6 +248,24 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
     assert panel.canvas.height() >= 100
 
 
+def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPanel) -> None:
+    window = driver.window
+    window.resize(1600, 1000)
+    driver.rest()
+    low = panel.height()
+    driver.bot.mouseClick(panel.enlarge, Left)
+    driver.bot.waitUntil(lambda: panel.height() >= 0.4 * window.height())
+    show_panel(window, "Section")
+    section = window.tools.sections.panel
+    assert section.enlarge.isChecked()
+    driver.bot.mouseClick(section.enlarge, Left)
+    driver.bot.waitUntil(lambda: section.height() < 0.3 * window.height())
+    show_panel(window, "Histograms")
+    driver.rest()
+    assert panel.height() <= max(low, 0.3 * window.height())
+    assert not panel.enlarge.isChecked()
+
+
 def test_the_section_follows_the_plane_of_the_histograms(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:

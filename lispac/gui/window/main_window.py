@@ -281,6 +281,11 @@ class MainWindow(QMainWindow):
         self.table.sighting_activated.connect(self._go_to)
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
+        section = self.tools.sections.panel
+        for panel in (self.histograms, section):
+            panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))
+        self.histograms.enlarged.connect(section.enlarge.setChecked)  # in the same dock area
+        section.enlarged.connect(self.histograms.enlarge.setChecked)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)

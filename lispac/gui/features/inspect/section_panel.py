@@ -47,6 +47,8 @@ class SectionPanel(QWidget):
     points_requested = Signal()
     picture_requested = Signal()
     copy_requested = Signal()
+    enlarged = Signal(bool)
+    """The user wants a higher panel, or the initial height."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -90,22 +92,30 @@ class SectionPanel(QWidget):
             tip=gettext("Copy the section as shown to the clipboard"),
         )  # fmt: skip
         buttons = QHBoxLayout()
-        for each in (self.save_picture, self.copy_picture):
+        buttons.setSpacing(4)
+        for each in (self.points, self.save_picture, self.copy_picture):
+            each.setStyleSheet("padding: 3px 5px;")  # a narrow column leaves more to the picture
             buttons.addWidget(each)
         self.text_label = widgets.label(
             gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
         )
         form = QFormLayout()
-        form.addRow(self.through)
+        self.enlarge = widgets.enlarge_button("enlarge_section")
+        self.enlarge.toggled.connect(self.enlarged)
+        head = QHBoxLayout()
+        head.addWidget(self.through, 1)
+        head.addWidget(self.enlarge)
+        form.addRow(head)
         form.addRow(gettext("Orientation"), self.orientation)
         form.addRow(gettext("Exaggeration"), self.exaggeration_choice)
-        form.addRow(gettext("Thickness"), self.thickness)
-        form.addRow(gettext("Size"), self.size)
+        sizes = QHBoxLayout()
+        sizes.setSpacing(4)
+        for each in (self.thickness, self.size):
+            sizes.addWidget(each)
+        form.addRow(gettext("Thickness, size"), sizes)
         form.setVerticalSpacing(4)
         self._left = QVBoxLayout()
-        self._left.setSpacing(4)
         self._left.addLayout(form)
-        self._left.addWidget(self.points)
         self._left.addLayout(buttons)
         self._left.addStretch(1)
         side = QWidget()

@@ -167,6 +167,8 @@ class HistogramsPanel(QWidget):
 
     plane_selected = Signal(str)
     """Another plane was selected, by the user or as the worst one."""
+    enlarged = Signal(bool)
+    """The user wants a higher panel, or the initial height."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -261,6 +263,9 @@ class HistogramsPanel(QWidget):
         # The names of the colours do not make the plot of a small window wider
         self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         tools.addWidget(self._colours, 1)
+        self.enlarge = widgets.enlarge_button("enlarge_histograms")
+        self.enlarge.toggled.connect(self.enlarged)
+        tools.addWidget(self.enlarge)
         return tools
 
     @property
