@@ -33,6 +33,8 @@ PRINT_DPI = 200
 
 MIN_PRINT_HEIGHT_INCHES = 3.2
 """Smallest height of a saved picture, whose titles need more space than a low panel has."""
+MIN_TEXT_WIDTH_PX = 260
+"""Width with which the whole text without a section is visible in a low panel, pixels."""
 LOW_PANEL_PX = 230
 """Height of the panel below which the horizontal axes have no titles, pixels."""
 NARROW_PANEL_PX = 1200
@@ -94,7 +96,6 @@ class SectionPanel(QWidget):
         buttons = QHBoxLayout()
         buttons.setSpacing(4)
         for each in (self.points, self.save_picture, self.copy_picture):
-            each.setStyleSheet("padding: 3px 5px;")  # a narrow column leaves more to the picture
             buttons.addWidget(each)
         self.text_label = widgets.label(
             gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
@@ -128,7 +129,8 @@ class SectionPanel(QWidget):
         # Shown instead of the picture, since there is no space for the text beside the options.
         self._row.addWidget(self.text_label, 1)
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text_label.setContentsMargins(24, 0, 24, 0)
+        self.text_label.setContentsMargins(16, 0, 16, 0)
+        self.text_label.setMinimumWidth(MIN_TEXT_WIDTH_PX)
         self.canvas: QWidget | None = None
         self._is_low = self._is_narrow = True
         self._drawn_proportion = 0.0
