@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.identity import MAX_FIELD_LENGTH, cleaned_text
 from lispac.messages import error, note
-from lispac.validation.comparison_results import PairComparison, PlaneComparison
+from lispac.validation.comparison_results import PlaneComparison
 
 Verdict = Literal["pass", "fail", "not judged"]
 Quantity = Literal["roll", "pitch", "yaw", "rms", "offset"]
@@ -198,22 +198,29 @@ def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[
     if criteria.rms is not None:
         checks.append(AcceptanceCheck("rms", criteria.rms, plane.after.rms, plane.name))
     if criteria.offset is not None:
-        offsets = [(_offset_of(pair), pair) for pair in plane.pairs]
-        known = [(offset, pair) for offset, pair in offsets if offset is not None]
-        if known:
-            value, pair = max(known, key=lambda each: each[0])
-            lines = pair.line_a, pair.line_b
+        largest = largest_offset(plane)
+        known = [pair for pair in plane.pairs if pair.after.signed is not None]
+        if largest is not None:
+            value, lines = largest
             checks.append(AcceptanceCheck("offset", criteria.offset, value, plane.name, lines))
-        judged = {line for _, pair in known for line in (pair.line_a, pair.line_b)}
+        judged = {line for pair in known for line in (pair.line_a, pair.line_b)}
         if not known or any(not {p.line_a, p.line_b} <= judged for p in plane.pairs):
             # A pair may lack common points if both lines are compared with others
             checks.append(AcceptanceCheck("offset", criteria.offset, None, plane.name))
     return checks
 
 
-def _offset_of(pair: PairComparison) -> float | None:
-    signed = pair.after.signed
-    return None if signed is None else abs(signed.median)
+def largest_offset(plane: PlaneComparison) -> tuple[float, tuple[str, str]] | None:
+    """Largest offset of two lines on a plane after the calibration, metres, and the two lines.
+
+    None if no pair of lines has enough points in common.
+    """
+    offsets = [
+        (abs(pair.after.signed.median), (pair.line_a, pair.line_b))
+        for pair in plane.pairs
+        if pair.after.signed is not None
+    ]
+    return max(offsets, key=lambda each: each[0], default=None)
 
 
 def planes_to_show(rms: Mapping[str, float], failed: Collection[str], count: int) -> frozenset[str]:

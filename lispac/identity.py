@@ -61,6 +61,11 @@ class Identity:
         """
         return replace(self, **{name: _clean_text(name, text) for name, text in texts.items()})
 
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Names of the empty fields among `REQUIRED_FIELDS`."""
+        return tuple(name for name in REQUIRED_FIELDS if not getattr(self, name))
+
     def require_sound(self) -> None:
         """Refuse texts that cannot be printed in a report.
 
@@ -89,6 +94,10 @@ FIELD_GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
 """Titles and fields of the groups of the dialogue, in the order of the fields."""
 SIGNATURE_FIELDS = ("surveyor", "processed_by", "checked_by")
 """Fields of the persons who sign the report."""
+REQUIRED_FIELDS = ("vessel", "site", "dates", "surveyor", "scanner", "pos")
+"""Fields without which a signed report does not identify the calibrated system."""
+TITLE_FIELDS = ("vessel", "site")
+"""Fields that are printed below the title of the report, not in its form."""
 COMPANY_FIELDS = (
     *SIGNATURE_FIELDS, "scanner", "scanner_serial", "pos", "pos_serial", "processing_software",
 )  # fmt: skip

@@ -128,13 +128,30 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.rms": N_(
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
-        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm. "
-        "Check targets, lever arm and trajectory."
+        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm."
     ),
     "acceptance.offset": N_(
         "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
-        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm. Check "
-        "the trajectory during these lines."
+        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm."
+    ),
+    "acceptance.cause_geometry": N_(
+        "Probable cause: the targets and lines do not determine {angles:names} precisely enough. "
+        "Add targets in another orientation or farther away, or more lines."
+    ),
+    "acceptance.cause_pos": N_(
+        "Probable cause on {planes:names}: the POS. The lines are shifted against each other by "
+        "{offset:mm.1} mm, and the given uncertainties explain up to {limit:mm.1} mm. An error of "
+        "the boresight is not detected. Process the trajectory again with a more accurate "
+        "solution, or check the given POS accuracy."
+    ),
+    "acceptance.cause_scatter": N_(
+        "Probable cause on {target}: the scatter of the points. The lines are offset by at most "
+        "{offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or curved: "
+        "pick a plane on a smooth surface."
+    ),
+    "acceptance.cause_unknown": N_(
+        "The cause on {planes:names} is not known, because an earlier version of LISPAC has "
+        "compared the lines. Validate again."
     ),
     "acceptance.not_judged": N_(
         "The acceptance criteria for validation planes could not be judged, because no plane has "

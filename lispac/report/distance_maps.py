@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
+from lispac.present.text_format import shortest_number
 from lispac.present.validation import DistanceMapValues, ValidationPlane
 from lispac.report.figures import (
     INK_COLOUR,
@@ -26,7 +27,12 @@ Array = NDArray[np.float64]
 
 PANEL_TITLES = N_("before"), N_("after")
 BAR_TITLES = N_("Before (mm)"), N_("After (mm)")
-"""Titles of the colour bars; each state has a scale of its own, which its values fill."""
+"""Titles of the colour bars."""
+FINER_BAR_TITLE = N_("After (mm), {factor} × finer")
+COARSER_BAR_TITLE = N_("After (mm), {factor} × coarser")
+"""Titles of the colour bar after, if the scales differ."""
+MAX_COMMON_RATIO = 2.0
+"""Largest ratio of the two colour scales for which both states have the larger one."""
 COLOUR_MAP = "RdBu_r"
 """Colour map: red where the first line is nearer to the vessel, white where both coincide."""
 SCALE_PERCENTILE = 98.0
@@ -70,6 +76,7 @@ class _Size:
 
 FULL_SIZE = _Size(6.3, 1.15, 3.2)
 SMALL_SIZE = _Size(3.3, 0.75, 1.3)
+ROW_SIZE = _Size(6.3, 1.7, 1.7)
 MAX_SMALL_MAPS = 2
 """Largest number of pairs in a figure that is half as wide as a page."""
 
@@ -77,20 +84,28 @@ MAX_SMALL_MAPS = 2
 def map_figure_of(plane: ValidationPlane) -> Figure:
     """Maps of the signed distances on the plane, before and after, for each mapped pair of lines.
 
-    Each state has a colour scale of its own, so that the small distances after the calibration are
-    visible.
+    A state with much smaller distances has a finer colour scale, so that they are visible; the
+    title of its colour bar says so.
     """
     return _draw_maps(plane.name, plane.maps)
 
 
 def small_map_figure_of(plane: ValidationPlane) -> Figure:
     """Maps of the pairs with the largest offset and distances after, half a page wide."""
+    return _draw_maps(plane.name, _largest_maps(plane), SMALL_SIZE)
+
+
+def map_row_figure_of(plane: ValidationPlane) -> Figure:
+    """The maps of `small_map_figure_of` in one row, as wide as a page."""
+    return _draw_maps(plane.name, _largest_maps(plane), ROW_SIZE, in_one_row=True)
+
+
+def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
     farthest = max(plane.maps, key=_offset_after, default=None)
     largest = sorted(
         plane.maps, key=lambda each: (each is farthest, _rms_after(each)), reverse=True
     )[:MAX_SMALL_MAPS]
-    shown = [each for each in plane.maps if each in largest]
-    return _draw_maps(plane.name, shown, SMALL_SIZE)
+    return [each for each in plane.maps if each in largest]
 
 
 def _rms_after(values: DistanceMapValues) -> float:
@@ -101,7 +116,13 @@ def _offset_after(values: DistanceMapValues) -> float:
     return float(abs(np.median(values.after_m)))
 
 
-def _draw_maps(name: str, maps: Sequence[DistanceMapValues], form: _Size = FULL_SIZE) -> Figure:
+def _draw_maps(
+    name: str,
+    maps: Sequence[DistanceMapValues],
+    form: _Size = FULL_SIZE,
+    *,
+    in_one_row: bool = False,
+) -> Figure:
     if not maps:
         figure = blank_figure(None, (form.width, 1.0))
         axes = figure.add_subplot()
@@ -116,14 +137,11 @@ def _draw_maps(name: str, maps: Sequence[DistanceMapValues], form: _Size = FULL_
         )  # fmt: skip
         return figure
     sides = np.max([_map_size(each) for each in maps], axis=0)
-    tall = bool(sides[1] > ONE_ROW_RATIO * sides[0])
+    tall = in_one_row or bool(sides[1] > ONE_ROW_RATIO * sides[0])
     if tall:
         form = replace(form, max_panel_height=form.max_tall_height)
     figure, places = _map_panels(len(maps), sides, tall, form)
-    limits = [
-        max(_colour_limit(getattr(each, state)) for each in maps)
-        for state in ("before_m", "after_m")
-    ]
+    limits = _colour_limits(maps)
     named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
     across, up = gettext("Horizontal (m)"), gettext("Up (m)")
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
@@ -142,8 +160,8 @@ def _draw_maps(name: str, maps: Sequence[DistanceMapValues], form: _Size = FULL_
             elif first:
                 axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK_COLOUR)
             axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
-    for column, title in enumerate(BAR_TITLES):
-        _draw_colour_bar(figure, [row[column] for row in places], gettext(title))
+    for column, title in enumerate(_bar_titles(limits)):
+        _draw_colour_bar(figure, [row[column] for row in places], title)
     if tall:
         left, right = (axes.get_position(original=True) for axes in (places[0][0], places[-1][-1]))
         below = left.y0 - 0.24 / figure.get_size_inches()[1]
@@ -282,3 +300,25 @@ def _map_size(pair: DistanceMapValues) -> Array:
 
 def _colour_limit(values: Sequence[float]) -> float:
     return max(float(np.percentile(np.abs(values), SCALE_PERCENTILE)), MIN_COLOUR_LIMIT_M)
+
+
+def _colour_limits(maps: Sequence[DistanceMapValues]) -> tuple[float, float]:
+    """Ends of the colour scales before and after, metres; equal unless they differ much."""
+    before, after = (
+        max(_colour_limit(getattr(each, state)) for each in maps)
+        for state in ("before_m", "after_m")
+    )
+    if max(before, after) <= MAX_COMMON_RATIO * min(before, after):
+        return max(before, after), max(before, after)
+    return before, after
+
+
+def _bar_titles(limits: tuple[float, float]) -> list[str]:
+    """Titles of the colour bars, with the ratio of the scales if they differ."""
+    before, after = limits
+    titles = [gettext(title) for title in BAR_TITLES]
+    if before != after:
+        ratio = before / after
+        title = FINER_BAR_TITLE if ratio > 1 else COARSER_BAR_TITLE
+        titles[1] = gettext(title, factor=shortest_number(float(f"{max(ratio, 1 / ratio):.2g}")))
+    return titles

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError, system_reason
+from lispac.identity import FIELD_LABELS, TITLE_FIELDS
 from lispac.language import LazyText, gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
@@ -80,7 +81,7 @@ def undrawn_document(
     letterhead = options.company or content.identity.company
     return Document(
         title=gettext("Boresight calibration report"),
-        project=content.project,
+        project=_subject_text(content),
         program=content.program,
         generated=time_text(content.generated),
         status=status,
@@ -127,6 +128,16 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
         _make_section(gettext("Settings and input files"), settings_blocks(content)),
         _make_section(gettext("Pictures"), _view_pictures(views)),
     ]
+
+
+def _subject_text(content: ReportContent) -> str:
+    """Vessel, site and project, below the title."""
+    known = [
+        gettext("{label}: {text}", label=gettext(FIELD_LABELS[name]), text=text)
+        for name in TITLE_FIELDS
+        if (text := getattr(content.identity, name))
+    ]
+    return " · ".join((*known, content.project))
 
 
 def _header_texts(content: ReportContent) -> tuple[str, str]:

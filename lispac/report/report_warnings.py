@@ -69,7 +69,11 @@ def report_warnings(
             *_target_warnings(content),
             *_sighting_warnings(content),
             *_validation_warnings(content),
-            *(acceptance_warnings(content.acceptance) if content.calibrated else ()),
+            *(
+                acceptance_warnings(content.acceptance, content.validation)
+                if content.calibrated
+                else ()
+            ),
             *distribution_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),

@@ -5,7 +5,7 @@ Boresight angles have four decimals in degrees, residuals one decimal in millime
 
 from collections.abc import Sequence
 
-from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS
+from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS, TITLE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
@@ -237,7 +237,8 @@ def identity_table(content: ReportContent) -> Table:
 def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Table:
     """Details of the survey that are not elsewhere in the report, as a form.
 
-    The others are in the letterhead, beside the signatures, or in `measuring_system_table`.
+    The others are in the letterhead, below the title, beside the signatures, or in
+    `measuring_system_table`.
 
     Parameters
     ----------
@@ -247,6 +248,7 @@ def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Ta
     """
     known = content.identity
     elsewhere = {*SIGNATURE_FIELDS} if blank else {*SIGNATURE_FIELDS, *SYSTEM_FIELDS}
+    elsewhere |= {name for name in TITLE_FIELDS if getattr(known, name)}
     if known.company and known.company in letterhead.splitlines():
         elsewhere.add("company")
     return _details_form(

@@ -40,7 +40,10 @@ MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
+MAX_MAP_ROWS = 3
+"""Largest number of planes whose maps are as wide as the page; more are in two columns."""
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 80.0
+MAX_MAP_ROW_HEIGHT_MM = 62.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
@@ -175,16 +178,18 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks.append(Paragraph(pictured))
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in _planes_to_show(content, MAX_MAPPED_PLANES) if plane.maps]
-    maps = [_map(plane) for plane in shown]
+    columns = 1 if len(shown) <= MAX_MAP_ROWS else 2
+    maps = [_map(plane, is_row=columns == 1) for plane in shown]
+    tallest = MAX_MAP_ROW_HEIGHT_MM if columns == 1 else MAX_MAP_HEIGHT_MM
     blocks += [
-        PictureRows((tuple(maps[k : k + 2]),), columns=2, tallest=MAX_MAP_HEIGHT_MM)
-        for k in range(0, len(maps), 2)
+        PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=tallest)
+        for k in range(0, len(maps), columns)
     ]
     if maps:
         legend = gettext(
             "Maps: distance of the first line from the second along the normal of the plane, seen "
             "from the vessel. Red: the first line is nearer to the vessel; blue: farther away. "
-            "Before and after have separate colour scales."
+            "If the scale after the calibration is finer, its title says so."
         )
         blocks.append(Paragraph(legend))
     if len(shown) < len(mapped):
@@ -215,8 +220,12 @@ def _site_plan(content: ReportContent) -> list[Block]:
     return [PictureRows(((plan,),), tallest=MAX_PLAN_HEIGHT_MM)]
 
 
-def _map(plane: ValidationPlane) -> UndrawnPictures:
-    from lispac.report.distance_maps import MAX_SMALL_MAPS, small_map_figure_of
+def _map(plane: ValidationPlane, *, is_row: bool) -> UndrawnPictures:
+    from lispac.report.distance_maps import (
+        MAX_SMALL_MAPS,
+        map_row_figure_of,
+        small_map_figure_of,
+    )
 
     shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.maps)
     caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
@@ -226,4 +235,5 @@ def _map(plane: ValidationPlane) -> UndrawnPictures:
             "those with the largest offset and distances after it.",
             plane=plane.name, shown=shown, total=total,
         )  # fmt: skip
-    return UndrawnPictures(caption, small_map_figure_of, (plane,))
+    draw = map_row_figure_of if is_row else small_map_figure_of
+    return UndrawnPictures(caption, draw, (plane,))

@@ -87,8 +87,8 @@ SHIFTS_TEXT = N_(
 MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
     "seen from the vessel. Red: the first line is nearer to the vessel; blue: it is farther away; "
-    "grey: one of the lines has too few points. Each state has a colour scale of its own. The pair "
-    "of lines with the largest offset after the calibration is included."
+    "grey: one of the lines has too few points. If the scale after the calibration is finer, its "
+    "title says so. The pair of lines with the largest offset after the calibration is included."
 )
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "

@@ -9,16 +9,27 @@ from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues
 from lispac.present.validation import LineShiftValues, ValidationPlane
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
-VALIDATE_STEP = Cause.of_step("Validate")
+VALIDATE_STEP, TARGETS_STEP = Cause.of_step("Validate"), Cause.of_step("Targets")
+MAX_OFFSET_SHARE = 0.5
+"""Largest ratio of the offset of two lines to the RMS on a plane for which the scatter of the
+points causes at least three quarters of the mean square."""
 FALSE_WARNING_LEVEL = 0.01
 """Probability of any warning about the distances on the planes of a project without errors."""
 
 
-def acceptance_warnings(values: AcceptanceValues) -> Iterator[Message]:
-    """Warnings about criteria that are not met, and notes on what is not judged."""
+def acceptance_warnings(
+    values: AcceptanceValues, planes: Sequence[ValidationPlane]
+) -> Iterator[Message]:
+    """Warnings about criteria that are not met, their causes, and notes on what is not judged."""
     for check in values.checks:
         if check.verdict == "fail":
             yield _failure(check)
+    yield from _cause_notes(values, planes)
+    yield from acceptance_notes(values)
+
+
+def acceptance_notes(values: AcceptanceValues) -> Iterator[Message]:
+    """Notes on criteria that could not be judged, or are not given."""
     unknown = [check for check in values.checks if check.verdict == "not judged"]
     if unknown:
         planes = tuple(dict.fromkeys(check.plane for check in unknown if check.plane))
@@ -30,6 +41,75 @@ def acceptance_warnings(values: AcceptanceValues) -> Iterator[Message]:
     if values.checks and missing:
         criteria = tuple(note(f"acceptance_field.{name}") for name in missing)
         yield note("acceptance.criteria_missing", criteria=criteria, subject=VALIDATE_STEP)
+
+
+def probable_causes(
+    values: AcceptanceValues, planes: Sequence[ValidationPlane]
+) -> tuple[Message, ...]:
+    """Probable causes of the criteria that are not met; the subject is where to correct each."""
+    failed = _failed_planes(values)
+    shifted = [each for each in distribution_warnings(planes) if each.params["target"] in failed]
+    return (*shifted, *_cause_notes(values, planes))
+
+
+def _failed_planes(values: AcceptanceValues) -> set[str]:
+    return {each.plane for each in values.checks if each.plane and each.verdict == "fail"}
+
+
+def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+    """Causes of the failures that no warning about the distributions explains."""
+    angles = [each for each in values.checks if not each.plane and each.verdict == "fail"]
+    if angles:
+        names = tuple(mounting_value_name(each.quantity) for each in angles)
+        yield note("acceptance.cause_geometry", angles=names, subject=TARGETS_STEP)
+    explained = {each.params["target"] for each in distribution_warnings(planes)}
+    failed = _failed_planes(values) - explained
+    others = []
+    for plane in planes:
+        offset = _largest_pooled_offset(plane)
+        if plane.name not in failed:
+            continue
+        if offset is None or not _is_scatter(plane, offset, values):
+            others.append(plane)
+            continue
+        yield note(
+            "acceptance.cause_scatter",
+            target=plane.name, rms=plane.after.rms_m, offset=offset,
+            subject=Cause.of_target(plane.name),
+        )  # fmt: skip
+    known = [plane for plane in others if plane.shifts]
+    if known:
+        limit = shift_limit(planes)
+        shift = max((each for plane in known for each in plane.shifts), key=_significance)
+        yield note(
+            "acceptance.cause_pos",
+            planes=tuple(plane.name for plane in known),
+            offset=abs(shift.offset_m), limit=limit * shift.sigma_m,
+            subject=Cause.of_field("position_sigma"),
+        )  # fmt: skip
+    unknown = tuple(plane.name for plane in others if not plane.shifts)
+    if unknown:
+        yield note("acceptance.cause_unknown", planes=unknown, subject=VALIDATE_STEP)
+
+
+def _is_scatter(plane: ValidationPlane, offset: float, values: AcceptanceValues) -> bool:
+    """Whether the RMS fails because of the scatter of the points, not of offsets of the lines."""
+    quantities = {
+        each.quantity
+        for each in values.checks
+        if each.plane == plane.name and each.verdict == "fail"
+    }
+    return quantities == {"rms"} and offset < MAX_OFFSET_SHARE * plane.after.rms_m
+
+
+def _largest_pooled_offset(plane: ValidationPlane) -> float | None:
+    """Largest offset of the pairs of lines in the RMS, metres; None if it is not known."""
+    offsets = [
+        abs(pair.after.signed.median_m)
+        for pair in plane.pairs
+        if pair.after.signed is not None and (pair.reciprocal or plane.pooled_from == "all pairs")
+    ]
+    return max(offsets, default=None)
 
 
 def _failure(check: AcceptanceCheckValues) -> Message:
@@ -59,13 +139,8 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
     All tests together have the significance level `FALSE_WARNING_LEVEL` (Bonferroni). Of the shifts
     on a plane, which are caused by the same errors, only the most significant one is reported.
     """
-    from scipy.special import ndtri
-
-    tests = sum(_possible_groups(plane) + len(plane.pairs) for plane in planes if plane.shifts)
-    if not tests:
-        return
-    level = FALSE_WARNING_LEVEL / tests
-    limit = -float(ndtri(level / 2.0))
+    level = _test_level(planes)
+    limit = shift_limit(planes)
     for plane in planes:
         where = Cause.of_target(plane.name)
         significant = [each for each in plane.shifts if abs(each.offset_m) > limit * each.sigma_m]
@@ -84,6 +159,19 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
                 )  # fmt: skip
 
 
+def shift_limit(planes: Sequence[ValidationPlane]) -> float:
+    """Number of standard deviations above which a shift on any of the planes is significant."""
+    from scipy.special import ndtri
+
+    return -float(ndtri(_test_level(planes) / 2.0))
+
+
+def _test_level(planes: Sequence[ValidationPlane]) -> float:
+    """Significance level of each of the tests on all planes."""
+    tests = sum(_possible_groups(plane) + len(plane.pairs) for plane in planes if plane.shifts)
+    return FALSE_WARNING_LEVEL / max(tests, 1)
+
+
 def _possible_groups(plane: ValidationPlane) -> int:
     """Number of ways to divide the lines of a plane into two groups, of which some were tested."""
     lines = {line for shift in plane.shifts for line in (*shift.lines, *shift.others)}
@@ -100,11 +188,11 @@ def _shift_warning(plane: str, shift: LineShiftValues, limit: float) -> Message:
         return warning(
             "validation.directions_shifted" if shift.reciprocal else "validation.groups_shifted",
             target=plane, lines=shift.lines, others=shift.others, offset=offset, limit=explained,
-            subject=Cause.of_target(plane),
+            subject=Cause.of_page("Cross-checks"),
         )  # fmt: skip
     (line,) = shift.lines
     return warning(
         "validation.line_shifted",
         target=plane, line=line, others=shift.others, offset=offset, limit=explained,
-        subject=Cause.of_target(plane),
+        subject=Cause.of_line(line),
     )  # fmt: skip

@@ -1,7 +1,7 @@
 """Support for window tests: scripted dialogues, and a driver that closes its window cleanly."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.main_window import MainWindow
+from lispac.identity import Identity
 from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_files import ImportRequest
@@ -59,6 +60,8 @@ class ScriptedDialogs(Dialogs):
         self.requests: list[str] = []
         self.proposed = Path()
         self.opened: list[Path] = []
+        self.fills_in_details = False
+        """Whether the missing details of a report are asked for at its export."""
         self.can_open = True
         self.errors: list[BaseException] = []
 
@@ -99,6 +102,18 @@ class ScriptedDialogs(Dialogs):
     def script_file(self, start: Path) -> Path | None:
         self.requests.append(start.name)
         return self.path
+
+    def identity(
+        self,
+        identity: Identity,
+        dates: Callable[[], str],
+        companies: Mapping[str, Mapping[str, str]],
+        suggestions: Mapping[str, str],
+        missing: Sequence[str] = (),
+    ) -> Identity | None:
+        if missing and not self.fills_in_details:
+            return identity
+        return super().identity(identity, dates, companies, suggestions, missing)
 
     def report_template(self, start: Path) -> Path | None:
         return self.path

@@ -1,14 +1,19 @@
 """Tests of the acceptance criteria of step 4, typed and judged in the window."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.acceptance import NO_CRITERIA
-from lispac.gui.project.status import VALIDATE, step_statuses
+from lispac.acceptance import NO_CRITERIA, largest_offset
+from lispac.gui.project.document import ExportedReport
+from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
+from lispac.present.acceptance import AcceptanceValues
+from lispac.present.validation import ValidationPlane
 from lispac.project import Project
+from lispac.report.validation_warnings import probable_causes
 from tests.gui.support import (
     WAIT_MS,
     Control,
@@ -82,7 +87,8 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert judged.project.judgement.verdict == "fail"
     assert state_of(judged) == "warning"
     assert marks(judged) == [(True, "V1. Acceptance: fail")]
-    assert form.verdict.property("role") == "error"
+    outcome = judged.window.validate.outcome
+    assert outcome.verdict.property("role") == "error"
     window = judged.window
     judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
     assert "acceptance.rms" in {each.code for each in window.warnings.messages}
@@ -96,6 +102,39 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     judged.bot.keyClick(field, Key.Key_Tab)
     assert judged.project.acceptance.is_empty
     assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+
+
+def test_a_failed_calibration_names_its_cause_and_goes_there(judged: Driver) -> None:
+    window, (plane,) = judged.window, judged.project.validation
+    assert not window.validate.outcome.buttons
+    field = window.validate.acceptance.fields["offset"]
+    type_into(judged, field, f"{500 * largest_offset(plane)[0]:.3f}")
+    judged.bot.keyClick(field, Key.Key_Return)
+    judged.rest()
+    (cause,) = probable_causes(
+        AcceptanceValues.of(judged.project.judgement), [ValidationPlane.of(plane)]
+    )
+    assert cause.code == "acceptance.cause_pos"
+    (button,) = window.validate.outcome.buttons
+    window.workflow.scroll_to(button)
+    click(judged, button)
+    judged.rest()
+    first = window.data.pos_sigmas.position.fields[0]
+    assert window.workflow.isAncestorOf(first)
+    judged.bot.waitUntil(first.isVisible, timeout=WAIT_MS)
+
+
+def test_the_report_step_shows_a_failed_calibration(judged: Driver) -> None:
+    def report_state(report: ExportedReport | None = None) -> str:
+        document = judged.window.document
+        return step_statuses(document.project, document.survey, report=report)[REPORT].state
+
+    exported = ExportedReport(Path("report.pdf"), 0.0)
+    assert (report_state(), report_state(exported)) == ("todo", "done")
+    field = judged.window.validate.acceptance.fields["rms"]
+    type_into(judged, field, "0.1")
+    judged.bot.keyClick(field, Key.Key_Return)
+    assert (report_state(), report_state(exported)) == ("warning", "warning")
 
 
 def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(

@@ -14,9 +14,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from lispac.acceptance import largest_offset
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate.histograms_panel import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
+from lispac.gui.features.validate.planes_table import OFFSET, PAIRS, RMS
+from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from lispac.project import Project
@@ -192,6 +195,7 @@ def test_the_worst_plane_is_selected_after_the_validation(
     driver.rest()
     panel = window.histograms
     assert panel.current == "V3"
+    assert window.scene.selected == ("V3", "")
     item = panel.table.item(panel.table.currentRow(), 0)
     assert panel.table.viewport().rect().contains(panel.table.visualItemRect(item).center())
     spot = panel.table.visualItemRect(item).center()
@@ -201,7 +205,7 @@ def test_the_worst_plane_is_selected_after_the_validation(
     driver.bot.mouseClick(panel.table.viewport(), Left, pos=spot)
     assert window.scene.selected == ("V3", "")
     # A plane that fails later is selected too, unless another failing plane is selected.
-    panel.select("V2")
+    window._select("V2", "")
     field = window.validate.acceptance.fields["rms"]
     for limit_mm, selected in ((35, "V3"), (15, "V1")):
         field.selectAll()
@@ -209,8 +213,77 @@ def test_the_worst_plane_is_selected_after_the_validation(
         QTest.keyClick(field, Qt.Key.Key_Return)
         driver.rest()
         assert panel.current == selected
-        assert panel.tabs.tabText(1).endswith(selected)
-        panel.select("V1")
+        assert window.scene.selected == (selected, "")
+        window._select("V1", "")
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1600, 1000)])
+def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram(
+    driver: Driver, demo: Demo, validated: Project, size: tuple[int, int]
+) -> None:
+    window, (plane,) = driver.window, validated.validation
+    window.resize(*size)
+    driver.rest()
+    planes = tuple(replace(plane, name=f"V{k}") for k in range(1, 6))
+    window.document.open(replace(validated, validation=planes), demo.survey)
+    show_panel(window, "Histograms")
+    window.workflow.open(VALIDATE)
+    driver.rest()
+    panel, offset = window.histograms, 1000 * largest_offset(plane)[0]
+    for name, limit in (("rms", 1e6), ("offset", 0.5 * offset)):
+        field = window.validate.acceptance.fields[name]
+        field.selectAll()
+        QTest.keyClicks(field, f"{limit:.3f}")
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    driver.rest()
+    table = panel.table
+    assert table.verticalScrollBar().maximum() == table.horizontalScrollBar().maximum() == 0
+    for row in range(5):
+        assert table.visualRect(table.model().index(row, 0)).bottom() <= table.viewport().height()
+        assert table.item(row, OFFSET).text() == f"{offset:.1f}"
+        assert table.item(row, OFFSET).font().bold()
+        assert not table.item(row, RMS).font().bold()
+    assert f"{offset:.1f}" in panel.reading.text()
+    assert panel.canvas.width() >= 0.3 * size[0]
+    assert panel.canvas.height() >= 100
+
+
+def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPanel) -> None:
+    window = driver.window
+    window.resize(1600, 1000)
+    driver.rest()
+    low = panel.height()
+    driver.bot.mouseClick(panel.enlarge, Left)
+    driver.bot.waitUntil(lambda: panel.height() >= 0.4 * window.height())
+    show_panel(window, "Section")
+    section = window.tools.sections.panel
+    assert section.enlarge.isChecked()
+    driver.bot.mouseClick(section.enlarge, Left)
+    driver.bot.waitUntil(lambda: section.height() < 0.3 * window.height())
+    show_panel(window, "Histograms")
+    driver.rest()
+    assert panel.height() <= max(low, 0.3 * window.height())
+    assert not panel.enlarge.isChecked()
+
+
+def test_the_section_follows_the_plane_of_the_histograms(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    window, (plane,) = driver.window, validated.validation
+    planes = (plane, replace(plane, name="T1"))
+    window.document.open(replace(validated, validation=planes), demo.survey)
+    show_panel(window, "Section")
+    driver.rest()
+    section = window.tools.panels["Section"]
+    assert "V1" in section.through.text()
+    show_panel(window, "Histograms")
+    driver.rest()
+    table = window.histograms.table
+    spot = table.visualRect(table.model().index(1, 0)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=spot)
+    show_panel(window, "Section")
+    driver.rest()
+    assert "T1" in section.through.text()
 
 
 def test_the_table_states_how_many_pairs_its_numbers_cover(
@@ -218,9 +291,7 @@ def test_the_table_states_how_many_pairs_its_numbers_cover(
 ) -> None:
     for row, plane in enumerate(validated.validation):
         reciprocal = [pair for pair in plane.pairs if pair.reciprocal]
-        assert panel.table.item(row, 1).text() == f"{len(reciprocal)} of {len(plane.pairs)}"
-        points = sum(pair.after.distances.n for pair in reciprocal)
-        assert panel.table.item(row, 2).text() == f"{points:,}"
+        assert panel.table.item(row, PAIRS).text() == f"{len(reciprocal)} of {len(plane.pairs)}"
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -239,8 +310,11 @@ def test_pairs_are_compared_before_and_after_without_scrolling(
         show_panel(driver.window, "Histograms")
         driver.rest()
         assert panel.table.horizontalScrollBar().maximum() == 0
-        panel.tabs.setCurrentWidget(panel.pairs)
+        panel.plot.setFocus()
+        QTest.keyClick(panel.plot, Qt.Key.Key_End)
         driver.rest()
+        assert panel.pairs.isVisible()
+        assert not panel.copy_picture.isEnabled()
         last = 4  # offset after
         right = panel.pairs.columnViewportPosition(last) + panel.pairs.columnWidth(last)
         assert right <= panel.pairs.viewport().width()

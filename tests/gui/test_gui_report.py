@@ -23,9 +23,10 @@ from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
 from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
-from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, Identity
+from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
+from lispac.targets.cross_section import common_normal
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
@@ -38,6 +39,46 @@ def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
     return dialog.findChild(QLineEdit, f"identity_{name}") or dialog.findChild(
         QPlainTextEdit, f"identity_{name}"
     )
+
+
+def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT_STEP)
+    panel, dialogs = adjusted.window.report, adjusted.dialogs
+    panel.opens.setChecked(False)
+    dialogs.path, dialogs.fills_in_details = tmp_path / "report.html", True
+    texts = {name: f"the {name}" for name in REQUIRED_FIELDS}
+    edited = adjusted.project.identity.changed(**texts | {"vessel": "", "scanner": ""})
+    adjusted.window.document.edit("details", adjusted.project.with_identity(edited))
+    assert panel.missing.isVisible()
+
+    def cancel(dialog: QWidget) -> None:
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_cancel"), Left)
+
+    use_next_dialog(adjusted, cancel)
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert not dialogs.path.exists()
+
+    def fill_in(dialog: QWidget) -> None:
+        assert dialog.focusWidget() is field(dialog, "vessel")
+        type_into(adjusted, field(dialog, "vessel"), "Nordlys")
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(adjusted, fill_in)
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert "Nordlys" in dialogs.path.read_text(encoding="utf-8")
+    assert adjusted.project.identity.missing == ("scanner",)
+    assert panel.missing.isVisible()
+    dialogs.path = tmp_path / "second.html"
+    click(adjusted, panel.report)  # no second dialogue
+    adjusted.rest()
+    assert dialogs.path.exists()
+    complete = adjusted.project.identity.changed(scanner="Profiler 32")
+    adjusted.window.document.edit("scanner", adjusted.project.with_identity(complete))
+    assert not panel.missing.isVisible()
 
 
 def test_details_are_one_undo_step(adjusted: Driver) -> None:
@@ -293,7 +334,7 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
         if each.name in compared or (extent == "full" and each.role == "target")
     ]
     assert compared & set(targets)
-    views = ["Overview", *targets]
+    views = ["Overview", *(f"{name} at 60° to its normal" for name in targets)]
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     captions = re.findall(r"<figcaption>([^<]*) boresight<", text)
     assert captions == [f"{view}, {when}" for view in views for when in ("prior", "estimated")]
@@ -321,6 +362,10 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
         assert (box is None) == (k == 0)
         if box is not None:
             np.testing.assert_array_equal(box.corners, after[0][1][0].corners)
+            direction = next(given[0] for name, given in before if name == "view_along")
+            normal = common_normal([np.asarray(before[1][1][1])])
+            assert np.linalg.norm(direction) == pytest.approx(1.0)
+            assert abs(direction @ normal) == pytest.approx(0.5, abs=0.05)
 
 
 def test_real_pictures_show_the_calibration_of_a_validation_plane(

@@ -11,12 +11,16 @@ from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_t
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
-from lispac.present.acceptance import decisive_checks, failed_texts
+from lispac.present.acceptance import AcceptanceValues, decisive_checks, failed_texts
+from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
+from lispac.report.validation_warnings import probable_causes
+from lispac.validation.comparison_results import LineShift
+from lispac.warning_causes import Cause
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 SIGMA_DEG = (0.0163, 0.0291, 0.0376)
@@ -142,6 +146,58 @@ def test_criteria_are_saved_and_keep_results(project: Project) -> None:
     with pytest.raises(ProjectError) as raised:
         read_project(project.folder)
     assert raised.value.code == "project.invalid_value"
+
+
+# -- causes ----------------------------------------------------------------------------------------
+
+
+def causes_of(project: Project, shifts: tuple[LineShift, ...], **limits: float) -> dict[str, Cause]:
+    """Codes and subjects of the causes, with these shifts on the first plane and no other plane."""
+    plane = replace(project.validation[0], shifts=shifts)
+    judged = replace(project, validation=(plane,)).with_acceptance(AcceptanceCriteria(**limits))
+    values = AcceptanceValues.of(judged.judgement)
+    return {
+        each.code: each.subject for each in probable_causes(values, [ValidationPlane.of(plane)])
+    }
+
+
+def test_the_probable_cause_of_a_failure_depends_on_the_shifts_of_the_lines(
+    project: Project,
+) -> None:
+    plane = project.validation[0]
+    limit = {"rms": 0.5 * plane.after.rms, "offset": 1e-5}
+    lines = tuple(dict.fromkeys(name for p in plane.pairs for name in (p.line_a, p.line_b)))
+    within = LineShift(lines[:1], lines[1:], 0.01, 0.01)
+    beyond = LineShift(lines[:1], lines[1:], 0.1, 0.01)
+    opposite = replace(beyond, lines=lines[:2], others=lines[2:], reciprocal=True)
+    assert causes_of(project, (within,), rms=1.0) == {}
+    assert causes_of(project, (within,), **limit) == {
+        "acceptance.cause_pos": Cause.of_field("position_sigma")
+    }
+    assert causes_of(project, (within, beyond), **limit) == {
+        "validation.line_shifted": Cause.of_line(lines[0])
+    }
+    assert causes_of(project, (opposite,), **limit) == {
+        "validation.directions_shifted": Cause.of_page("Cross-checks")
+    }
+    assert set(causes_of(project, (), **limit)) == {"acceptance.cause_unknown"}
+    assert causes_of(project, (within,), yaw_sigma_deg=1e-5) == {
+        "acceptance.cause_geometry": Cause.of_step("Targets")
+    }
+
+
+def test_an_rms_without_offsets_is_caused_by_the_scatter_of_the_points(project: Project) -> None:
+    plane = project.validation[0]
+    signed = plane.pairs[0].after.signed
+    pairs = tuple(
+        replace(pair, after=replace(pair.after, signed=replace(signed, median=1e-4)))
+        for pair in plane.pairs
+    )
+    changed = replace(project, validation=(replace(plane, pairs=pairs), *project.validation[1:]))
+    shift = LineShift(("L1",), ("L2",), 1e-4, 1e-3)
+    assert causes_of(changed, (shift,), rms=0.5 * plane.after.rms) == {
+        "acceptance.cause_scatter": Cause.of_target(plane.name)
+    }
 
 
 # -- report ----------------------------------------------------------------------------------------

@@ -166,7 +166,8 @@ def test_each_detail_is_printed_once_and_vessel_and_company_on_every_page(
     if extent == "short":  # the serial numbers follow the instruments
         labels -= {"scanner_serial", "pos_serial"}
     assert all(FIELD_LABELS[name] in bodies for name in labels)
-    assert first.index(FULL.company) < first.index("CALIBRATED") < first.index(FULL.vessel)
+    assert first.index(FULL.company) < first.index(FULL.vessel) < first.index("CALIBRATED")
+    assert first.index("CALIBRATED") < first.index(FULL.contract)
 
 
 def test_blank_details_are_printed_in_the_full_report_only(tmp_path: Path) -> None:
@@ -175,7 +176,8 @@ def test_blank_details_are_printed_in_the_full_report_only(tmp_path: Path) -> No
     assert html_text(one, {}, ReportOptions(extent="full")).count("<dd></dd>") == 1
     short = report_document(one, {})
     names = [name for name, _ in short.identity.rows]
-    assert FIELD_LABELS["site"] in names
+    assert FIELD_LABELS["client"] in names
+    assert FULL.site in short.project
     assert FIELD_LABELS["vessel"] not in names
     blank = report_document(sample_content(project), {}, ReportOptions(extent="full"))
     assert {value for _, value in blank.identity.rows} == {""}

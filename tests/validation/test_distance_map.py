@@ -16,7 +16,7 @@ from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, writ
 from lispac.language import in_language
 from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
-from lispac.report.distance_maps import map_figure_of, small_map_figure_of
+from lispac.report.distance_maps import map_figure_of, map_row_figure_of, small_map_figure_of
 from lispac.report.text_width import text_width
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
@@ -110,12 +110,26 @@ def test_each_state_has_a_scale_that_its_values_fill(
     assert all(low == -high for low, high in limits)
     wide, narrow = sorted((high for _, high in limits), reverse=True)
     assert narrow == pytest.approx(0.05 * wide, rel=1e-6)
-    bars = [axes for axes in figure.axes if axes.get_xlabel() in {"Before (mm)", "After (mm)"}]
+    bars = [axes for axes in figure.axes if axes.get_xlabel().startswith(("Before", "After"))]
+    assert "20 ×" in bars[1].get_xlabel()
     assert [bar.get_xlim()[1] for bar in bars] == pytest.approx([wide, narrow])
     cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
     np.testing.assert_allclose(cells, np.unique(1000 * np.array(plane.maps[0].before_m)))
     shown = [axes for axes in figure.axes if axes.images]
     assert all(axes.get_aspect() == 1.0 for axes in shown)
+
+
+@pytest.mark.parametrize("draw", [map_figure_of, small_map_figure_of, map_row_figure_of])
+def test_states_with_similar_distances_have_one_scale(
+    tmp_path: Path, draw: Callable[[ValidationPlane], Figure]
+) -> None:
+    plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
+    maps = tuple(replace(m, after_m=tuple(0.6 * d for d in m.before_m)) for m in plane.maps)
+    figure = draw(replace(plane, maps=maps))
+    figure.canvas.draw()
+    assert len({clim for *_, clim in images(figure)}) == 1
+    labels = {axes.get_xlabel() for axes in figure.axes}
+    assert {"Before (mm)", "After (mm)"} <= labels
 
 
 @pytest.mark.parametrize(

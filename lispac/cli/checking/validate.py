@@ -130,6 +130,6 @@ def _warnings(project: Project) -> tuple[Message, ...]:
     planes = [ValidationPlane.of(each) for each in project.validation]
     return (
         *project_warnings(project),
-        *acceptance_warnings(AcceptanceValues.of(project.judgement)),
+        *acceptance_warnings(AcceptanceValues.of(project.judgement), planes),
         *distribution_warnings(planes),
     )

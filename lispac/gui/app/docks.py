@@ -20,7 +20,9 @@ SIDE_WIDTH_PX = 336
 """Initial width of the panel at the left, pixels."""
 MIN_STRIP_HEIGHT_PX, MAX_STRIP_SHARE = 150, 0.3
 """Limits of the initial height of the panels at the bottom: pixels, and share of the window."""
-VIEW_SHARES = {768: 0.457, 1000: 0.56}
+ENLARGED_SHARE = 0.55
+"""Share of the height of the window that an enlarged panel at the bottom has."""
+VIEW_SHARES = {768: 0.455, 1000: 0.555}
 """Share of the window that the panels at the bottom initially leave to the 3D view, by the height
 of the window in pixels; interpolated between, constant beyond."""
 
@@ -193,6 +195,17 @@ class DockLayout(QObject):
         if self._window.dockWidgetArea(dock) == Area.BottomDockWidgetArea:
             height = _initial_strip_height(self._window)
             self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
+
+    def set_enlarged(self, panel: QWidget, is_enlarged: bool) -> None:
+        """Give the panels at the bottom more height for a plot, or their initial height."""
+        dock = panel.parentWidget()
+        if not isinstance(dock, Dock) or dock.isFloating():
+            return
+        window = self._window
+        height = round(ENLARGED_SHARE * window.height())
+        if not is_enlarged:
+            height = _initial_strip_height(window)
+        window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
     # -- maximised view ----------------------------------------------------------------------
 

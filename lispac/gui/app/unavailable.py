@@ -21,6 +21,7 @@ class Unavailable(Enum):
     NO_OBJECT = N_("Find or add an object first.")
     NO_ANGLES = N_("Find the angles first.")
     NO_SECTION = N_("Select a target or draw a section first.")
+    NO_PLOT = N_("Choose a plot first.")
     WRONG_VALUE = N_("Correct the value that is marked as wrong first.")
     NO_SELECTION = N_("Select a target first.")
     NO_TOOL = N_("No mouse tool is active, and there is one view.")

@@ -315,7 +315,7 @@ QTabWidget > QTabBar::tab {{ padding: 6px 14px; background: transparent; border:
 QTabWidget > QTabBar::tab:selected {{ color: {s.text}; border-bottom-color: {s.accent}; }}
 QTabWidget > QTabBar::tab:hover {{ background: {s.hover}; }}
 QTabWidget > QTabBar::tab:focus {{ color: {s.accent}; }}
-#comparison_tabs > QTabBar::tab {{ padding: 2px 14px; }}
+
 QLineEdit[wrong="true"] {{ background: {s.wrong_ground}; border: 1px solid {s.error};
     border-radius: 2px; }}
 QDoubleSpinBox[assumed="true"] {{ color: {s.muted}; font-style: italic; }}

@@ -326,7 +326,9 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
     state: StepState
     if judgement.verdict == "fail":
         state, sentence = "warning", gettext("acceptance criteria not met")
-        advice = [gettext("The calibration is not accepted. The reasons are below the criteria.")]
+        advice = [
+            gettext("The calibration is not accepted. The reasons and probable causes are below.")
+        ]
     elif judgement.verdict == "pass":
         state, sentence = "done", gettext("acceptance criteria met")
         if passed:  # else there are only criteria for the angles
@@ -397,8 +399,13 @@ def _report_status(
             gettext("The validation is running. Export the report when it has ended."),
             Unavailable.BUSY,
         )
+    is_failed = project.judgement.verdict == "fail"
     if report is not None:
-        return _exported_status(report, reason)
+        return _exported_status(report, reason, is_failed=is_failed)
+    if is_failed:
+        return StepStatus(
+            "warning", gettext("ready, calibration not accepted"), _not_accepted_text(), reason
+        )
     if project.validation:
         return StepStatus(
             "todo",
@@ -417,8 +424,15 @@ def _report_status(
     )
 
 
-def _exported_status(report: ExportedReport, reason: Reason) -> StepStatus:
+def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool) -> StepStatus:
     file, date = report.path.name, local_datetime(report.exported)
+    if report.is_current and is_failed:
+        return StepStatus(
+            "warning",
+            gettext("exported, calibration not accepted: {file}", file=file),
+            _not_accepted_text(),
+            reason,
+        )
     if report.is_current:
         return StepStatus(
             "done",
@@ -439,6 +453,13 @@ def _exported_status(report: ExportedReport, reason: Reason) -> StepStatus:
         ),
         reason=reason,
     )  # fmt: skip
+
+
+def _not_accepted_text() -> str:
+    return gettext(
+        "The acceptance criteria are not met, and the report says so. Step 4 gives the reasons and "
+        "probable causes."
+    )
 
 
 def _single_target_text() -> str:

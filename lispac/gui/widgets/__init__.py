@@ -121,6 +121,19 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
     return widget
 
 
+def enlarge_button(name: str) -> Button:
+    """Create a button that is checked while a panel at the bottom of the window is enlarged."""
+    made = button(
+        "", name, icon="arrow-expand-vertical",
+        tip=gettext("Enlarge the panel for a larger plot, or restore its height"),
+    )  # fmt: skip
+    made.setAccessibleName(gettext("Enlarge the panel"))
+    made.setStyleSheet("padding: 1px 5px;")
+    made.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+    made.setCheckable(True)
+    return made
+
+
 def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
     """Return two buttons from left to right, in the order used by dialogues of the system."""
     layouts = QDialogButtonBox.ButtonLayout

@@ -211,6 +211,7 @@ class MainWindow(QMainWindow):
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.validate.cause_requested.connect(self.cause_navigation.show_cause)
         panels.results.cross_checks_requested.connect(
             lambda: self.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
         )
@@ -280,6 +281,11 @@ class MainWindow(QMainWindow):
         self.table.sighting_activated.connect(self._go_to)
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
+        section = self.tools.sections.panel
+        for panel in (self.histograms, section):
+            panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))
+        self.histograms.enlarged.connect(section.enlarge.setChecked)  # in the same dock area
+        section.enlarged.connect(self.histograms.enlarge.setChecked)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)

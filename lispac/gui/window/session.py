@@ -190,7 +190,6 @@ def _copy_selection(former: MainWindow, window: MainWindow) -> None:
         window.targets.select(former.targets.current)
     if former.histograms.current is not None:
         window.histograms.select(former.histograms.current)
-    window.histograms.tabs.setCurrentIndex(former.histograms.tabs.currentIndex())
     window.diagnostics.list.setCurrentRow(former.diagnostics.list.currentRow())
     for before, after in ((former.table, window.table), (former.data.lines, window.data.lines)):
         _copy_current_cell(before, after)

@@ -1,7 +1,7 @@
 """Figure of a section: all lines before and after the adjustment, exaggerated if required."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from textwrap import fill
 
 import numpy as np
@@ -19,6 +19,8 @@ from lispac.workflow.checking.survey_sections import SectionPoints
 MAX_POINTS = 60_000
 """Largest number of points drawn; larger sets are thinned evenly over all lines."""
 FONT_SIZE, SMALL_SIZE = 9, 8
+LEGEND_INCHES, AXIS_INCHES = 0.9, 0.8
+"""Approximate space for the legend, and for the titles and numbers of an axis."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 CUT_TITLES_WITH_DISTANCE = {
     "prior": N_("Before: largest distance between lines {distance}"),
@@ -58,8 +60,9 @@ def draw_section(
     has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
-    views = [_CutView.of(cut, exaggeration) for cut in cuts]
-    is_shared = len({view.factor for view in views}) == 1
+    ratio = _plot_ratio(figure, len(cuts))
+    views = [_CutView.of(cut, exaggeration).widened(ratio) for cut in cuts]
+    is_shared = len({(view.factor, view.crop) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
         shared = first if is_shared else None
@@ -108,12 +111,14 @@ class _CutView:
     rotation : ndarray of shape (2, 2)
         Axes of the drawn picture in that of the cut, as columns.
     vertical : whether the vertical axis is exaggerated, instead of the horizontal one
+    crop : ratio of the height of the section to that of the picture, at least 1
     """
 
     cut: SectionPoints
     factor: float
     rotation: Array
     vertical: bool
+    crop: float = 1.0
 
     @classmethod
     def of(cls, cut: SectionPoints, exaggeration: float | None) -> "_CutView":
@@ -126,11 +131,23 @@ class _CutView:
         axes = (along, across) if vertical else (across, along)
         return cls(cut, factor, np.column_stack(axes), vertical)
 
+    def widened(self, ratio: float) -> "_CutView":
+        """View without the empty space above and below the lines, for a plot wider than high.
+
+        At the same exaggeration the picture is then larger.
+        """
+        if not self.vertical or self.factor == 1 or not any(map(len, self.cut.points.values())):
+            return self
+        across = np.concatenate(list(self.cut.points.values())) @ self.rotation[:, 1]
+        filled = float(np.abs(across).max()) / (0.95 * self.half_extent[1])
+        return replace(self, crop=max(min(ratio, 1.0 / max(filled, 1e-6)), 1.0))
+
     @property
     def half_extent(self) -> Array:
         """Half of the width and height of the picture, shape (2,), metres."""
         half = 0.5 * np.array([self.cut.section.width, self.cut.section.height])
         half[int(self.vertical)] /= self.factor
+        half[1] /= self.crop
         return half
 
     @property
@@ -159,6 +176,13 @@ class _CutView:
         if self.factor == 1 or not short:
             return title
         return gettext(SHORT_EXAGGERATION_TEXT, title=title, factor=round(self.factor))
+
+
+def _plot_ratio(figure: Figure, count: int) -> float:
+    """Approximate ratio of width to height of the space for each of the plots side by side."""
+    width, height = figure.get_size_inches()
+    across, up = (width - LEGEND_INCHES) / count - AXIS_INCHES, height - AXIS_INCHES
+    return max(float(across), 0.1) / max(float(up), 0.1)
 
 
 def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: str) -> None:

@@ -33,6 +33,8 @@ PRINT_DPI = 200
 
 MIN_PRINT_HEIGHT_INCHES = 3.2
 """Smallest height of a saved picture, whose titles need more space than a low panel has."""
+MIN_TEXT_WIDTH_PX = 260
+"""Width with which the whole text without a section is visible in a low panel, pixels."""
 LOW_PANEL_PX = 230
 """Height of the panel below which the horizontal axes have no titles, pixels."""
 NARROW_PANEL_PX = 1200
@@ -47,6 +49,8 @@ class SectionPanel(QWidget):
     points_requested = Signal()
     picture_requested = Signal()
     copy_requested = Signal()
+    enlarged = Signal(bool)
+    """The user wants a higher panel, or the initial height."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -90,21 +94,26 @@ class SectionPanel(QWidget):
             tip=gettext("Copy the section as shown to the clipboard"),
         )  # fmt: skip
         buttons = QHBoxLayout()
+        buttons.setSpacing(4)
         for each in (self.points, self.save_picture, self.copy_picture):
             buttons.addWidget(each)
         self.text_label = widgets.label(
             gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
         )
         form = QFormLayout()
-        form.addRow(self.through)
+        self.enlarge = widgets.enlarge_button("enlarge_section")
+        self.enlarge.toggled.connect(self.enlarged)
+        head = QHBoxLayout()
+        head.addWidget(self.through, 1)
+        head.addWidget(self.enlarge)
+        form.addRow(head)
         form.addRow(gettext("Orientation"), self.orientation)
         form.addRow(gettext("Exaggeration"), self.exaggeration_choice)
         sizes = QHBoxLayout()
-        size_label = widgets.label(gettext("Size"))
-        size_label.setBuddy(self.size)
-        for each in (self.thickness, size_label, self.size):
+        sizes.setSpacing(4)
+        for each in (self.thickness, self.size):
             sizes.addWidget(each)
-        form.addRow(gettext("Thickness"), sizes)
+        form.addRow(gettext("Thickness, size"), sizes)
         form.setVerticalSpacing(4)
         self._left = QVBoxLayout()
         self._left.addLayout(form)
@@ -120,9 +129,12 @@ class SectionPanel(QWidget):
         # Shown instead of the picture, since there is no space for the text beside the options.
         self._row.addWidget(self.text_label, 1)
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text_label.setContentsMargins(24, 0, 24, 0)
+        self.text_label.setContentsMargins(16, 0, 16, 0)
+        self.text_label.setMinimumWidth(MIN_TEXT_WIDTH_PX)
         self.canvas: QWidget | None = None
         self._is_low = self._is_narrow = True
+        self._drawn_proportion = 0.0
+        """Ratio of width to height of the figure for which the section was drawn."""
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
@@ -138,6 +150,13 @@ class SectionPanel(QWidget):
         form = self.height() < LOW_PANEL_PX, self.width() < NARROW_PANEL_PX
         if form != (self._is_low, self._is_narrow):
             self._is_low, self._is_narrow = form
+            self._redraw()
+
+    def _fill_resized_plots(self) -> None:
+        """Draw the section for other proportions of its plots."""
+        width, height = self.canvas.figure.get_size_inches()
+        if (proportion := round(width / height, 1)) != self._drawn_proportion:
+            self._drawn_proportion = proportion
             self._redraw()
 
     @property
@@ -242,4 +261,5 @@ class SectionPanel(QWidget):
         self.canvas.setObjectName("section_canvas")
         self.canvas.setToolTip(gettext(ZOOM_HINT))
         self._zooming = PlotZoom(self.canvas)
+        self.canvas.mpl_connect("resize_event", lambda _event: self._fill_resized_plots())
         self._row.addWidget(self.canvas, 1)

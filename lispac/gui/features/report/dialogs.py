@@ -181,7 +181,10 @@ class ReportDialogs(Questions):
         dates: Callable[[], str],
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
+        missing: Sequence[str] = (),
     ) -> Identity | None:
         """Ask for the details of the report; the parameters are those of `IdentityDialog`."""
-        dialog = IdentityDialog(identity, dates, companies, suggestions, self.parent)
+        dialog = IdentityDialog(
+            identity, dates, companies, suggestions, self.parent, missing=missing
+        )
         return dialog.identity if run_dialog(dialog) else None

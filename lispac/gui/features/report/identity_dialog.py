@@ -65,6 +65,7 @@ class IdentityDialog(QDialog):
     dates : function that returns the days of the survey from the times of the lines, or ""
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
+    missing : names of empty fields to ask for before an export
     """
 
     def __init__(
@@ -74,6 +75,8 @@ class IdentityDialog(QDialog):
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         parent: QWidget | None = None,
+        *,
+        missing: Sequence[str] = (),
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
@@ -93,6 +96,9 @@ class IdentityDialog(QDialog):
                 wrap=True,
             )
         )
+        if missing:
+            text = missing_details_text(missing)
+            layout.addWidget(widgets.label(text, "warning", wrap=True, name="identity_missing"))
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
         for name, text in suggestions.items():
             field = self.fields[name]
@@ -108,7 +114,8 @@ class IdentityDialog(QDialog):
         self._complete_company()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         layout.addWidget(self.message_label)
-        self.keep = widgets.button(gettext("OK"), "identity_keep", primary=True)
+        accept = gettext("Export") if missing else gettext("OK")
+        self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
         cancel = widgets.button(gettext("Cancel"), "identity_cancel")
@@ -121,7 +128,7 @@ class IdentityDialog(QDialog):
         layout.addLayout(row)
         for each_field in self.fields.values():
             each_field.textChanged.connect(self._check_input)
-        self.fields[FIELD_NAMES[0]].setFocus()
+        self.fields[missing[0] if missing else FIELD_NAMES[0]].setFocus()
 
     def _form(self, groups: Sequence[tuple[str, Sequence[str]]]) -> QFormLayout:
         """Fields of some groups below each other; a group of one field needs no heading."""
@@ -197,6 +204,12 @@ class IdentityDialog(QDialog):
             problem = exception_text(error)
         self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
+
+
+def missing_details_text(missing: Sequence[str]) -> str:
+    """Text of the fields that a signed report needs and that are empty."""
+    names = tuple(gettext(FIELD_LABELS[name]) for name in missing)
+    return gettext("Missing for a signed report: {names:names}.", names=names)
 
 
 def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:

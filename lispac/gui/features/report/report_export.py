@@ -2,7 +2,7 @@
 
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -36,6 +36,8 @@ from lispac.workflow.project.survey_dates import survey_dates
 if TYPE_CHECKING:
     from lispac.report.pdf import Preview
 
+SIGNED_FORMATS = (".pdf", ".html")
+"""Formats of a report that can be signed."""
 PIXELS_PER_INCH = 96.0
 """Resolution of the previewed pages on a screen without scaling."""
 
@@ -62,11 +64,13 @@ class ReportExport(QObject):
         self._pictures = ReportPictures(document, runner, controller, scene, viewport, self)
         self._computations = computations
         self._panel, self._settings = panel, settings
+        self._asked_for: Path | None = None
+        """Folder of the project whose missing details were asked for at an export."""
         self.show_choice()
         panel.report_requested.connect(actions["report"].trigger)
         panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
-        panel.details_requested.connect(self.ask_details)
+        panel.details_requested.connect(lambda: self.ask_details())
         panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
@@ -77,16 +81,27 @@ class ReportExport(QObject):
         """Show the stored options in the panel."""
         self._panel.show_choice(self._settings.report_choice())
 
-    def ask_details(self) -> None:
-        """Ask for the details for the report, and store them as one undo step."""
+    def ask_details(self, missing: Sequence[str] = ()) -> bool:
+        """Ask for the details for the report, and store them as one undo step.
+
+        Parameters
+        ----------
+        missing : names of empty fields, if an export follows
+
+        Returns
+        -------
+        bool
+            Whether the user accepted the dialogue.
+        """
         project, survey = self._document.project, self._survey
         if project is None:
-            return
+            return False
         identity = self._dialogs.identity(
             project.identity,
             lambda: "" if survey is None else survey_dates(project, survey),
             self._settings.companies(),
             _reference_frame(project),
+            missing,
         )
         if identity is not None and identity.company:
             given = {name: getattr(identity, name) for name in COMPANY_FIELDS}
@@ -96,6 +111,7 @@ class ReportExport(QObject):
         current = self._document.project  # a task may have changed it meanwhile
         if identity is not None and current is not None and identity != current.identity:
             self._document.edit(N_("change of report details"), current.with_identity(identity))
+        return identity is not None
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
@@ -111,11 +127,29 @@ class ReportExport(QObject):
         if project is None or project.result is None or survey is None or options is None:
             return
         path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
-        if path is not None:
+        if path is not None and self._may_export(path):
+            project = self._document.project
+            assert project is not None
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
                 project, survey, lambda: self._pictures.capture(project, options.extent, write)
             )
+
+    def _may_export(self, path: Path) -> bool:
+        """Ask once for the missing details of a report to be signed; False if cancelled."""
+        project = self._document.project
+        assert project is not None
+        missing = project.identity.missing
+        if (
+            not missing
+            or path.suffix.lower() not in SIGNED_FORMATS
+            or self._asked_for == project.folder
+        ):
+            return True
+        if not self.ask_details(missing):
+            return False
+        self._asked_for = project.folder
+        return True
 
     def _write(
         self,

@@ -10,6 +10,7 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.app.settings import ReportChoice
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
+from lispac.gui.features.report.identity_dialog import missing_details_text
 from lispac.gui.project.status import REPORT, ProjectState
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, ReportOptions
@@ -57,6 +58,8 @@ class ReportPanel(QWidget):
                         "report"),
         )  # fmt: skip
         layout.addWidget(self.details)
+        self.missing = widgets.label("", "muted", wrap=True, name="report_missing")
+        layout.addWidget(self.missing)
         layout.addLayout(self._create_choice_form())
         self.template_error = widgets.label("", "error", wrap=True, name="report_message")
         layout.addWidget(self.template_error)
@@ -155,6 +158,9 @@ class ReportPanel(QWidget):
         )
         self.advice.setText(status.advice)
         self.details.set_reason(reason_text(no_data))
+        missing = () if state.project is None else state.project.identity.missing
+        self.missing.setText(missing_details_text(missing) if missing else "")
+        self.missing.setVisible(bool(missing))
         for button in (self.preview, self.report):
             button.set_reason(reason_text(status.reason or busy))
         self.lines.set_reason(reason_text(no_data or busy))

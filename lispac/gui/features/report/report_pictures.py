@@ -25,8 +25,9 @@ from lispac.targets.cross_section import common_normal
 PICTURE_SIZE_PX = (1000, 700)
 BOX_MARGIN_M = 0.3
 """Distance of the clip box from the points of a target, metres."""
-STEEP_NORMAL = 0.5
-"""Largest vertical component of the normal of a surface that is seen from above."""
+OBLIQUE_ANGLE_DEG = 60.0
+"""Angle between the view of a surface and its normal: the surface has half of its width, and lines
+that are shifted along the normal are seen apart."""
 
 Pictures = dict[LazyText, QImage]
 """Pictures by their captions; before and after alternate."""
@@ -49,7 +50,7 @@ class _View:
     normal: Array | None = None
 
     def show(self, viewport: Viewport) -> None:
-        """Move the camera; a surface is seen edge-on, so that its lines are seen apart."""
+        """Move the camera; a surface is seen obliquely from the side."""
         if self.points is None or self.normal is None:
             viewport.clip(None)
             viewport.set_parallel(False)
@@ -57,14 +58,7 @@ class _View:
             return
         viewport.clip(Box.around(self.points, self.normal, BOX_MARGIN_M))
         viewport.set_parallel(True)
-        if abs(self.normal[2]) <= STEEP_NORMAL:
-            viewport.view("top")
-            viewport.fit(self.points)
-        else:
-            level = np.cross(self.normal, [0.0, 0.0, 1.0])
-            length = np.linalg.norm(level)
-            along = level / length if length > 1e-6 else np.array([1.0, 0.0, 0.0])
-            viewport.view_along(along, self.points)
+        viewport.view_along(oblique_direction(self.normal), self.points)
 
 
 class ReportPictures(QObject):
@@ -185,12 +179,25 @@ def _views(
             continue
         yield _View(
             {
-                "prior": gettext_lazy("{name}, prior boresight", name=target.name),
-                "estimated": gettext_lazy("{name}, estimated boresight", name=target.name),
+                "prior": gettext_lazy(
+                    "{name} at 60° to its normal, prior boresight", name=target.name
+                ),
+                "estimated": gettext_lazy(
+                    "{name} at 60° to its normal, estimated boresight", name=target.name
+                ),
             },
             np.concatenate([points for groups in placed for points in groups]),
             common_normal(placed[1]),
         )
+
+
+def oblique_direction(normal: Array) -> Array:
+    """Direction at `OBLIQUE_ANGLE_DEG` to a normal (3,), turned towards the horizontal."""
+    level = np.cross(normal, [0.0, 0.0, 1.0])
+    length = np.linalg.norm(level)
+    along = level / length if length > 1e-6 else np.array([1.0, 0.0, 0.0])
+    angle = np.radians(OBLIQUE_ANGLE_DEG)
+    return np.cos(angle) * normal / np.linalg.norm(normal) + np.sin(angle) * along
 
 
 def _groups(target: Target, clouds: Mapping[str, Cloud]) -> list[Array]:

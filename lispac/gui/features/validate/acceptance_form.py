@@ -1,4 +1,4 @@
-"""Fields of the acceptance criteria, and the verdict on the calibration."""
+"""Fields of the acceptance criteria."""
 
 from math import degrees, radians
 
@@ -20,9 +20,7 @@ from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues, verdict_text
 from lispac.project import Project
-from lispac.report.validation_warnings import acceptance_warnings
 
 NOT_JUDGED_TEXT = N_("not judged")
 STORED_DECIMALS = 12
@@ -46,7 +44,7 @@ _LIMITS = (
 
 
 class AcceptanceForm(QWidget):
-    """A field for each acceptance criterion, and the verdict."""
+    """A field for each acceptance criterion."""
 
     edited = Signal(object)
     """Values of the changed criterion, by its name."""
@@ -91,13 +89,6 @@ class AcceptanceForm(QWidget):
         source.setBuddy(self.source)
         layout.addWidget(source)
         layout.addWidget(self.source)
-        self.verdict = widgets.label("", wrap=True, name="acceptance_verdict")
-        font = self.verdict.font()
-        font.setBold(True)
-        self.verdict.setFont(font)
-        self.reasons = widgets.label("", wrap=True, name="acceptance_reasons")
-        layout.addWidget(self.verdict)
-        layout.addWidget(self.reasons)
 
     def _emit_edit(self, name: str) -> None:
         value = self.fields[name].value()
@@ -106,26 +97,9 @@ class AcceptanceForm(QWidget):
         self.edited.emit({name: value})
 
     def show_project(self, project: Project | None) -> None:
-        """Show the criteria of the project and the verdict."""
+        """Show the criteria of the project."""
         self.setEnabled(project is not None)
         self._show_criteria(NO_CRITERIA if project is None else project.acceptance)
-        if project is None or project.result is None:
-            self.verdict.setText("")
-            self.reasons.setText("")
-            return
-        values = AcceptanceValues.of(project.judgement)
-        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
-        if values.checks:
-            reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
-            notes = [each for each in acceptance_warnings(values) if each.level == "note"]
-            reasons += map(message_text, notes)
-        else:
-            reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
-        self.reasons.setText("\n".join(reasons))
-        for each in (self.verdict, self.reasons):
-            each.setProperty("role", "error" if values.verdict == "fail" else "")
-            each.style().unpolish(each)
-            each.style().polish(each)
 
     def _show_criteria(self, criteria: AcceptanceCriteria) -> None:
         for name in LIMIT_NAMES:
@@ -133,21 +107,6 @@ class AcceptanceForm(QWidget):
             is_angle = value is not None and name.endswith("_deg")
             self.fields[name].show_value(radians(value) if is_angle else value)
         self.source.show_text(criteria.source)
-
-
-def _reason(check: AcceptanceCheckValues) -> str:
-    """Value that is larger than its limit."""
-    what = f"{check.title}, {check.place}" if check.place else check.title
-    assert check.value is not None
-    if check.unit == "deg":
-        return gettext(
-            "{what}: {value:deg.4}°, limit {limit:deg.4}°",
-            what=what, value=radians(check.value), limit=radians(check.limit),
-        )  # fmt: skip
-    return gettext(
-        "{what}: {value:mm.1} mm, limit {limit:mm.1} mm",
-        what=what, value=check.value, limit=check.limit,
-    )  # fmt: skip
 
 
 class SourceField(NumberEntry, QLineEdit):

@@ -4,40 +4,38 @@ from html import escape
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QIcon
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QHBoxLayout,
-    QHeaderView,
+    QLabel,
     QSizePolicy,
     QSplitter,
     QStackedLayout,
-    QTableWidget,
-    QTableWidgetItem,
-    QTabWidget,
+    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
-from lispac.acceptance import Verdict, planes_to_show
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
+from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
+from lispac.gui.appearance import units
 from lispac.gui.features.validate import pairs_table
+from lispac.gui.features.validate.planes_table import PlanesTable
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
-from lispac.language import N_, gettext, number
-from lispac.message_texts import message_text
-from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
+from lispac.language import N_, gettext
+from lispac.present.acceptance import AcceptanceValues, failed_texts
 from lispac.present.validation import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
+    WINDOW_PAIRS_TABLE,
+    PairValues,
     ValidationPlane,
     distance_steps,
     histogram_bins,
 )
-from lispac.project import Project
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
 from lispac.validation.distance_bins import merge_bins
 from lispac.validation.distance_profile import DistanceProfile
@@ -123,41 +121,19 @@ def profiles_text(comparison: PlaneComparison) -> str:
     return spreadsheet_text(BOTH_PROFILES_TABLE, steps)
 
 
-_COLUMNS = (
-    (N_("Plane"), N_("Validation plane")),
-    (
-        N_("Pairs"),
-        N_(
-            "Pairs of lines in n, RMS, 95 % and histogram, of all compared pairs. Only "
-            "reciprocal pairs (run in opposite directions, ⇄) are counted, if there are any; the "
-            "others are in the table of pairs."
-        ),
-    ),
-    (N_("n"), N_("Number of distances between points of one line and the surface of another")),
-    # Units in a second line, so that all columns fit on a small screen
-    (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
-    (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
-)
-"""Heading and tooltip of each column."""
-VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
-"""Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
-_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LOW_PLOT_PX = 280
 """Height of the plot below which the histogram has no title and legend, pixels."""
-_WIDTH_SHARES = (5, 6)
-"""Initial shares of the width for tables and plot."""
-PLOT_TITLES = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
-PERCENT_PLOT, PROFILE_PLOT = 1, 2
-"""Indices of two of the plots in `PLOT_TITLES`."""
+MIN_TABLE_WIDTH_PX = 250
+"""Width of the table of planes with the names, RMS and offsets, pixels."""
+PLOT_TITLES = (
+    N_("Histogram"),
+    N_("Histogram, percent"),
+    N_("Distance by height, range"),
+    N_("Pairs of lines"),
+)
+PERCENT_PLOT, PROFILE_PLOT, PAIRS_VIEW = 1, 2, 3
+"""Indices in `PLOT_TITLES`; the last one is a table."""
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-POOLED_PLANE_TIPS = {
-    "reciprocal pairs": N_(
-        "{plane}: distances of {pooled:n} of {total:n} pairs of lines, the reciprocal ones (⇄), "
-        "{model}"
-    ),
-    "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
-}
-"""Tips of a plane, by the pairs of lines whose distances are pooled."""
 LEGEND_TEMPLATES = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
     N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
@@ -165,17 +141,44 @@ LEGEND_TEMPLATES = (
 """Entries of the legend of the histogram before and after, as in the report."""
 
 
+class _ReadingLabel(QLabel):
+    """Text below the table of planes; it uses only the space that the table leaves."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("comparison_reading")
+        self.setProperty("role", "muted")
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setWordWrap(True)
+        self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self.setContentsMargins(4, 4, 4, 0)
+
+    def hasHeightForWidth(self) -> bool:
+        """Return False: the height of the text would make the table lower."""
+        return False
+
+
 class HistogramsPanel(QWidget):
-    """Validation: tables of planes and pairs of lines, and the histograms of one plane."""
+    """Validation: table of the planes; histograms, profiles or pairs of lines of the selected one.
+
+    The worst plane is selected by itself after each validation.
+    """
 
     plane_selected = Signal(str)
+    """Another plane was selected, by the user or as the worst one."""
+    enlarged = Signal(bool)
+    """The user wants a higher panel, or the initial height."""
 
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
-        self._failed: set[str] = set()
+        self._values: AcceptanceValues | None = None
+        self._fitted_width = 0
         self.canvas: QWidget | None = None
         self._drawing = IdleTask(self._redraw_selected, self)
+        # The other panels show the new validation first
+        self._announcing = IdleTask(self._announce_plane, self)
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.vertical_layout(empty)
@@ -192,50 +195,57 @@ class HistogramsPanel(QWidget):
         self._stack.addWidget(empty)
         filled = QSplitter(Qt.Orientation.Horizontal)
         filled.setObjectName("comparison_splitter")
-        filled.setContentsMargins(4, 2, 4, 2)
+        filled.setContentsMargins(4, 0, 4, 0)
         filled.setChildrenCollapsible(False)
-        self.table = _create_table()
-        self.table.viewport().installEventFilter(self)
-        self.table.itemSelectionChanged.connect(self._on_plane_selected)
-        self.table.clicked.connect(self._announce_plane)  # a row that was selected already
-        self.pairs = pairs_table.create_pairs_table()
-        self.tabs = QTabWidget()
-        self.tabs.setObjectName("comparison_tabs")
-        self.tabs.addTab(self.table, gettext("Planes"))
-        self.tabs.addTab(self.pairs, gettext("Pairs of lines"))
-        filled.addWidget(self.tabs)
-        plots = QWidget()
-        beside = QHBoxLayout(plots)
-        beside.setContentsMargins(0, 0, 0, 0)
-        self._plots = QVBoxLayout()
-        self._plots.setSpacing(2)
-        tools = self._create_tools()
-        beside.addLayout(self._plots, 1)
-        beside.addLayout(tools)
-        filled.addWidget(plots)
-        for part, share in enumerate(_WIDTH_SHARES):
-            filled.setStretchFactor(part, share)
+        filled.addWidget(self._create_planes())
+        filled.addWidget(self._create_details())
+        filled.setStretchFactor(1, 1)
         self._parts = filled
         self._stack.addWidget(filled)
         self._plot_form = True, False
         """Whether the plot is too low for a legend, and whether it is wide."""
 
-    def _create_tools(self) -> QVBoxLayout:
+    def _create_planes(self) -> QWidget:
+        """Table of the planes, and a text on the selected one or on the plot under the mouse."""
+        self.table = PlanesTable()
+        self.table.plane_selected.connect(self._on_plane_selected)
+        self.reading = _ReadingLabel()
+        planes = QWidget()
+        column = QVBoxLayout(planes)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.table)
+        column.addWidget(self.reading, 1)
+        planes.setMinimumWidth(MIN_TABLE_WIDTH_PX)
+        return planes
+
+    def _create_details(self) -> QWidget:
+        """Plot or pairs of lines of the selected plane, below their choice and buttons."""
+        self.pairs = pairs_table.create_pairs_table()
+        self._views = QStackedWidget()
+        plots = QWidget()
+        self._plots = QVBoxLayout(plots)
+        self._plots.setContentsMargins(0, 0, 0, 0)
+        self._views.addWidget(plots)
+        self._views.addWidget(self.pairs)
+        details = QWidget()
+        column = QVBoxLayout(details)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(self._create_tools())
+        column.addWidget(self._views, 1)
+        return details
+
+    def _create_tools(self) -> QHBoxLayout:
         self.plot = widgets.ChoiceBox(
             "comparison_plot", [gettext(plot) for plot in PLOT_TITLES],
             gettext(
-                "Number of points by distance, share of the points by distance, or distance "
-                "against height and range. After a calibration the distances should not grow with "
-                "height or range."
+                "Number of points by distance, share of the points by distance, distance against "
+                "height and range, or a table of the pairs of lines. After a calibration the "
+                "distances should not grow with height or range."
             ),
         )  # fmt: skip
-        self.plot.setMinimumContentsLength(len(PLOT_TITLES[PROFILE_PLOT]))
-        self.plot.currentIndexChanged.connect(self._redraw_selected)
-        self.reading = widgets.label(
-            gettext(ZOOM_HINT), "muted", wrap=True, name="comparison_reading"
-        )
-        # A long text is wrapped, so that it does not narrow the plot.
-        self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.plot.currentIndexChanged.connect(self._show_chosen_view)
         self.copy_picture = widgets.button(
             gettext("Copy picture"), "copy_plot",
             tip=gettext("Copy the plot as shown to the clipboard"),
@@ -247,17 +257,16 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         self.copy_numbers.clicked.connect(self._copy_numbers)
         self._colours = widgets.label("", name="comparison_colours", rich=True)
-        column = QVBoxLayout()
-        column.setSpacing(4)
-        column.addWidget(self.plot)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self.copy_picture)
-        buttons.addWidget(self.copy_numbers)
-        column.addLayout(buttons)
-        column.addWidget(self._colours)
-        column.addWidget(self.reading)
-        column.addStretch(1)
-        return column
+        tools = QHBoxLayout()
+        for each in (self.plot, self.copy_picture, self.copy_numbers):
+            tools.addWidget(each)
+        # The names of the colours do not make the plot of a small window wider
+        self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        tools.addWidget(self._colours, 1)
+        self.enlarge = widgets.enlarge_button("enlarge_histograms")
+        self.enlarge.toggled.connect(self.enlarged)
+        tools.addWidget(self.enlarge)
+        return tools
 
     @property
     def current(self) -> str | None:
@@ -267,14 +276,7 @@ class HistogramsPanel(QWidget):
 
     @property
     def _current_comparison(self) -> PlaneComparison | None:
-        rows = self.table.selectionModel().selectedRows()
-        return self._comparisons[rows[0].row()] if rows else None
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep the selected row visible in a lower table."""
-        if watched is self.table.viewport() and event.type() == QEvent.Type.Resize:
-            self.table.scrollTo(self.table.currentIndex())
-        return super().eventFilter(watched, event)
+        return self.table.current_comparison
 
     def _adapt_to_plot_size(self) -> None:
         """Arrange title and legend for the size of the plot, or name the colours beside it."""
@@ -291,89 +293,57 @@ class HistogramsPanel(QWidget):
         """Show the comparisons of the project."""
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
-        if comparisons is self._comparisons:
-            failed = self._failed
-            self._show_verdicts(state.project)
-            if self._failed - failed and self.current not in self._failed:
-                self._select_row(self._worst_row())
-                self._redraw_selected()
+        is_new, failed = comparisons is not self._comparisons, self.table.failed
+        if is_new:
+            self._comparisons = comparisons
+            self.table.show_planes(comparisons)
+        if state.project is None or not comparisons:
             return
-        if self.canvas is None:
-            self._parts.setSizes([share * self.width() for share in _WIDTH_SHARES])
-        self._comparisons = comparisons
-        self.table.blockSignals(True)
-        self.table.setRowCount(len(comparisons))
-        font = theme.tabular_font(self.table.font())
-        for row, each in enumerate(comparisons):
-            tip = _plane_tip(each)
-            for column, text in enumerate(_comparison_texts(each)):
-                item = QTableWidgetItem(text)
-                item.setFont(font)
-                if column:
-                    item.setTextAlignment(_ALIGN_RIGHT)
-                item.setToolTip(widgets.plain_tip(tip))
-                self.table.setItem(row, column, item)
-        self.table.clearSelection()
-        self.table.blockSignals(False)
-        self._show_verdicts(state.project)
-        if comparisons:
-            self._select_row(self._worst_row())
+        self._values = AcceptanceValues.of(state.project.judgement)
+        self.table.show_verdicts(state.project)
+        self._fit_table()
+        fails_now = self.table.failed - failed and self.current not in self.table.failed
+        if is_new or fails_now:
+            self.table.select(self.table.worst_plane())
+            self._announcing.start()
             self._drawing.start()
+        elif self._current_comparison is not None:
+            self.reading.setText(self._plane_text())
 
-    def _worst_row(self) -> int:
-        """Row of the plane with the largest RMS after the calibration, of those that fail if any.
+    def _fit_table(self) -> None:
+        """Give the table the width of its columns, and the rest to the plot.
 
-        Raises
-        ------
-        ValueError
-            If there are no planes.
+        A width that the user has chosen is kept until the columns need another one.
         """
-        (worst,) = planes_to_show(
-            {each.name: each.after.rms for each in self._comparisons}, self._failed, 1
-        )
-        return [each.name for each in self._comparisons].index(worst)
+        width = self.table.sizeHint().width()
+        if width != self._fitted_width:
+            self._fitted_width = width
+            self._parts.setSizes([width, max(self._parts.width() - width, 1)])
 
-    def _select_row(self, row: int) -> None:
-        """Select a plane without emitting a signal."""
-        self.table.blockSignals(True)
-        self.table.selectRow(row)
-        self.table.blockSignals(False)
-        self.table.scrollTo(self.table.currentIndex())
-
-    def _show_verdicts(self, project: Project | None) -> None:
-        """Show whether each plane meets the acceptance criteria."""
-        if project is None:
-            return
-        judgement = project.judgement
-        values = AcceptanceValues.of(judgement)
-        self._failed = {
-            each.name for each in self._comparisons if judgement.verdict_on(each.name) == "fail"
-        }
-        for row, each in enumerate(self._comparisons):
-            item = self.table.item(row, 0)
-            verdict = judgement.verdict_on(each.name)
-            quality = VERDICT_QUALITIES.get(verdict)
-            item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
-            text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
-            lines = [_plane_tip(each), text, *failed_texts(values, each.name)]
-            item.setToolTip(widgets.plain_tip("\n".join(lines)))
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
+    def _plane_text(self) -> str:
+        """Values of the selected plane that exceed their limits; else how to zoom."""
+        failures = failed_texts(self._values, self.current) if self._values and self.current else []
+        return "\n".join(failures) or gettext(ZOOM_HINT)
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
-        names = [each.name for each in self._comparisons]
-        if name in names and self.current != name:
-            self._select_row(names.index(name))
-            self._draw(self._comparisons[names.index(name)])
+        self._announcing.stop()  # the selection is newer than the validation
+        if self.current != name and self.table.select(name):
+            self._redraw_selected()
 
-    def _on_plane_selected(self) -> None:
-        if self._current_comparison is not None:
-            self._draw(self._current_comparison)
-            self._announce_plane()
+    def _on_plane_selected(self, name: str) -> None:
+        self._redraw_selected()
+        self.plane_selected.emit(name)
 
     def _announce_plane(self) -> None:
         if self.current is not None:
             self.plane_selected.emit(self.current)
+
+    def _show_chosen_view(self, index: int) -> None:
+        self._views.setCurrentIndex(1 if index == PAIRS_VIEW else 0)
+        no_plot = first_reason((index == PAIRS_VIEW, Unavailable.NO_PLOT))
+        self.copy_picture.set_reason(reason_text(no_plot))
+        self._redraw_selected()
 
     def _redraw_selected(self) -> None:
         if self._current_comparison is not None:
@@ -385,7 +355,9 @@ class HistogramsPanel(QWidget):
         from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
-        self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
+        self.reading.setText(self._plane_text())
+        if self.plot.currentIndex() == PAIRS_VIEW:
+            return
         canvas = self._plot_canvas()
         self._colours.setText(
             "&nbsp; ".join(
@@ -402,7 +374,6 @@ class HistogramsPanel(QWidget):
             histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
         self._show_units(canvas.figure)
         self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
-        self.reading.setText(gettext(ZOOM_HINT))
         canvas.draw_idle()
         canvas.setAccessibleName(
             gettext(
@@ -435,8 +406,9 @@ class HistogramsPanel(QWidget):
 
             self.canvas = Chart(260, 100)
             self.canvas.setObjectName("histogram_canvas")
+            self.canvas.setToolTip(gettext(ZOOM_HINT))
             self._zooming = PlotZoom(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(self._plane_text())
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
@@ -480,6 +452,8 @@ class HistogramsPanel(QWidget):
             return
         if self.plot.currentIndex() == PROFILE_PLOT:
             text = profiles_text(comparison)
+        elif self.plot.currentIndex() == PAIRS_VIEW:
+            text = spreadsheet_text(WINDOW_PAIRS_TABLE, map(PairValues.of, comparison.pairs))
         else:
             from lispac.report.histograms import MAX_BARS
 
@@ -497,57 +471,3 @@ def _statistics_text(template: str, state: DistanceStatistics) -> str:
     return gettext(
         template, count=state.n, median=median, rms=rms, p95=p95, unit=units.local_sign("mm")
     )
-
-
-def _plane_tip(each: PlaneComparison) -> str:
-    model = message_text(each.model.name)
-    return gettext(
-        POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
-        pooled=_pooled_pairs(each), total=len(each.pairs),
-    )  # fmt: skip
-
-
-def _pooled_pairs(each: PlaneComparison) -> int:
-    """Number of pairs of lines in the statistics of a plane."""
-    if each.pooled_from == "all pairs":
-        return len(each.pairs)
-    return sum(pair.reciprocal for pair in each.pairs)
-
-
-def _comparison_texts(each: PlaneComparison) -> list[str]:
-    def change(*states: float) -> str:
-        before, after = (units.local_figure(1000 * each, "mm", ".1f") for each in states)
-        return f"{before} → {after}"
-
-    return [
-        each.name,
-        gettext("{pooled:n} of {total:n}", pooled=_pooled_pairs(each), total=len(each.pairs)),
-        number(each.before.n, 0),
-        change(each.before.rms, each.after.rms),
-        change(each.before.p95, each.after.p95),
-    ]
-
-
-def _create_table() -> QTableWidget:
-    table = QTableWidget(0, len(_COLUMNS))
-    table.setTabKeyNavigation(False)
-    table.setObjectName("comparison_table")
-    table.setAccessibleName(gettext("Validation planes before and after"))
-    unit = units.local_sign("mm")
-    table.setHorizontalHeaderLabels([gettext(title, unit=unit) for title, _ in _COLUMNS])
-    for column, (_, tip) in enumerate(_COLUMNS):
-        head = table.horizontalHeaderItem(column)
-        head.setToolTip(gettext(tip))
-        if column:
-            head.setTextAlignment(_ALIGN_RIGHT)
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(22)
-    table.setShowGrid(False)
-    table.setAlternatingRowColors(True)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.horizontalHeader().setHighlightSections(False)
-    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    table.setSizeAdjustPolicy(QAbstractItemView.SizeAdjustPolicy.AdjustToContents)
-    return table

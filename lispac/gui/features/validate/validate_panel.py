@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.validate.acceptance_form import AcceptanceForm
+from lispac.gui.features.validate.acceptance_outcome import AcceptanceOutcome
 from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
@@ -33,6 +34,8 @@ class ValidatePanel(QWidget):
     """`LocalModel` of the surface to which distances are to be measured."""
     acceptance_edited = Signal(object)
     """Values of the changed acceptance criterion, by its name."""
+    cause_requested = Signal(object)
+    """The `Cause` of a failure to show."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -80,6 +83,9 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
+        self.outcome = AcceptanceOutcome()
+        self.outcome.cause_requested.connect(self.cause_requested)
+        layout.addWidget(self.outcome)
         self.acceptance = AcceptanceForm()
         self.acceptance.edited.connect(self.acceptance_edited)
         layout.addWidget(self.acceptance)
@@ -139,6 +145,7 @@ class ValidatePanel(QWidget):
         if project is not None:
             self._show_last_model(project)
         self.acceptance.show_project(project)
+        self.outcome.show_project(project)
         self.advice.setText(status.advice)
         busy = first_reason((state.is_busy, Unavailable.BUSY))
         self.run.set_reason(reason_text(status.reason or busy))

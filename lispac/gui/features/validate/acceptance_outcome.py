@@ -1,0 +1,112 @@
+"""Verdict on the calibration, the values that exceed their limits, and the probable causes."""
+
+from math import radians
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from lispac.gui import widgets
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues, verdict_text
+from lispac.present.validation import ValidationPlane
+from lispac.project import Project
+from lispac.report.validation_warnings import acceptance_notes, probable_causes
+from lispac.warning_causes import Cause, CauseKind
+
+CAUSE_BUTTONS: dict[CauseKind, str] = {
+    "field": N_("Show the POS accuracy"),
+    "line": N_("Show line {name}"),
+    "page": N_("Show the cross-checks"),
+    "target": N_("Show {name}"),
+    "step": N_("Go to the targets"),
+}
+"""Texts of the buttons that go to the causes of `probable_causes`."""
+
+
+class AcceptanceOutcome(QWidget):
+    """Verdict, failures, and a button for each probable cause."""
+
+    cause_requested = Signal(object)
+    """The `Cause` to show."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._shown: tuple[object, ...] = ()
+        layout = widgets.vertical_layout(self, 0)
+        self.verdict = widgets.label("", wrap=True, name="acceptance_verdict")
+        font = self.verdict.font()
+        font.setBold(True)
+        self.verdict.setFont(font)
+        self.reasons = widgets.label("", wrap=True, name="acceptance_reasons")
+        self.buttons: list[QPushButton] = []
+        self._causes = QVBoxLayout()
+        self._causes.setSpacing(4)
+        layout.addWidget(self.verdict)
+        layout.addWidget(self.reasons)
+        layout.addLayout(self._causes)
+
+    def show_project(self, project: Project | None) -> None:
+        """Show the verdict on the project; nothing without a result."""
+        self.setVisible(project is not None and project.result is not None)
+        if project is None or project.result is None:
+            return
+        # Compared by identity: the objects are kept, so that none has the address of another
+        source = project.result, project.validation, project.acceptance
+        if len(self._shown) == len(source) and all(
+            a is b for a, b in zip(source, self._shown, strict=True)
+        ):
+            return
+        self._shown = source
+        values = AcceptanceValues.of(project.judgement)
+        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
+        if values.checks:
+            reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
+            reasons += map(message_text, acceptance_notes(values))
+        else:
+            reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
+        self.reasons.setText("\n".join(reasons))
+        for each in (self.verdict, self.reasons):
+            each.setProperty("role", "error" if values.verdict == "fail" else "")
+            each.style().unpolish(each)
+            each.style().polish(each)
+        planes = [ValidationPlane.of(each) for each in project.validation]
+        self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
+
+    def _show_causes(self, causes: tuple[Message, ...]) -> None:
+        self.buttons = []
+        while (item := self._causes.takeAt(0)) is not None:
+            item.widget().hide()
+            item.widget().deleteLater()
+        for number, message in enumerate(causes):
+            text = widgets.label(
+                message_text(message), wrap=True, name=f"acceptance_cause_{number}"
+            )
+            self._causes.addWidget(text)
+            cause = message.subject
+            if cause is None or (cause.kind == "step" and cause.name != "Targets"):
+                continue
+            title = gettext(CAUSE_BUTTONS[cause.kind], name=cause.name)
+            button = widgets.button(title, f"show_cause_{number}", tip=message_text(message))
+            button.clicked.connect(lambda _=False, cause=cause: self._emit(cause))
+            self.buttons.append(button)
+            self._causes.addWidget(button)
+
+    def _emit(self, cause: Cause) -> None:
+        self.cause_requested.emit(cause)
+
+
+def _reason(check: AcceptanceCheckValues) -> str:
+    """Value that is larger than its limit."""
+    what = f"{check.title}, {check.place}" if check.place else check.title
+    assert check.value is not None
+    if check.unit == "deg":
+        return gettext(
+            "{what}: {value:deg.4}°, limit {limit:deg.4}°",
+            what=what, value=radians(check.value), limit=radians(check.limit),
+        )  # fmt: skip
+    return gettext(
+        "{what}: {value:mm.1} mm, limit {limit:mm.1} mm",
+        what=what, value=check.value, limit=check.limit,
+    )  # fmt: skip

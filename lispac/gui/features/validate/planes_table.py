@@ -1,0 +1,242 @@
+"""Table of the validation planes: verdict, and the values that are compared with the criteria."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QFont, QIcon
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QSizePolicy,
+    QTableWidget,
+    QTableWidgetItem,
+)
+
+from lispac.acceptance import (
+    AcceptanceCriteria,
+    Quantity,
+    Verdict,
+    largest_offset,
+    planes_to_show,
+)
+from lispac.gui import widgets
+from lispac.gui.appearance import theme, units
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
+from lispac.project import Project
+from lispac.validation.comparison_results import PlaneComparison
+
+NAME, RMS, OFFSET, P95, PAIRS = range(5)
+"""Columns of the table."""
+_COLUMNS = (
+    (N_("Plane"), N_("Validation plane, and whether it meets the acceptance criteria")),
+    # Units or limits in a second line, so that all columns fit on a small screen
+    (N_("RMS\n({unit})"), N_("Root mean square distance between the lines, before → after")),
+    (
+        N_("Offset\n({unit})"),
+        N_("Largest median distance between any two lines after the calibration"),
+    ),
+    (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
+    (
+        N_("Reciprocal\npairs"),
+        N_(
+            "RMS, 95 % and histogram are computed from the pairs of lines run in opposite "
+            "directions (⇄), in which an error of the boresight is largest; from all pairs if "
+            "there are none. The offset is that of all pairs."
+        ),
+    ),
+)
+"""Heading and tooltip of each column."""
+_LIMIT_HEADS = {
+    RMS: N_("RMS ({unit})\nlimit {limit}"),
+    OFFSET: N_("Offset ({unit})\nlimit {limit}"),
+}
+"""Headings of the values that have a criterion."""
+_COLUMN_QUANTITIES: dict[Quantity, int] = {"rms": RMS, "offset": OFFSET}
+VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
+"""Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+ROW_HEIGHT_PX = 18
+POOLED_PLANE_TIPS = {
+    "reciprocal pairs": N_(
+        "{plane}: distances of {pooled:n} of {total:n} pairs of lines, the reciprocal ones (⇄), "
+        "{model}"
+    ),
+    "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
+}
+"""Tips of a plane, by the pairs of lines whose distances are pooled."""
+
+
+class PlanesTable(QTableWidget):
+    """Validation planes with their verdicts; values that exceed their limit are highlighted."""
+
+    plane_selected = Signal(str)
+    """The user selected a plane, or clicked the selected one."""
+
+    def __init__(self) -> None:
+        super().__init__(0, len(_COLUMNS))
+        self.failed: frozenset[str] = frozenset()
+        """Names of the planes that fail an acceptance criterion."""
+        self._comparisons: tuple[PlaneComparison, ...] = ()
+        self.setTabKeyNavigation(False)
+        self.setObjectName("comparison_table")
+        self.setAccessibleName(gettext("Validation planes before and after"))
+        self.verticalHeader().hide()
+        self.verticalHeader().setMinimumSectionSize(ROW_HEIGHT_PX)
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.setSizeAdjustPolicy(QAbstractItemView.SizeAdjustPolicy.AdjustToContents)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._show_heads(AcceptanceCriteria())
+        self.viewport().installEventFilter(self)
+        self.itemSelectionChanged.connect(self._announce_plane)
+        self.clicked.connect(self._announce_plane)  # a row that was selected already
+
+    @property
+    def current_comparison(self) -> PlaneComparison | None:
+        """Comparison of the selected plane."""
+        rows = self.selectionModel().selectedRows()
+        return self._comparisons[rows[0].row()] if rows else None
+
+    def sizeHint(self) -> QSize:
+        """Size of all rows and columns; that of Qt has the header before its texts were set."""
+        height = self.horizontalHeader().sizeHint().height() + self.verticalHeader().length()
+        return QSize(super().sizeHint().width(), height + 2 * self.frameWidth())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep the selected row visible in a lower table."""
+        if watched is self.viewport() and event.type() == QEvent.Type.Resize:
+            self.scrollTo(self.currentIndex())
+        return super().eventFilter(watched, event)
+
+    def show_planes(self, comparisons: Sequence[PlaneComparison]) -> None:
+        """Show the planes; none is selected."""
+        self._comparisons = tuple(comparisons)
+        self.blockSignals(True)
+        self.setRowCount(len(comparisons))
+        font = theme.tabular_font(self.font())
+        for row, each in enumerate(comparisons):
+            for column, text in enumerate(_comparison_texts(each)):
+                item = QTableWidgetItem(text)
+                item.setFont(font)
+                if column:
+                    item.setTextAlignment(_ALIGN_RIGHT)
+                item.setToolTip(widgets.plain_tip(_plane_tip(each)))
+                self.setItem(row, column, item)
+        self.clearSelection()
+        self.blockSignals(False)
+
+    def select(self, name: str) -> bool:
+        """Select a plane without emitting a signal; return whether there is one of that name."""
+        names = [each.name for each in self._comparisons]
+        if name not in names:
+            return False
+        self.blockSignals(True)
+        self.selectRow(names.index(name))
+        self.blockSignals(False)
+        self.scrollTo(self.currentIndex())
+        return True
+
+    def worst_plane(self) -> str:
+        """Plane with the largest RMS after the calibration, of those that fail if any.
+
+        Raises
+        ------
+        ValueError
+            If there are no planes.
+        """
+        (worst,) = planes_to_show(
+            {each.name: each.after.rms for each in self._comparisons}, self.failed, 1
+        )
+        return worst
+
+    def show_verdicts(self, project: Project) -> None:
+        """Show the limits, and whether each plane meets them."""
+        judgement = project.judgement
+        values = AcceptanceValues.of(judgement)
+        self.failed = frozenset(
+            each.name for each in self._comparisons if judgement.verdict_on(each.name) == "fail"
+        )
+        self._show_heads(judgement.criteria)
+        exceeded = {
+            (check.plane, _COLUMN_QUANTITIES[check.quantity])
+            for check in judgement.checks
+            if check.verdict == "fail" and check.quantity in _COLUMN_QUANTITIES
+        }
+        for row, each in enumerate(self._comparisons):
+            verdict = judgement.verdict_on(each.name)
+            for column in _COLUMN_QUANTITIES.values():
+                _highlight(self.item(row, column), (each.name, column) in exceeded)
+            item = self.item(row, NAME)
+            quality = VERDICT_QUALITIES.get(verdict)
+            item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
+            text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
+            lines = [_plane_tip(each), text, *failed_texts(values, each.name)]
+            item.setToolTip(widgets.plain_tip("\n".join(lines)))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
+
+    def _show_heads(self, criteria: AcceptanceCriteria) -> None:
+        unit = units.local_sign("mm")
+        limits = {RMS: criteria.rms, OFFSET: criteria.offset}
+        heads = []
+        for column, (title, _) in enumerate(_COLUMNS):
+            limit = limits.get(column)
+            if limit is None:
+                heads.append(gettext(title, unit=unit))
+            else:
+                figure = units.local_figure(1000 * limit, "mm", ".1f")
+                heads.append(gettext(_LIMIT_HEADS[column], unit=unit, limit=figure))
+        self.setHorizontalHeaderLabels(heads)
+        for column, (_, tip) in enumerate(_COLUMNS):
+            head = self.horizontalHeaderItem(column)
+            head.setToolTip(gettext(tip))
+            if column:
+                head.setTextAlignment(_ALIGN_RIGHT)
+        self.updateGeometry()
+
+    def _announce_plane(self) -> None:
+        if self.current_comparison is not None:
+            self.plane_selected.emit(self.current_comparison.name)
+
+
+def _highlight(item: QTableWidgetItem, is_exceeded: bool) -> None:
+    font = QFont(item.font())
+    font.setBold(is_exceeded)
+    item.setFont(font)
+    item.setForeground(theme.colour("error") if is_exceeded else QBrush())
+
+
+def _plane_tip(each: PlaneComparison) -> str:
+    model = message_text(each.model.name)
+    return gettext(
+        POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
+        pooled=_reciprocal_pairs(each), total=len(each.pairs),
+    )  # fmt: skip
+
+
+def _reciprocal_pairs(each: PlaneComparison) -> int:
+    return sum(pair.reciprocal for pair in each.pairs)
+
+
+def _comparison_texts(each: PlaneComparison) -> list[str]:
+    def figure(metres: float) -> str:
+        return units.local_figure(1000 * metres, "mm", ".1f")
+
+    def change(before: float, after: float) -> str:
+        return f"{figure(before)} → {figure(after)}"
+
+    offset = largest_offset(each)
+    return [
+        each.name,
+        change(each.before.rms, each.after.rms),
+        "–" if offset is None else figure(offset[0]),
+        change(each.before.p95, each.after.p95),
+        gettext("{pooled:n} of {total:n}", pooled=_reciprocal_pairs(each), total=len(each.pairs)),
+    ]
