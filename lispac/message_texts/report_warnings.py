@@ -139,14 +139,14 @@ TEXTS: Mapping[str, Template] = {
         "Add targets in another orientation or farther away, or more lines."
     ),
     "acceptance.cause_pos": N_(
-        "Probable cause on {planes:names}: the POS. The lines are shifted against each other by "
-        "{offset:mm.1} mm, and the given uncertainties explain up to {limit:mm.1} mm. An error of "
-        "the boresight is not detected. Process the trajectory again with a more accurate "
+        "Probable cause on {planes:names}: the POS, because the lines are shifted against each "
+        "other by {offset:mm.1} mm, the given uncertainties explain up to {limit:mm.1} mm, and no "
+        "error of the boresight is detected. Process the trajectory again with a more accurate "
         "solution, or check the given POS accuracy."
     ),
     "acceptance.cause_scatter": N_(
-        "Probable cause on {target}: the scatter of the points. The lines are offset by at most "
-        "{offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or curved: "
+        "Probable cause on {target}: the scatter of the points, because the lines are offset by at "
+        "most {offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or curved: "
         "pick a plane on a smooth surface."
     ),
     "acceptance.cause_unknown": N_(
