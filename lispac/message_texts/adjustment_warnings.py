@@ -146,9 +146,9 @@ TEXTS: Mapping[str, Template] = {
         "of the residuals and estimate again."
     ),
     "adjustment.lidar_noise_ratio_conservative": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one, with which the "
-        "standard deviations of the angles are computed. The angles are probably more precise than "
-        "stated. Use the noise of the residuals and estimate again."
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one, so that the "
+        "angles are probably more precise than stated. Use the noise of the residuals and estimate "
+        "again."
     ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "
