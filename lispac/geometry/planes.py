@@ -150,7 +150,14 @@ def plane_axes(normal: Array) -> Array:
     if flat:
         level = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     level = level / np.linalg.norm(level)
-    slope = np.cross(normal, level)  # upwards, unless the plane is horizontal
+    # The cross product, upwards unless the plane is horizontal; `numpy.cross` is slow.
+    slope = np.array(
+        [
+            normal[1] * level[2] - normal[2] * level[1],
+            normal[2] * level[0] - normal[0] * level[2],
+            normal[0] * level[1] - normal[1] * level[0],
+        ]
+    )
     if flat and slope[0] < 0.0:
         slope = -slope
     return np.stack([level, slope])

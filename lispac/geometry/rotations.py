@@ -22,16 +22,21 @@ def rotation_matrix(roll: float | Array, pitch: float | Array, yaw: float | Arra
     -------
     ndarray of shape (..., 3, 3)
     """
-    roll, pitch, yaw = np.broadcast_arrays(roll, pitch, yaw)
     cr, sr = np.cos(roll), np.sin(roll)
     cp, sp = np.cos(pitch), np.sin(pitch)
     cy, sy = np.cos(yaw), np.sin(yaw)
-    rows = (
-        (cy * cp, cr * sy + cy * sp * sr, cy * cr * sp - sy * sr),
-        (-cp * sy, cy * cr - sy * sp * sr, -cy * sr - cr * sy * sp),
-        (-sp, cp * sr, cp * cr),
-    )
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    # Each iteration needs a few matrices of single angles, for which `numpy.stack` is slow.
+    rotation = np.empty((*np.broadcast(cr, cp, cy).shape, 3, 3))
+    rotation[..., 0, 0] = cy * cp
+    rotation[..., 0, 1] = cr * sy + cy * sp * sr
+    rotation[..., 0, 2] = cy * cr * sp - sy * sr
+    rotation[..., 1, 0] = -cp * sy
+    rotation[..., 1, 1] = cy * cr - sy * sp * sr
+    rotation[..., 1, 2] = -cy * sr - cr * sy * sp
+    rotation[..., 2, 0] = -sp
+    rotation[..., 2, 1] = cp * sr
+    rotation[..., 2, 2] = cp * cr
+    return rotation
 
 
 MIN_PITCH_COSINE = 1e-12
@@ -73,23 +78,17 @@ def rotation_derivatives(roll: float | Array, pitch: float | Array, yaw: float |
     -------
     ndarray of shape (3, ..., 3, 3), per radian
     """
-    roll, pitch, yaw = np.broadcast_arrays(roll, pitch, yaw)
     rotation = rotation_matrix(roll, pitch, yaw)
+    found = np.zeros((3, *rotation.shape))
+    by_roll, by_pitch, by_yaw = found
     # By roll: R [e_x]x; by yaw: -[e_z]x R; by pitch: R Rx' [e_y]x Rx, whose inner part is a
     # turn about the axis Rx' e_y = (0, cos roll, -sin roll).
-    by_roll = np.stack(
-        [np.zeros_like(rotation[..., 0]), rotation[..., 2], -rotation[..., 1]], axis=-1
-    )
+    by_roll[..., 1] = rotation[..., 2]
+    by_roll[..., 2] = -rotation[..., 1]
     cr, sr = np.cos(roll)[..., None], np.sin(roll)[..., None]
-    by_pitch = np.stack(
-        [
-            -sr * rotation[..., 1] - cr * rotation[..., 2],
-            sr * rotation[..., 0],
-            cr * rotation[..., 0],
-        ],
-        axis=-1,
-    )
-    by_yaw = np.stack(
-        [rotation[..., 1, :], -rotation[..., 0, :], np.zeros_like(rotation[..., 2, :])], axis=-2
-    )
-    return np.stack([by_roll, by_pitch, by_yaw])
+    by_pitch[..., 0] = -sr * rotation[..., 1] - cr * rotation[..., 2]
+    by_pitch[..., 1] = sr * rotation[..., 0]
+    by_pitch[..., 2] = cr * rotation[..., 0]
+    by_yaw[..., 0, :] = rotation[..., 1, :]
+    by_yaw[..., 1, :] = -rotation[..., 0, :]
+    return found

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.planes import plane_axes
 from lispac.geometry.radius_search import finite_bounds
 from lispac.targets.flat_patches import find_flat_patches, voxel_side
 
@@ -66,13 +65,11 @@ class Regions:
         flat = find_flat_patches(points, threshold, voxel=voxel)
         region = np.full(len(flat.thinned), -1, dtype=np.int64)
         count = 0
-        for k, patch in enumerate(flat.patches):
+        for patch, own in zip(flat.patches, flat.members, strict=True):
             if patch.area < MIN_SURFACE_AREA:
                 break
-            own = np.flatnonzero(flat.label == k)
-            along = flat.thinned[own] @ plane_axes(patch.plane.normal).T
-            region[own] = count + _split_into_pieces(along)
-            count = int(region.max()) + 1
+            region[own] = count + _split_into_pieces(patch.placed)
+            count = int(region[own].max()) + 1
         found = np.flatnonzero(region >= 0)
         keys = _voxel_keys(flat.thinned[found], low, voxel)
         keys, first = np.unique(keys, return_index=True)
@@ -101,6 +98,8 @@ def _split_into_pieces(along: Array) -> Indices:
     """
     start, span = along.min(axis=0), np.ptp(along, axis=0)
     pieces = np.maximum(1, np.ceil(span / MAX_PIECE_SIDE)).astype(np.int64)
+    if pieces.max() == 1:
+        return np.zeros(len(along), dtype=np.int64)
     cell = np.minimum(
         ((along - start) / np.maximum(span, 1e-9) * pieces).astype(np.int64), pieces - 1
     )

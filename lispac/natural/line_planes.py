@@ -156,17 +156,11 @@ def find_line_planes(
         limit = np.minimum(
             limit, np.maximum(MAX_DISTANCE_SIGMAS * roughness, MAX_DISTANCE_LIDAR_SIGMAS * noise)
         )
-    relative = local - centre[owner]
-    off = (relative * normal[owner]).sum(axis=1)
-    kept = np.abs(off) < limit[owner]
-    number = np.bincount(owner[kept], minlength=len(counts))
+    kept, sums = np.empty(len(local), dtype=np.bool_), np.zeros((len(counts), 5))
+    _plane_statistics(local, times, np.cumsum(counts), centre, normal, limit, kept, sums)
+    number = sums[:, 0].astype(np.int64)
     divisor = np.maximum(number, 1)
-    roughness = np.sqrt(
-        np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / divisor, 1e-12)
-    )
-    fourth = np.bincount(owner[kept], off[kept] ** 4, len(counts)) / divisor
-    reach = np.zeros(len(counts))
-    np.maximum.at(reach, owner[kept], np.linalg.norm(relative[kept], axis=1))
+    roughness = np.sqrt(np.maximum(sums[:, 1] / divisor, 1e-12))
     largest = np.take_along_axis(normal, np.abs(normal).argmax(axis=1)[:, None], axis=1)
     ends = np.cumsum(number)
     planes = LinePlanes(
@@ -181,9 +175,9 @@ def find_line_planes(
         max_distance=limit,
         roughness=roughness,
         width=np.sqrt(np.maximum(variances[:, 1], 0.0)),
-        reach=reach,
-        kurtosis=fourth / roughness**4,
-        time=np.bincount(owner[kept], times[kept], len(counts)) / divisor,
+        reach=sums[:, 3],
+        kurtosis=sums[:, 2] / divisor / roughness**4,
+        time=sums[:, 4] / divisor,
     )
     return regions, planes, sampled[order[kept]]
 
@@ -242,4 +236,31 @@ def _weighted_moments(points, ends, centre, normal, far, total, moments):  # typ
             yy, yz, zz = yy + wy * y, yz + wy * z, zz + wz * z
         total[k] = s
         moments[k] = (sx, sy, sz, xx, xy, xz, yy, yz, zz)
+        begin = ends[k]
+
+
+@njit(nogil=True, cache=True, error_model="numpy")
+def _plane_statistics(points, times, ends, centre, normal, limit, kept, sums):  # type: ignore[no-untyped-def]
+    """Mark the points within ``limit`` of their plane in ``kept``, and write statistics of them.
+
+    The columns of ``sums`` are the number of points, the sums of the second and fourth powers of
+    their distances from the plane, their largest distance from the centre, and the sum of times.
+    """
+    begin = 0
+    for k in range(len(ends)):
+        for i in range(begin, ends[k]):
+            x, y, z = (
+                points[i, 0] - centre[k, 0],
+                points[i, 1] - centre[k, 1],
+                points[i, 2] - centre[k, 2],
+            )
+            off = x * normal[k, 0] + y * normal[k, 1] + z * normal[k, 2]
+            kept[i] = abs(off) < limit[k]
+            if kept[i]:
+                square = off * off
+                sums[k, 0] += 1.0
+                sums[k, 1] += square
+                sums[k, 2] += square * square
+                sums[k, 3] = max(sums[k, 3], np.sqrt(x * x + y * y + z * z))
+                sums[k, 4] += times[i]
         begin = ends[k]

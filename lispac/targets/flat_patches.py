@@ -38,19 +38,26 @@ class FlatPatch:
     points : ndarray of shape (n, 3), metres, local frame
         One point in each voxel.
     plane : Plane
-    centre : ndarray of shape (3,), metres, local frame
-        Mean of the points.
-    extent : ndarray of shape (2,), metres
-        Width (level) and height (up the slope).
+    placed : ndarray of shape (n, 2), metres
+        Coordinates of the points within the plane, along `plane_axes`.
     area : float, square metres
         Area covered by the points.
     """
 
     points: Array
     plane: Plane
-    centre: Array
-    extent: Array
+    placed: Array
     area: float
+
+    @property
+    def centre(self) -> Array:
+        """Mean of the points, shape (3,), metres, local frame."""
+        return np.asarray(self.points.mean(axis=0))
+
+    @property
+    def extent(self) -> Array:
+        """Width (level) and height (up the slope), shape (2,), metres."""
+        return extent_in_plane(self.plane, self.points)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +75,11 @@ class FlatPatches:
     patches: tuple[FlatPatch, ...]
     thinned: Array
     label: Indices
+
+    @property
+    def members(self) -> list[Indices]:
+        """Indices into ``thinned`` of the points of each patch, ascending."""
+        return _indices_by_label(self.label, len(self.patches))
 
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
@@ -113,7 +125,7 @@ def find_flat_patches(
     label, count = _grow_regions(
         thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, min_points
     )
-    patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
+    patches = [_build_patch(thinned[own], voxel) for own in _indices_by_label(label, count)]
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
     rank = np.empty(count + 1, dtype=np.int64)
     rank[ranked] = np.arange(count)
@@ -121,12 +133,21 @@ def find_flat_patches(
     return FlatPatches(tuple(patches[k] for k in ranked), thinned, rank[label])
 
 
+def _indices_by_label(label: Indices, count: int) -> list[Indices]:
+    """Indices of the points with each label from 0 to ``count - 1``, ascending.
+
+    One sort, because a scene has thousands of patches: a search for each label takes minutes.
+    """
+    order = np.argsort(label, kind="stable")
+    return np.split(order, np.searchsorted(label[order], np.arange(count + 1)))[1:-1]
+
+
 def _build_patch(points: Array, voxel: float) -> FlatPatch:
     plane = fit_plane(points)
     placed = points @ plane_axes(plane.normal).T
     # Twice the voxel: an oblique surface leaves some of the voxels empty.
     area = outline.filled_area(placed, 2.0 * voxel)
-    return FlatPatch(points, plane, points.mean(axis=0), extent_in_plane(plane, points), area)
+    return FlatPatch(points, plane, placed, area)
 
 
 def _thin_to_voxels(points: Array, voxel: float) -> Array:

@@ -23,7 +23,6 @@ from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.result import PossibleCause
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.banded_cholesky import forward_substitution
-from lispac.adjustment.solve.normal_equations import unknown_directions
 from lispac.adjustment.solve.variance_components import MAX_SURFACE_SIGMA
 
 Array = NDArray[np.float64]
@@ -92,7 +91,7 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     given: tuple[_ModelError, ...] = ()
     angle_change = np.zeros(AXIS_COUNT)
     while len(found) < MAX_CAUSES:
-        without = max(each.likelihood(given) for each in solutions)
+        without = _maximise_likelihood(solutions, given)[0]
         scored = [
             (evidence - without, solution, each)
             for each in equations.candidates
@@ -130,8 +129,23 @@ def _maximise_likelihood(
     solutions: Sequence["_ErrorFreeSolution"], errors: tuple["_ModelError", ...]
 ) -> tuple[float, "_ErrorFreeSolution"]:
     """Maximum of twice the log likelihood with some errors, and the solution that gives it."""
-    best = max(solutions, key=lambda each: each.likelihood(errors))
-    return best.likelihood(errors), best
+    if not errors:
+        best = max(solutions, key=lambda each: each.base)
+        return best.base, best
+    columns, scale = _join_candidates(errors)
+    blocks = np.ix_(columns, columns)
+    # All solutions at once: single factorisations of small matrices take most of the time.
+    factor = np.linalg.cholesky(
+        np.stack([each.information[blocks] for each in solutions]) * np.outer(scale, scale)
+        + np.eye(len(scale))
+    )
+    score = np.stack([each.score[columns] for each in solutions]) * scale
+    half = np.linalg.solve(factor, score[:, :, None])[:, :, 0]
+    gain = (half**2).sum(axis=1) - 2 * np.log(np.diagonal(factor, axis1=1, axis2=2)).sum(axis=1)
+    values = np.array([each.base for each in solutions]) + gain
+    place = int(np.argmax(values))
+    shares = sum(2 * np.log(each.share) for each in errors)
+    return float(values[place] + shares), solutions[place]
 
 
 def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
@@ -297,17 +311,6 @@ class _ErrorFreeSolution:
         own = size[len(columns) - len(last) :]
         return float(np.sqrt(own @ self.information[np.ix_(last, last)] @ own / self.weight))
 
-    def likelihood(self, errors: tuple[_ModelError, ...]) -> float:
-        """Twice the logarithm of the marginal likelihood with some errors."""
-        if not errors:
-            return self.base
-        columns, scale = _join_candidates(errors)
-        precision, score = self._posterior(columns, scale)
-        factor = np.linalg.cholesky(precision)
-        half = scipy.linalg.solve_triangular(factor, score, lower=True)
-        shares = sum(2 * np.log(each.share) for each in errors)
-        return float(self.base + half @ half - 2 * np.log(np.diag(factor)).sum() + shares)
-
     def angles_with(self, errors: tuple[_ModelError, ...]) -> Array:
         """Correction of roll, pitch, yaw with some errors, shape (3,), radians."""
         columns, size, _ = self._sizes(errors)
@@ -424,7 +427,7 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     ] = np.eye(AXIS_COUNT)
     size[:AXIS_COUNT, AXIS_COUNT:LINE_UNKNOWNS] = np.eye(AXIS_COUNT)
     products = np.einsum("wc,gwv->gcv", size, sums)
-    basis = unknown_directions(layout, observations.target_of_sighting, linearised.bases)
+    basis = linearised.directions
     added = layout.size + unknowns * len(lines)
     matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
     mixed = np.zeros((added, linearised.state.pos_errors.size))

@@ -21,7 +21,7 @@ from lispac.adjustment.solve.group_sums import (
     point_misclosure,
     write_group_row,
 )
-from lispac.adjustment.solve.normal_equations import NormalEquations, unknown_directions
+from lispac.adjustment.solve.normal_equations import NormalEquations
 from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
@@ -90,9 +90,9 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
     times = mean(observations.time)
     nearest = np.clip(np.searchsorted(knots.time, times), 1, len(knots.time) - 1)
     nearest -= times - knots.time[nearest - 1] < knots.time[nearest] - times
-    variance = np.diagonal(knot_covariance[0], axis1=1, axis2=2) + np.einsum(
-        "iu,uv,iv->i", normal.pos_error_by_unknowns, normal.covariance, normal.pos_error_by_unknowns
-    ).reshape(-1, 6)
+    by_unknowns = normal.pos_error_by_unknowns
+    spread = ((by_unknowns @ normal.covariance) * by_unknowns).sum(axis=1)
+    variance = np.diagonal(knot_covariance[0], axis1=1, axis2=2) + spread.reshape(-1, 6)
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
     outliers = np.bincount(observations.sighting, np.abs(w) > CRITICAL_VALUE)
     mean_redundancy, mean_weight = mean(redundancy), mean(weights)
@@ -155,7 +155,7 @@ def _group_covariances(
     linearised: LinearisedProblem, knot_covariance: tuple[Array, Array]
 ) -> Array:
     """Covariance of the unknowns in the columns of the sums of each group, (groups, m, m)."""
-    normal, groups, bases = linearised.normal, linearised.problem.groups, linearised.bases
+    normal, groups = linearised.normal, linearised.problem.groups
     layout, a = normal.layout, len(normal.layout.active)
     covariance, by_unknowns = normal.covariance, normal.pos_error_by_unknowns
     own, beside = knot_covariance
@@ -164,8 +164,7 @@ def _group_covariances(
     mixed = np.zeros((layout.size + 1, len(by_unknowns)))
     mixed[:-1] = -covariance @ by_unknowns.T
     local = np.zeros((len(groups.sighting), a + 16, a + 16))
-    owners = linearised.problem.observations.target_of_sighting
-    basis = unknown_directions(layout, owners, bases)
+    basis = linearised.directions
     for g, (s, k) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
         index = layout.index[s]
         effects = slice(6 * k, 6 * k + 12)

@@ -33,6 +33,7 @@ from lispac.adjustment.solve.normal_equations import (
     UnknownsOrder,
     assemble_normal_equations,
     sum_by_sighting,
+    unknown_directions,
 )
 from lispac.errors import TargetDisagrees
 from lispac.messages import error
@@ -376,6 +377,12 @@ class LinearisedProblem:
     def normal(self) -> NormalEquations:
         """Normal equations of all points."""
         return self.problem.build_equations(self.state, self.sums, self.bases, self.departures)
+
+    @cached_property
+    def directions(self) -> Array:
+        """Matrix from unknowns to columns of the sums; see `unknown_directions`."""
+        owners = self.problem.observations.target_of_sighting
+        return unknown_directions(self.normal.layout, owners, self.bases)
 
     @cached_property
     def tangent(self) -> "LinearisedProblem":

@@ -20,7 +20,6 @@ from lispac.adjustment.solve.adjustment_problem import (
     LinearisedProblem,
 )
 from lispac.adjustment.solve.banded_cholesky import forward_substitution
-from lispac.adjustment.solve.normal_equations import unknown_directions
 from lispac.adjustment.solve.variance_components import reestimate_surface_sigma
 
 Array = NDArray[np.float64]
@@ -211,7 +210,7 @@ def _blunder_equations(
     """
     problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
     groups, own = problem.groups, len(layout.active) + 4
-    basis = unknown_directions(layout, problem.observations.target_of_sighting, linearised.bases)
+    basis = linearised.directions
     width, count = sums.shape[1], 1 if blunder.kind == "shift" else 3
     among, right = np.zeros((count, count)), np.zeros(count)
     by_unknowns = np.zeros((count, layout.size + 1))
