@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
 from lispac.errors import PlaneNotFound, ProjectError
 from lispac.gui.appearance import theme
+from lispac.gui.features.validate.planes_table import RMS
 from lispac.gui.viewport.base import PickedPoint
 from lispac.messages import note
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
@@ -313,7 +314,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     panel = picked.window.histograms
     assert panel.isVisible()
     assert panel.current == "V1"
-    assert panel.table.item(0, 3).text() == (
+    assert panel.table.item(0, RMS).text() == (
         f"{comparison.before.rms * 1000:.1f} → {comparison.after.rms * 1000:.1f}"
     )
     axes = panel.canvas.figure.axes[0]

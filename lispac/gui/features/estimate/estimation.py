@@ -6,6 +6,7 @@ from time import perf_counter
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
@@ -101,7 +102,8 @@ class Estimation(QObject):
         self._selection: _PointSelection | None = None
         self._automatic: tuple[Task, Project] | None = None
         self._cross_check = False
-        self._unchecked: Project | None = None
+        self._unchecked: AdjustmentResult | None = None
+        """Result without advice and cross-checks, which are computed when no task runs."""
         self._checking: Task | None = None
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
@@ -134,6 +136,7 @@ class Estimation(QObject):
         """Adjust the boresight with these settings and show the lines after the adjustment.
 
         The adjustment starts when the lines are georeferenced with the settings of the project.
+        Cross-checks follow when the result is shown.
         """
         project, survey = self._document.current_data
         if project is None:
@@ -147,7 +150,7 @@ class Estimation(QObject):
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
             placed = survey.with_prior(source.mounting("prior")) if data_changed else survey
-            found = _adjust(source, placed, None, cross_check, progress)
+            found = _adjust(source, placed, None, progress)
             return replace(found, replaced=placed) if data_changed else found
 
         def done(found: _EstimationResult) -> None:
@@ -159,6 +162,7 @@ class Estimation(QObject):
             # Stored again, since the scene releases its data when the survey is replaced.
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._scene.show("estimated")
+            self._unchecked = found.estimated.result  # checked when the runner is idle
             self._note(found.estimated, ESTIMATED_TEXT)
             self.estimated.emit()
 
@@ -227,7 +231,7 @@ class Estimation(QObject):
 
         def work(progress: Progress) -> _EstimationResult | Message | str:
             try:
-                return _adjust(project, survey, selection, False, progress, advise=False)
+                return _adjust(project, survey, selection, progress)
             except LispacError as failure:
                 return failure.reason
 
@@ -241,7 +245,7 @@ class Estimation(QObject):
                 return
             self._selection = found.selection
             self._scene.keep_estimated(found.estimated.result, found.clouds)
-            self._unchecked = found.estimated
+            self._unchecked = found.estimated.result
             self._document.complete_last_edit(found.estimated)
             self._note(found.estimated, SAME_POINTS_TEXT if selection else ESTIMATED_AGAIN_TEXT)
 
@@ -258,7 +262,7 @@ class Estimation(QObject):
         self._controller.cancel_on_edit(task)
 
     def _run_checks(self) -> None:
-        """Compute advice and cross-checks for an automatic result when no other task runs.
+        """Compute advice and cross-checks of the last result when no other task runs.
 
         The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
         """
@@ -268,7 +272,9 @@ class Estimation(QObject):
         if last is not None and last.cancel.is_set() and not last.superseded:
             self._unchecked = None  # cancelled by the user
         (project, survey), selection = self._document.current_data, self._selection
-        if project is None or project is not self._unchecked or survey is None:
+        if project is None or survey is None:
+            return
+        if project.result is None or project.result is not self._unchecked:
             return
         if selection is None or not selection.covers_sightings(project, survey):
             return
@@ -313,12 +319,12 @@ def _adjust(
     project: Project,
     survey: Survey,
     selection: _PointSelection | None,
-    cross_check: bool,
     progress: Progress,
-    *,
-    advise: bool = True,
 ) -> _EstimationResult:
-    """Select points if necessary, adjust, and georeference the lines; runs in the worker."""
+    """Select points if necessary, adjust, and georeference the lines; runs in the worker.
+
+    The result has neither advice nor cross-checks.
+    """
     from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
 
     preload_matplotlib()
@@ -328,7 +334,7 @@ def _adjust(
         selection = _PointSelection(project, survey, selected)
     solved = adjust_selected(
         project, selection.selected, survey,
-        cross_check=cross_check, advise=advise, progress=sub_progress(progress, 0.7, 0.95),
+        cross_check=False, advise=False, progress=sub_progress(progress, 0.7, 0.95),
     )  # fmt: skip
     assert solved.result is not None
     elapsed = perf_counter() - started
