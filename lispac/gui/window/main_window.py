@@ -175,8 +175,10 @@ class MainWindow(QMainWindow):
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
         self.target_actions = TargetActions(tools, panels.table)
-        proposed = ProposedTargets(tools, scene)
-        proposed.shown.connect(lambda: self._show_in_targets_step(panels.targets.proposal))
+        self.proposed_targets = ProposedTargets(tools, scene)
+        self.proposed_targets.shown.connect(
+            lambda: self._show_in_targets_step(panels.targets.proposal)
+        )
         control.accepted.connect(self._select_accepted)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
