@@ -60,8 +60,9 @@ TEXTS: Mapping[str, Template] = {
     "targets.sigma_below_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % smaller than predicted when the "
         "targets were proposed: {angles:names}. The prediction contains the noise and the form "
-        "errors of all flat surfaces, the result only those of the targets, so it may be too "
-        "small. Check the residuals of the targets, or use more targets and lines."
+        "errors of all flat surfaces, the result only those of the targets. The standard "
+        "deviations of the result may then be too small. Check the residuals of the targets, or "
+        "use more targets and lines."
     ),
     "targets.sigma_above_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
