@@ -241,7 +241,14 @@ class MainWindow(QMainWindow):
         self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
         windows = {**self.panels.windows(), **self.tools.windows}
         self.panel_windows = {
-            title: PanelWindow(title, panel, size, self, self.settings)
+            title: PanelWindow(
+                title,
+                panel,
+                size,
+                self,
+                self.settings,
+                self.central_widget if title in self.tools.windows else None,
+            )
             for title, (panel, size) in windows.items()
         }
         # `isVisible` is also True for a dock behind another; only this signal is reliable
