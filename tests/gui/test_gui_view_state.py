@@ -16,7 +16,7 @@ from lispac.gui.appearance.theme import apply_theme
 from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Control, Demo, Key, Left, ScriptedDialogs
+from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
 
 SOON_MS = 20_000
 
@@ -223,6 +223,7 @@ def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
     window.document.open(demo.picked, demo.survey)
     wait_until_idle(session, qtbot)
     qtbot.keyClick(window, Key.Key_F5)
+    qtbot.waitUntil(window.targets.proposal.isVisible, timeout=WAIT_MS)
     wait_until_idle(session, qtbot)
     table = window.targets.proposal.table
     for key in (Key.Key_Space, Key.Key_Down, Key.Key_Down):
