@@ -58,10 +58,10 @@ TEXTS: Mapping[str, Template] = {
         "plane is proposed. Pick a flat surface that two lines cover, or put up boards."
     ),
     "targets.sigma_below_prediction": N_(
-        "Standard deviations are more than {limit:percent.0} % smaller than predicted when the "
-        "targets were proposed: {angles:names}. The prediction contains the noise and the form "
-        "errors of all flat surfaces, the result only those of the targets, so it may be too "
-        "small. Check the residuals of the targets, or use more targets and lines."
+        "Standard deviations of the result are more than {limit:percent.0} % smaller than "
+        "predicted when the targets were proposed ({angles:names}), and may be too small: they "
+        "contain the noise and the form errors of the targets only. Check the residuals of the "
+        "targets, or use more targets and lines."
     ),
     "targets.sigma_above_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % larger than predicted when the "

@@ -37,6 +37,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "item.sighting_angles": N_("{target} on line {line} ({angles:names})"),
     "item.target_angles": N_("{target} ({angles:names})"),
+    "item.target_sightings": Plural(
+        "{count:n} sighting of targets", "{count:n} sightings of targets"
+    ),
+    "item.plane_sightings": Plural(
+        "{count:n} sighting of validation planes", "{count:n} sightings of validation planes"
+    ),
+    "item.doubtful": Plural("{count:n} doubtful", "{count:n} doubtful"),
+    "item.poor": Plural("{count:n} poor", "{count:n} poor"),
     "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
     "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
     "item.apart": N_(

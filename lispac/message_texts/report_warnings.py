@@ -84,8 +84,8 @@ TEXTS: Mapping[str, Template] = {
         "Validation planes {names:names} were not found on {lines:names}. {reasons:sentences}",
     ),
     "report.sightings": N_(
-        "Quality of {targets:n} sightings of targets and {planes:n} of validation planes: "
-        "{doubtful:n} doubtful, {poor:n} poor. The worst is {target} on {line}: {reasons:sentences}"
+        "Quality of {sightings:names}: {ratings:names}. The worst is {target} on {line}: "
+        "{reasons:sentences}"
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(

@@ -248,14 +248,21 @@ def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
         return is_poor, is_target[each.target], len(each.reasons), incidence
 
     worst = max((*poor, *doubtful), key=severity)
+    targets = sum(is_target[each.target] for each in rated)
+    planes = len(rated) - targets
     yield note(
-        "report.sightings",
-        targets=sum(is_target[each.target] for each in rated),
-        planes=sum(not is_target[each.target] for each in rated),
+        "report.sightings", targets=targets, planes=planes,
+        sightings=_counts(("item.target_sightings", targets), ("item.plane_sightings", planes)),
+        ratings=_counts(("item.doubtful", len(doubtful)), ("item.poor", len(poor))),
         poor=len(poor), doubtful=len(doubtful), target=worst.target, line=worst.line,
         reasons=worst.reasons,
         subject=Cause.of_sighting(worst.target, worst.line),
     )  # fmt: skip
+
+
+def _counts(*counts: tuple[str, int]) -> tuple[Message, ...]:
+    """Items of a list for the counts, by message code, that are not zero."""
+    return tuple(note(code, count=count) for code, count in counts if count)
 
 
 def _validation_warnings(content: ReportContent) -> Iterator[Message]:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QRect, Qt
+from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QHelpEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -19,6 +19,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
+from lispac.gui.app.panel_window import PanelWindow
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.project.status import DATA, VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -308,6 +310,47 @@ def test_a_panel_window_closes_with_its_keys_and_with_the_main_window(
     press(driver, Key.Key_T, Control)
     driver.window.close()
     assert not own.isVisible()
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_panel_window_first_opens_beside_the_view(
+    qtbot: QtBot, tmp_path: Path, side: str
+) -> None:
+    main, view, settings = QWidget(), QLabel(), AppSettings(tmp_path / "settings.ini")
+    qtbot.addWidget(main)
+    screen = main.screen().availableGeometry()
+    width, free = screen.width(), 3 * screen.width() // 8
+    main.setGeometry(screen.adjusted(0, 0, 0, -screen.height() // 4))
+    view.setParent(main)
+    view.setGeometry(free if side == "left" else 0, 0, width - free, main.height())
+    main.show()
+    own = PanelWindow("Patch test", QLabel(), QSize(width // 4, 200), main, settings, view)
+    own.bring_to_front()
+    view_rect = QRect(view.mapToGlobal(QPoint()), view.size())
+    assert not own.geometry().intersects(view_rect)
+
+
+def test_the_patch_test_opens_where_the_user_has_put_it(
+    driver: Driver, qtbot: QtBot, tmp_path: Path
+) -> None:
+    window, own = driver.window, driver.window.panel_windows["Patch test"]
+    press(driver, Key.Key_T, Control)
+    qtbot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+    own.resize(600, 400)
+    own.move(own.screen().availableGeometry().topLeft() + QPoint(37, 60))
+    place = own.geometry()
+    qtbot.keyClick(own, Key.Key_Escape)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+    window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        press(later, Key.Key_T, Control)
+        own = later.window.panel_windows["Patch test"]
+        qtbot.waitUntil(own.isVisible, timeout=SOON_MS)
+        assert own.geometry() == place
+    finally:
+        later.leave()
 
 
 def test_the_keys_of_the_main_window_work_in_a_panel_window(picked: Driver, qtbot: QtBot) -> None:

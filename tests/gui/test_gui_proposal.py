@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.proposed_targets_panel import ProposedTargetsPanel
+from lispac.gui.project.scene import proposed_key
 from lispac.project import Project
 from lispac.workflow.calibration.proposal_acceptance import (
     remove_picked_surfaces,
@@ -88,11 +89,11 @@ def test_proposed_targets_are_shown_in_the_scene_and_selected_with_the_keys(
     table = propose(opened)
     view, names = opened.viewport, cells(table, 0)
     assert {marker.label for marker in view.markers} == {f"{name}?" for name in names}
-    assert {each.key[0] for each in view.highlights} == set(names)
+    assert {each.key[0] for each in view.highlights} == {proposed_key(name) for name in names}
     reason = opened.window.targets.proposal.reason
     reasons = set()
     for name in names:
-        assert view.selected == (name, "")
+        assert view.selected == (proposed_key(name), "")
         assert name in reason.text()
         assert reason.hasHeightForWidth(), "not cut off"
         reasons.add(reason.text())
@@ -129,6 +130,22 @@ def test_a_target_picked_meanwhile_is_no_longer_proposed(opened: Driver) -> None
     assert "T1" not in cells(table, 0)
     ticked = opened.window.targets.proposal.ticked_entries
     assert ticked == tuple(cells(table, 0)[:-1]), "still unticked"
+
+
+def test_a_candidate_does_not_hide_the_proposed_target_of_the_same_name(opened: Driver) -> None:
+    table = propose(opened)
+    view, names = opened.viewport, cells(table, 0)
+    proposed = [proposed_key(name) for name in names]
+    seed(opened, "T1")
+    candidate = opened.window.controller.candidate
+    assert candidate.name in names
+    keys = {each.key[0] for each in view.highlights}
+    assert keys == {*proposed, candidate.name}
+    assert len(view.markers) == len(names) + 1
+    assert view.selected == (candidate.name, "")
+    click(opened, opened.window.targets.candidate.reject)
+    opened.rest()
+    assert {each.key[0] for each in view.highlights} == set(proposed)
 
 
 def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:

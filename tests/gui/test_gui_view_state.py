@@ -16,7 +16,7 @@ from lispac.gui.appearance.theme import apply_theme
 from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import Control, Demo, Key, Left, ScriptedDialogs
+from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
 
 SOON_MS = 20_000
 
@@ -214,6 +214,37 @@ def test_objects_and_angles_of_the_patch_test_are_kept(
         assert panel.of.currentIndex() == 1
         assert panel.picture.isVisible()
         assert "patch" in session.window.viewport.sketches
+
+
+def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    window = session.window
+    window.document.open(demo.picked, demo.survey)
+    wait_until_idle(session, qtbot)
+    qtbot.keyClick(window, Key.Key_F5)
+    qtbot.waitUntil(window.targets.proposal.isVisible, timeout=WAIT_MS)
+    wait_until_idle(session, qtbot)
+    table = window.targets.proposal.table
+    for key in (Key.Key_Space, Key.Key_Down, Key.Key_Down):
+        qtbot.keyClick(table, key)
+    ticked = window.targets.proposal.ticked_entries
+    current, emphasised = window.targets.proposal.current, window.viewport.selected
+    labels = sorted(marker.label for marker in window.viewport.markers)
+    assert len(ticked) == table.rowCount() - 1
+    assert emphasised is not None
+    for _ in changes(session, qtbot):
+        window = session.window
+        panel = window.targets.proposal
+        assert panel.isVisible()
+        assert panel.ticked_entries == ticked
+        assert panel.current == current
+        assert current in panel.reason.text()
+        assert window.viewport.selected == emphasised
+        assert sorted(marker.label for marker in window.viewport.markers) == labels
+    qtbot.mouseClick(panel.accept_button, Left)
+    names = [target.name for target in window.document.project.targets]
+    assert names[len(demo.picked.targets) :] == list(ticked)
 
 
 def test_linked_views_and_a_measurement_are_kept(

@@ -417,11 +417,15 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     assert _warning(content(*some), "report.sightings") == {
         "targets": 3, "planes": 0, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
         "reasons": oblique[1].reasons,
+        "sightings": (note("item.target_sightings", count=3),),
+        "ratings": (note("item.doubtful", count=2),),
     }  # fmt: skip
     worse = content(*some, (second.name, one, rough))
     assert _warning(worse, "report.sightings") == {
         "targets": 4, "planes": 0, "poor": 1, "doubtful": 2, "target": second.name, "line": one,
         "reasons": few,
+        "sightings": (note("item.target_sightings", count=4),),
+        "ratings": (note("item.doubtful", count=2), note("item.poor", count=1)),
     }  # fmt: skip
     french = report_document(worse, {}, ReportOptions(language="fr", extent="full")).notes
     assert any("4 observations de cibles" in t and "que 7 points" in t for t in french)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QCloseEvent, QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QMainWindow, QWidget
 
@@ -11,6 +11,8 @@ from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.widgets import tab_order
 from lispac.language import gettext
 
+MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX = 24, 48
+"""Distance from the right and lower edges at first opening, which includes the frame, pixels."""
 OWN_KEYS = frozenset(map(QKeySequence, ("Esc", "Return", "Enter")))
 """Keys that have their own meaning in this window: close, and press the focused button."""
 
@@ -25,13 +27,20 @@ class PanelWindow(QMainWindow):
     ----------
     title : English title
     size : size in pixels when it is opened for the first time
+    view : widget that the window covers as little as possible when it is opened for the first time
     """
 
     def __init__(
-        self, title: str, panel: QWidget, size: QSize, parent: QWidget, settings: AppSettings
+        self,
+        title: str,
+        panel: QWidget,
+        size: QSize,
+        parent: QWidget,
+        settings: AppSettings,
+        view: QWidget | None = None,
     ) -> None:
         super().__init__(parent, Qt.WindowType.Window)
-        self._size, self._settings = size, settings
+        self._size, self._settings, self._view = size, settings, view
         self.setObjectName(f"window_{title.lower().replace(' ', '_')}")
         self.setWindowTitle(f"{gettext(title)} – LISPAC")
         self.setCentralWidget(panel)
@@ -58,7 +67,7 @@ class PanelWindow(QMainWindow):
         self.activateWindow()
 
     def _place(self) -> None:
-        """Restore the stored geometry; else put the window over the lower right of its parent."""
+        """Restore the stored geometry; else place the window for the first time."""
         self._is_placed = True
         stored = self._settings.window_geometry(self.objectName())
         if stored is not None and self.restoreGeometry(stored):
@@ -67,10 +76,21 @@ class PanelWindow(QMainWindow):
         size = self._size.boundedTo(screen.size())
         self.resize(size)
         corner = parent.bottomRight()
-        self.move(
-            max(screen.left(), min(corner.x(), screen.right()) - size.width() - 24),
-            max(screen.top(), min(corner.y(), screen.bottom()) - size.height() - 48),
-        )
+        right = max(screen.left(), min(corner.x(), screen.right()) - size.width() - MARGIN_RIGHT_PX)
+        low = max(screen.top(), min(corner.y(), screen.bottom()) - size.height() - MARGIN_BOTTOM_PX)
+        places = [QPoint(right, low)]  # over the lower right of the parent
+        if self._view is not None:
+            edge = max(screen.left(), screen.right() - size.width() - MARGIN_RIGHT_PX)
+            places += [QPoint(x, low) for x in (edge, screen.left())]
+        self.move(min(places, key=lambda place: self._covered_area(QRect(place, size))))
+
+    def _covered_area(self, rect: QRect) -> int:
+        """Area of the view, square pixels, that the window would cover."""
+        if self._view is None:
+            return 0
+        view = QRect(self._view.mapToGlobal(QPoint()), self._view.size())
+        common = rect.intersected(view)
+        return max(0, common.width()) * max(0, common.height())
 
     def save_geometry(self) -> None:
         """Store the geometry, if the window has been open."""

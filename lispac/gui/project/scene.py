@@ -24,6 +24,11 @@ ResidualColours = Mapping[tuple[str, str], NDArray[np.uint8]]
 ColouredPoints = tuple[PointColouring | None, ResidualColours]
 
 
+def proposed_key(name: str) -> str:
+    """Key of a proposed target in the viewport; the candidate may have the same name."""
+    return f"\n{name}"  # no target has a line break in its name
+
+
 class Scene(QObject):
     """Updates the viewport from the document, the candidate and the before/after switch."""
 
@@ -191,7 +196,7 @@ class Scene(QObject):
         target = next((each for each in self._proposed if each.name == name), None)
         if target is None:
             return
-        self._viewport.select((name, ""))
+        self._viewport.select((proposed_key(name), ""))
         groups = _points_by_line(target, self.clouds)
         x, y = self._viewport.to_pixels(np.array([_label_position(target, groups)]))[0]
         rect = self._viewport.widget.rect()
@@ -322,10 +327,9 @@ class Scene(QObject):
     def _shown_targets(self) -> list[Target]:
         project = self._document.project
         targets = [] if project is None or self._document.survey is None else list(project.targets)
-        targets += self._proposed
         if self.candidate is not None:
             targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
-        return targets
+        return [*targets, *self._proposed]
 
     def highlights(self, which: PriorOrEstimated) -> list[Highlight]:
         """Sightings of all targets and of the candidate, before or after the adjustment."""
@@ -341,7 +345,7 @@ class Scene(QObject):
             for sighting in target.sightings:
                 points = groups.get(sighting.line)
                 if points is not None:
-                    key = target.name, sighting.line
+                    key = self._key(target), sighting.line
                     used = target.used and sighting.used and key not in rejected
                     used &= not self._is_unticked(target)
                     colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
@@ -357,6 +361,9 @@ class Scene(QObject):
         label = f"{target.name}?" if is_found else target.name
         position = _label_position(target, _points_by_line(target, self.clouds))
         return Marker(label, position, self._colour(target))
+
+    def _key(self, target: Target) -> str:
+        return proposed_key(target.name) if self._is_proposed(target) else target.name
 
     def _is_proposed(self, target: Target) -> bool:
         return any(each is target for each in self._proposed)

@@ -34,7 +34,7 @@ class Highlight:
 
     Attributes
     ----------
-    key : (target name, line name)
+    key : (target name, line name); a proposed target has a key instead of its name
     points : ndarray of shape (n, 3), metres, local frame
     colour : colour of the points: that of their line, so that differences of the lines stay visible
     halo : colour of the edge around the points, which shows that they belong to a target
@@ -289,7 +289,10 @@ class Viewport(Protocol):
         """
 
     def copy_view_from(self, former: "Viewport") -> None:
-        """Take over the camera and the history of views of a viewport of the same kind."""
+        """Take over the camera, the former views and the emphasised sighting of a viewport.
+
+        Both are of the same kind.
+        """
 
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""

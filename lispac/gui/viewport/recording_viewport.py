@@ -157,8 +157,10 @@ class RecordingViewport:
         self._record("step_view", steps)
 
     def copy_view_from(self, former: Viewport) -> None:
-        """Remember the call, without a reference to the former viewport."""
+        """Copy the emphasised sighting, and remember the call without the former viewport."""
+        assert isinstance(former, RecordingViewport)
         self._record("copy_view_from")
+        self.selected = former.selected
 
     def set_parallel(self, parallel: bool) -> None:
         """Remember the projection."""

@@ -175,8 +175,10 @@ class MainWindow(QMainWindow):
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
         self.target_actions = TargetActions(tools, panels.table)
-        proposed = ProposedTargets(tools, scene)
-        proposed.shown.connect(lambda: self._show_in_targets_step(panels.targets.proposal))
+        self.proposed_targets = ProposedTargets(tools, scene)
+        self.proposed_targets.shown.connect(
+            lambda: self._show_in_targets_step(panels.targets.proposal)
+        )
         control.accepted.connect(self._select_accepted)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
@@ -240,7 +242,14 @@ class MainWindow(QMainWindow):
         self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
         windows = {**self.panels.windows(), **self.tools.windows}
         self.panel_windows = {
-            title: PanelWindow(title, panel, size, self, self.settings)
+            title: PanelWindow(
+                title,
+                panel,
+                size,
+                self,
+                self.settings,
+                self.central_widget if title in self.tools.windows else None,
+            )
             for title, (panel, size) in windows.items()
         }
         # `isVisible` is also True for a dock behind another; only this signal is reliable

@@ -156,8 +156,9 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
     window.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
         window.controller.set_candidate(former.controller.candidate)
-    _copy_view(former, window)
     _copy_selection(former, window)
+    window.proposed_targets.copy_state_from(former.proposed_targets)
+    _copy_view(former, window)  # last, since a selection may move the view
     _copy_tools(former, window)
     for title, panel_window in window.panel_windows.items():
         panel_window.copy_state_from(former.panel_windows[title])

@@ -1,5 +1,6 @@
 """Search for targets to propose, and the proposal that waits for the user."""
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
@@ -37,6 +38,13 @@ class ProposedTargets(SurveyDependentActions):
         self._document.changed.connect(self._update)
         self._document.about_to_open.connect(self._close)
 
+    def copy_state_from(self, former: "ProposedTargets") -> None:
+        """Show what is left of the proposal of a former window, with its ticks and its row."""
+        if former._found is not None:
+            self._found = former._found
+            self._show_remaining(former._unticked_seeds())
+            self._panel.table.selectRow(former._panel.table.currentRow())
+
     def propose(self) -> None:
         """Detect planes in all lines and propose targets."""
         project, survey = self._current_data()
@@ -67,16 +75,20 @@ class ProposedTargets(SurveyDependentActions):
 
     def _update(self) -> None:
         """Show what is left of the proposal after a change of the project."""
+        if self._found is None or self._document.project is self._shown_project:
+            return
+        if self._document.project is None or self._document.survey is not self._found[1]:
+            self._close()  # other points
+            return
+        self._show_remaining(self._unticked_seeds())
+
+    def _show_remaining(self, unticked: Collection[Triple]) -> None:
         from lispac.workflow.calibration.proposal_acceptance import remove_picked_surfaces
 
         project = self._document.project
-        if self._found is None or project is self._shown_project:
+        if self._found is None or project is None:
             return
-        found, survey = self._found
-        if project is None or self._document.survey is not survey:
-            self._close()  # other points
-            return
-        unticked = self._unticked_seeds()
+        found, _ = self._found
         self._left, self._shown_project = remove_picked_surfaces(project, found), project
         if not self._left.targets:
             self._close()
