@@ -161,7 +161,7 @@ class ScriptedDialogs(Dialogs):
         self.safety.append(f"overwrite {name}")
         return self.overwrites
 
-    def ask_about_candidate(self, name: str) -> CandidateChoice:
+    def ask_about_candidate(self, name: str, *, is_search: bool = False) -> CandidateChoice:
         self.requests.append(name)
         return self.candidate_choice
 

@@ -9,10 +9,11 @@ import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
 
+from lispac.gui.app.questions import CandidateChoice
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
-from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
+from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press, seed
 from tests.support.message_codes import is_shown
 
 TARGETS_STEP = 1
@@ -105,6 +106,65 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     assert opened.window.document.undo_stack.undoText() == "detection of T1"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
+
+
+def search_at(driver: Driver, place: tuple[float, ...]) -> None:
+    """Open the dialogue with the button of step 2, type coordinates and search there."""
+
+    def use_dialog(dialog: SeedCoordinatesDialog) -> None:
+        for field, value in zip(dialog.fields, place, strict=True):
+            field.setFocus()
+            driver.bot.keyClicks(field, f"{value:.3f}")
+        driver.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
+
+    use_next_dialog(driver, use_dialog)
+    click(driver, driver.window.targets.type_seed)
+    driver.rest()
+
+
+def test_enter_accepts_a_target_found_with_the_button_for_coordinates(opened: Driver) -> None:
+    open_step(opened, TARGETS_STEP)
+    search_at(opened, T1)
+    assert opened.window.controller.candidate is not None
+    focused = opened.window.focusWidget()
+    assert focused is opened.window.targets.candidate.accept
+    opened.bot.keyClick(focused, Key.Key_Return)
+    opened.rest()
+    assert [target.name for target in opened.project.targets] == ["T1"]
+
+
+@pytest.mark.parametrize(("choice", "names"), [("accept", ["T1"]), ("reject", []), ("cancel", [])])
+def test_a_waiting_target_is_not_discarded_by_another_search(
+    opened: Driver, choice: CandidateChoice, names: list[str]
+) -> None:
+    open_step(opened, TARGETS_STEP)
+    search_at(opened, T1)
+    first = opened.window.controller.candidate
+    opened.dialogs.candidate_choice = choice
+    if choice == "cancel":
+        click(opened, opened.window.targets.type_seed)
+        assert opened.window.controller.candidate is first
+        return
+    search_at(opened, demo_seeds()["T2"][1])
+    assert [target.name for target in opened.project.targets] == names
+    second = opened.window.controller.candidate
+    assert second is not None
+    assert second.name == f"T{len(names) + 1}"
+    assert np.linalg.norm(np.subtract(second.seed, demo_seeds()["T2"][1])) < 1
+
+
+def test_a_click_at_another_place_waits_for_the_detected_target(opened: Driver) -> None:
+    seed(opened, "T1")
+    first = opened.window.controller.candidate
+    assert first is not None
+    seed(opened, "V1")
+    assert opened.window.controller.candidate is first
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert [target.name for target in opened.project.targets] == ["T1"]
+    second = opened.window.controller.candidate
+    assert second is not None
+    assert np.linalg.norm(np.subtract(second.seed, demo_seeds()["V1"][1])) < 1
 
 
 def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:

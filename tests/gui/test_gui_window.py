@@ -320,7 +320,8 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     axes = panel.canvas.figure.axes[0]
     assert len(axes.patches) + len(axes.collections) >= 2
     panel.plot.setFocus()
-    QTest.keyClick(panel.plot, Qt.Key.Key_End)
+    QTest.keyClick(panel.plot, Qt.Key.Key_End)  # pairs of lines
+    QTest.keyClick(panel.plot, Qt.Key.Key_Up)
     assert [axes.get_xlabel() for axes in panel.canvas.figure.axes] == ["Height (m)", "Range (m)"]
 
     picked.window.validate.kind.setFocus()

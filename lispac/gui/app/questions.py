@@ -87,19 +87,24 @@ class Questions:
             return "save"
         return "discard" if chosen == buttons.Discard else "cancel"
 
-    def ask_about_candidate(self, name: str) -> CandidateChoice:
-        """Ask whether to accept or reject the candidate before the adjustment."""
+    def ask_about_candidate(self, name: str, *, is_search: bool = False) -> CandidateChoice:
+        """Ask whether to accept or reject the candidate before the adjustment or another search."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("{target} has been found but not accepted yet.", target=name),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("candidate_dialog")
-        box.setInformativeText(gettext("The adjustment uses accepted targets only."))
-        accept = box.addButton(gettext("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
-        reject = box.addButton(
-            gettext("Estimate without this target"), QMessageBox.ButtonRole.DestructiveRole
-        )
+        if is_search:
+            text = gettext("The search for another target would replace it.")
+            accept_text, reject_text = gettext("Accept and search"), gettext("Reject and search")
+        else:
+            text = gettext("The adjustment uses accepted targets only.")
+            accept_text = gettext("Accept and estimate")
+            reject_text = gettext("Estimate without this target")
+        box.setInformativeText(text)
+        accept = box.addButton(accept_text, QMessageBox.ButtonRole.AcceptRole)
+        reject = box.addButton(reject_text, QMessageBox.ButtonRole.DestructiveRole)
         return {accept: "accept", reject: "reject"}.get(self._clicked(box, accept), "cancel")
 
     def ask_to_recover(self, name: str, when: str) -> bool:

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import dist
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
+from lispac.gui.app.questions import CandidateChoice
 from lispac.gui.app.settings import AppSettings, documents_folder
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.document import Document
@@ -318,8 +320,8 @@ class Controller(QObject):
         """Search for the target at a clicked point and show it as the candidate.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
-        with its role and shape. While another task runs or other seeds wait, the seed is marked
-        and queued.
+        with its role and shape. The seed is marked and queued while another task runs, other seeds
+        wait, or a candidate at another place waits; near a candidate it replaces the candidate.
         """
         if self._document.project is None:
             return
@@ -329,7 +331,7 @@ class Controller(QObject):
             )
             return
         seed = _QueuedSeed(point, self._scene.prior_position_finder(point), seed_options)
-        if self._runner.busy or self._queued_seeds:
+        if self._runner.busy or self._queued_seeds or self._is_beyond_candidate(point.position):
             self._queued_seeds.append(seed)
             self._show_search()
             self.logged.emit(
@@ -345,6 +347,11 @@ class Controller(QObject):
             )
             return
         self._search_at_seed(seed)
+
+    def _is_beyond_candidate(self, position: Triple) -> bool:
+        """Whether a candidate waits and the position is farther away than its search radius."""
+        candidate = self.candidate
+        return candidate is not None and dist(candidate.seed, position) > candidate.radius
 
     def _search_at_seed(self, seed: "_QueuedSeed") -> None:
         self._search_target(
@@ -364,7 +371,7 @@ class Controller(QObject):
         self._show_search()
 
     def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
-        """Search for the target at a position.
+        """Search for the target at a position, and move the view to it if it is outside.
 
         An empty ``name`` stands for the selected target if only one line is searched, otherwise for
         the next free name.
@@ -373,7 +380,12 @@ class Controller(QObject):
         ----------
         position : metres, local frame
         """
-        self._search_target(lambda: position, position, seed_options, name=name)
+
+        def show(candidate: Target) -> None:
+            self.set_candidate(candidate)
+            self._scene.bring_into_view(candidate)
+
+        self._search_target(lambda: position, position, seed_options, name=name, show=show)
 
     def _search_target(
         self,
@@ -383,6 +395,7 @@ class Controller(QObject):
         *,
         name: str = "",
         first_line: str | None = None,
+        show: Callable[[Target], None] | None = None,
     ) -> None:
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._document.is_survey_current:
@@ -408,7 +421,7 @@ class Controller(QObject):
             title = gettext("Searching for {target} in all lines", target=name)
         else:
             title = gettext("Searching for {target} in {line}", target=name, line=line)
-        task = self._runner.run(title, work, self.set_candidate)
+        task = self._runner.run(title, work, show or self.set_candidate)
         self._search = task, shown, name
         self.cancel_on_edit(task)
         self._show_search()
@@ -453,6 +466,17 @@ class Controller(QObject):
                 gettext("The detected target {target} was rejected.", target=self.candidate.name)
             )
             self._discard_candidate()
+
+    def resolve_candidate(self, ask: Callable[[str], CandidateChoice]) -> bool:
+        """Accept or reject a waiting candidate as the user answers; False if the user cancels."""
+        if self.candidate is None:
+            return True
+        choice = ask(self.candidate.name)
+        if choice == "accept":
+            self.accept()
+        elif choice == "reject":
+            self.reject()
+        return choice != "cancel"
 
     def set_candidate(self, candidate: Target) -> None:
         """Show a detected target, which the user then accepts or rejects."""

@@ -197,6 +197,10 @@ class Scene(QObject):
         if target is None:
             return
         self._viewport.select((proposed_key(name), ""))
+        self.bring_into_view(target)
+
+    def bring_into_view(self, target: Target) -> None:
+        """Move the view to a target whose label is outside the picture."""
         groups = _points_by_line(target, self.clouds)
         x, y = self._viewport.to_pixels(np.array([_label_position(target, groups)]))[0]
         rect = self._viewport.widget.rect()

@@ -121,16 +121,8 @@ class Estimation(QObject):
 
     def request_estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight; asks first about a candidate that is not yet accepted."""
-        candidate = self._controller.candidate
-        if candidate is not None:
-            choice = self._questions.ask_about_candidate(candidate.name)
-            if choice == "cancel":
-                return
-            if choice == "accept":
-                self._controller.accept()
-            else:
-                self._controller.reject()
-        self.estimate(settings, cross_check)
+        if self._controller.resolve_candidate(self._questions.ask_about_candidate):
+            self.estimate(settings, cross_check)
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight with these settings and show the lines after the adjustment.

@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from lispac.gui.app.questions import CandidateChoice
 from lispac.gui.features.pick_targets.target_actions import SurveyDependentActions, TargetTools
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.language import N_, Plural, gettext
@@ -33,6 +34,8 @@ class SeedActions(SurveyDependentActions):
 
     def type_seed(self) -> None:
         """Ask for coordinates and search for the target there."""
+        if not self._controller.resolve_candidate(self._ask_about_candidate):
+            return
         project, survey = self._current_data()
         if project is None or survey is None:
             return
@@ -47,6 +50,9 @@ class SeedActions(SurveyDependentActions):
             named, place = entered
             self._controller.search_at(place, seed_options, name="" if added else named)
 
+    def _ask_about_candidate(self, name: str) -> CandidateChoice:
+        return self._dialogs.ask_about_candidate(name, is_search=True)
+
     def list_seeds(self, path: Path | None = None) -> None:
         """Show a list of coordinates and search for the ticked targets, as one undo step.
 
@@ -55,6 +61,8 @@ class SeedActions(SurveyDependentActions):
         path : Path, optional
             File of the list; the user is asked for it if it is not given.
         """
+        if not self._controller.resolve_candidate(self._ask_about_candidate):
+            return
         project, survey = self._current_data()
         if project is None or survey is None:
             return
@@ -93,9 +101,6 @@ class SeedActions(SurveyDependentActions):
         from lispac.workflow.calibration.target_search import thinned_notes
 
         names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
-        candidate = self._controller.candidate
-        if candidate is not None and candidate.name in names:
-            self._controller.reject()  # its name is now in use
         for outcome in outcomes:
             for each in thinned_notes(outcome.target) if outcome.target else ():
                 self._controller.logged.emit(message_text(each))

@@ -6,6 +6,7 @@ from math import radians
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QButtonGroup,
     QComboBox,
@@ -227,6 +228,10 @@ class TargetsPanel(QWidget):
         self.candidate.setVisible(candidate is not None)
         if candidate is not None and project is not None:
             self.candidate.fill(candidate, project, self._survey)
+            focused = self.window().focusWidget()
+            if isinstance(focused, QAbstractButton) and self.isAncestorOf(focused):
+                # Enter would press the button that has the focus after a dialogue or a search.
+                self.candidate.accept.setFocus()
 
     @property
     def names(self) -> tuple[str, ...]:
