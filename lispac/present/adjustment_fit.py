@@ -12,11 +12,11 @@ VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components"
 )
 VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
+    "{factor}, computed with the given sigmas, before the LiDAR noise was estimated"
 )
 VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components, "
-    "without the LiDAR noise estimated from the residuals"
+    "before the LiDAR noise was estimated"
 )
 AVERAGED_POINTS_TEXT = N_("{points:n}, averaged from {picked:n} points of the targets")
 THINNED_POINTS_TEXT = N_("{points:n}, thinned from {picked:n} points of the targets")

@@ -223,7 +223,7 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if serious:
         status, text = "bad", gettext("CALIBRATED, WITH WARNINGS")
     elif content.warnings:
-        status, text = "fair", gettext("CALIBRATED, WITH NOTES")
+        status, text = "good", gettext("CALIBRATED, WITH NOTES")
     else:
         status, text = "good", gettext("CALIBRATED")
     verdict = content.acceptance.verdict

@@ -227,7 +227,7 @@ def _map(plane: ValidationPlane, *, is_row: bool) -> UndrawnPictures:
         small_map_figure_of,
     )
 
-    shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.maps)
+    shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.pairs)
     caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
     if shown < total:
         caption = gettext(

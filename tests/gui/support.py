@@ -258,6 +258,7 @@ def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) 
 def click(driver: Driver, widget: QWidget) -> None:
     assert widget.isVisible()
     assert widget.isEnabled()
+    QCoreApplication.processEvents()  # a step that was just opened is laid out
     driver.bot.mouseClick(widget, Left)
 
 

@@ -248,6 +248,21 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
     assert panel.canvas.height() >= 100
 
 
+def test_a_double_click_on_a_plane_moves_the_view_to_it(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    def moves() -> int:
+        return sum(name == "fit" for name, _ in driver.viewport.calls)
+
+    before, table = moves(), panel.table
+    middle = table.visualRect(table.model().index(0, 0)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=middle)
+    assert moves() == before
+    driver.bot.mouseDClick(table.viewport(), Left, pos=middle)
+    assert moves() == before + 1
+    assert driver.window.scene.selected == (panel.current, "")
+
+
 def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPanel) -> None:
     window = driver.window
     window.resize(1600, 1000)

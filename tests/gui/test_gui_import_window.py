@@ -116,6 +116,19 @@ def test_all_widgets_are_reached_with_the_tab_key(filled: ImportDialog, qtbot: Q
 # -- from the window -------------------------------------------------------------------------------
 
 
+def test_the_origin_begins_with_the_mean_position(filled: ImportDialog, qtbot: QtBot) -> None:
+    """A zero origin would be thousands of kilometres away."""
+    page, content = filled.mounting, filled.input_files.trajectory_content
+    filled.tabs.setCurrentWidget(page)
+    assert page.settings().origin_deg_m is None
+    qtbot.keyClick(page.origin_given, Qt.Key.Key_Space)
+    assert content is not None
+    frame = content.mean_frame()
+    expected = (np.degrees(frame.latitude), np.degrees(frame.longitude), frame.height)
+    assert page.settings().origin_deg_m == pytest.approx(expected, abs=1e-3)
+    assert page.settings().origin_deg_m[:2] == pytest.approx(expected[:2], abs=1e-8)
+
+
 def test_files_dropped_on_the_window_open_the_dialogue(driver: Driver, demo: Demo) -> None:
     drop(driver.window, raw(demo))
     driver.bot.waitUntil(lambda: bool(driver.dialogs.dropped), timeout=WAIT_MS)

@@ -388,7 +388,7 @@ def test_real_pictures_show_the_calibration_of_a_validation_plane(
         grey = image.convertToFormat(QImage.Format.Format_Grayscale8)
         pictures[caption] = np.frombuffer(grey.constBits(), np.uint8).astype(int)
     (name,) = (plane.name for plane in validated.validation)
-    for view in ("Overview", name):
+    for view in ("Overview", f"{name} at 60° to its normal"):
         before, after = (pictures[f"{view}, {when} boresight"] for when in ("prior", "estimated"))
         assert before.std() > 5
         assert np.abs(after - before).mean() > 0.2

@@ -21,6 +21,7 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import units
 from lispac.gui.features.inspect.measurements import Measurements, distance_text
 from lispac.gui.features.validate.histograms_panel import histogram_text
+from lispac.gui.features.validate.planes_table import RMS
 from lispac.gui.project.residuals import residual_shading
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_length
@@ -250,7 +251,7 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     driver.window.resizeDocks([dock], [400], Qt.Orientation.Vertical)
     driver.rest()
     panel, first = driver.window.histograms, validated.validation[0]
-    assert panel.table.item(0, 3).text().replace("\u00a0", " ") == (
+    assert panel.table.item(0, RMS).text().replace("\u00a0", " ") == (
         f"{first.before.rms / FOOT:.4f} → {first.after.rms / FOOT:.4f}"
     )
     axes = panel.canvas.figure.axes[0]

@@ -290,6 +290,7 @@ class MainWindow(QMainWindow):
         self.table.sighting_activated.connect(self._go_to)
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
+        self.histograms.plane_activated.connect(lambda name: self._go_to(name, ""))
         section = self.tools.sections.panel
         for panel in (self.histograms, section):
             panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))

@@ -51,8 +51,9 @@ class InspectionTools(QObject):
         self.mouse_tool = MouseTool(viewport, actions)
         self.measurements = Measurements(viewport, actions, self.mouse_tool, note)
         self.sections = SectionTool(
-            document, runner, scene, viewport, actions, self.mouse_tool, raise_panel
-        )
+            document, runner, scene, viewport, actions, self.mouse_tool, raise_panel,
+            lambda: self.linked_views.count > 1,
+        )  # fmt: skip
         self.before_after_wipe = BeforeAfterWipe(
             document, scene, computations, viewport, actions, note
         )

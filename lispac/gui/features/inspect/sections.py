@@ -59,10 +59,12 @@ class SectionTool(QObject):
         actions: Actions,
         mouse_tool: MouseTool,
         bring: Callable[[QObject], None],
+        is_linked: Callable[[], bool],
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
         self._viewport, self._mouse_tool, self._bring = viewport, mouse_tool, bring
+        self._is_linked = is_linked
         self.panel = SectionPanel()
         self._ends: list[Array] = []
         self._outdated = self._panel_visible = self._drawn = False
@@ -144,7 +146,8 @@ class SectionTool(QObject):
     def _update_section(self) -> None:
         project, survey = self._document.project, self._document.survey
         panel, selected = self.panel, self._scene.selected
-        if not self._panel_visible:
+        # Linked views keep the section when another panel opens in front of this one.
+        if not self._panel_visible and not (self._is_linked() and self._framed is not None):
             self._draw_sketch(None)
             return
         ends = tuple(self._ends) if len(self._ends) == 2 else None

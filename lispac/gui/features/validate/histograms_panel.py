@@ -167,6 +167,8 @@ class HistogramsPanel(QWidget):
 
     plane_selected = Signal(str)
     """Another plane was selected, by the user or as the worst one."""
+    plane_activated = Signal(str)
+    """The user double-clicked a plane, or pressed Enter on it."""
     enlarged = Signal(bool)
     """The user wants a higher panel, or the initial height."""
 
@@ -209,6 +211,7 @@ class HistogramsPanel(QWidget):
         """Table of the planes, and a text on the selected one or on the plot under the mouse."""
         self.table = PlanesTable()
         self.table.plane_selected.connect(self._on_plane_selected)
+        self.table.activated.connect(lambda _index: self.plane_activated.emit(self.current))
         self.reading = _ReadingLabel()
         planes = QWidget()
         column = QVBoxLayout(planes)

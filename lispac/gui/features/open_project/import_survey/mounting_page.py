@@ -1,9 +1,11 @@
 """Page of the import dialogue for the mounting and the accuracies of a new project."""
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
 
 from lispac.adjustment.model.stochastic_model import ASSUMED_LIDAR_SIGMA
+from lispac.geometry.frames import LocalFrame
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.mounting_sketch import MountingView
@@ -28,6 +30,7 @@ class MountingPage(QScrollArea):
 
     def __init__(self, library: SensorLibrary) -> None:
         super().__init__()
+        self._mean_position: LocalFrame | None = None
         self.sensors = SensorChoice(library, "new")
         self.setAccessibleName(gettext("Mounting and accuracies"))
         self.setWidgetResizable(True)
@@ -70,6 +73,17 @@ class MountingPage(QScrollArea):
     def mounting_warnings(self) -> tuple[Message, ...]:
         """Warnings about the mounting."""
         return lever_arm_warnings(self.lever_arm.value())
+
+    def show_mean_position(self, frame: LocalFrame | None) -> None:
+        """Take the origin that a user can change from the mean position of the trajectory."""
+        self._mean_position = frame
+
+    def _show_origin(self, is_given: bool) -> None:
+        self.origin.setEnabled(is_given)
+        frame = self._mean_position
+        if is_given and frame is not None and not any(self.origin.value()):
+            latitude, longitude = np.degrees([frame.latitude, frame.longitude]).tolist()
+            self.origin.set_value((latitude, longitude, frame.height))
 
     def show_accuracy(self, name: str, accuracy: TrajectoryAccuracy | None) -> None:
         """Show the name and the median values of the accuracy file; if empty, the fields apply."""
@@ -129,7 +143,7 @@ class MountingPage(QScrollArea):
             ],
         )
         self.origin.setEnabled(False)
-        self.origin_given.toggled.connect(self.origin.setEnabled)
+        self.origin_given.toggled.connect(self._show_origin)
         form.addRow(QLabel(), self.origin_given)
         form.addRow(gettext("Origin"), self.origin)
         return form
