@@ -252,7 +252,7 @@ def test_the_limit_of_significance_is_the_same_everywhere(
     assert result_values(result, None)["parameters"][0]["significant"] is significant
     (row,) = window_rows(PARAMETERS_TABLE, parameter_values(result))
     assert row.cells[-1].text == words
-    assert f"prior 0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
+    assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     assert content.adjustment.parameters[0].significant is significant
