@@ -229,7 +229,7 @@ def _map(plane: ValidationPlane, *, is_row: bool) -> UndrawnPictures:
 
     shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.pairs)
     caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
-    if shown < total:
+    if shown < len(plane.maps):
         caption = gettext(
             "{plane}: before and after the calibration; {shown:n} of {total:n} pairs of lines, "
             "those with the largest offset and distances after it.",
