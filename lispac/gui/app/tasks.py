@@ -120,7 +120,7 @@ class TaskRunner(QObject):
     failed = Signal(object)
     """Exception that ended a task."""
     stopped = Signal(str)
-    """Title of a cancelled task that was not quiet."""
+    """Title of a task that was cancelled, unless it is quiet or another task replaced it."""
     cancelled_too_late = Signal(str)
     """Text that says that a task was completed before it could be cancelled."""
     idle = Signal()
@@ -240,7 +240,7 @@ class TaskRunner(QObject):
         try:
             wrote = task.persistent and task.error is None
             if (task.cancel.is_set() and not wrote) or isinstance(task.error, Cancelled):
-                if not task.quiet:
+                if not task.quiet and not task.superseded:
                     self.stopped.emit(task.title)
             elif task.error is not None:
                 self.changed.emit()  # no task runs while the error is shown
