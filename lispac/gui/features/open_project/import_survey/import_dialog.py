@@ -281,7 +281,7 @@ class ImportDialog(NumberDialog):
             found if isinstance(found, TrajectoryAccuracy) else None,
         )
         content = input_files.trajectory_content
-        self.mounting.show_mean_position(None if content is None else content.mean_frame())
+        self.mounting.set_mean_position(None if content is None else content.mean_frame())
         self.mounting.show_prior_needed(any(line.is_georeferenced for line in input_files.lines))
         if not self._folder_is_typed:
             proposed = proposed_folder(input_files)

@@ -74,8 +74,8 @@ class MountingPage(QScrollArea):
         """Warnings about the mounting."""
         return lever_arm_warnings(self.lever_arm.value())
 
-    def show_mean_position(self, frame: LocalFrame | None) -> None:
-        """Take the origin that a user can change from the mean position of the trajectory."""
+    def set_mean_position(self, frame: LocalFrame | None) -> None:
+        """Set the position at which an entered origin begins; None if it is not known."""
         self._mean_position = frame
 
     def _show_origin(self, is_given: bool) -> None:
