@@ -6,6 +6,7 @@ the call to stop the computation.
 """
 
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -83,6 +84,19 @@ def sub_progress(progress: Progress, start: float, stop: float) -> Progress:
         progress(start + (stop - start) * fraction, step)
 
     return report
+
+
+ROUND_SHARE = 0.7
+"""Share of the remaining progress that the next one of an unknown number of rounds covers."""
+
+
+def progress_of_rounds(progress: Progress) -> Iterator[Progress]:
+    """Progress of each of an unknown number of rounds, without end."""
+    start = 0.0
+    while True:
+        stop = start + ROUND_SHARE * (1.0 - start)
+        yield sub_progress(progress, start, stop)
+        start = stop
 
 
 class PointRate:

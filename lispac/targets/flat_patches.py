@@ -6,6 +6,7 @@ and Vosselman 2006). `lispac.targets.plane_finder` then determines all points of
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import cos, radians
 
 import numpy as np
@@ -49,7 +50,7 @@ class FlatPatch:
     placed: Array
     area: float
 
-    @property
+    @cached_property
     def centre(self) -> Array:
         """Mean of the points, shape (3,), metres, local frame."""
         return np.asarray(self.points.mean(axis=0))

@@ -323,12 +323,14 @@ def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:
     task = Task("Import", lambda progress: None, lambda value: None)
     for elapsed, fraction, is_shown in (
         (0.0, 0.0, False), (1.0, 0.1, False), (6.0, 0.01, False), (8.0, 0.4, False),
-        (20.0, 0.6, False), (42.0, 0.9, True), (80.0, 0.91, True),
+        (20.0, 0.6, False), (42.0, 0.9, True), (80.0, 0.91, False),
     ):  # fmt: skip
         task.started = time.monotonic() - elapsed
         task.report(fraction)
         bar.show_task(task)
         assert ("left" in bar.text.text()) == is_shown, elapsed
+    task.report(0.2)
+    assert task.fraction == 0.91
     task.started -= 40  # without a report
     bar.show_task(task)
     assert "left" not in bar.text.text()

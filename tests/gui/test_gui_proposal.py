@@ -132,16 +132,20 @@ def test_a_target_picked_meanwhile_is_no_longer_proposed(opened: Driver) -> None
     assert ticked == tuple(cells(table, 0)[:-1]), "still unticked"
 
 
-def test_a_candidate_does_not_hide_the_proposed_target_of_the_same_name(opened: Driver) -> None:
+def test_a_candidate_has_another_name_than_the_proposed_targets(opened: Driver) -> None:
     table = propose(opened)
     view, names = opened.viewport, cells(table, 0)
     proposed = [proposed_key(name) for name in names]
     seed(opened, "T1")
     candidate = opened.window.controller.candidate
     assert candidate.name in names
+    others = cells(table, 0)
+    assert len(others) == len(names) - 1, "its surface is no longer proposed"
     keys = {each.key[0] for each in view.highlights}
-    assert keys == {*proposed, candidate.name}
-    assert len(view.markers) == len(names) + 1
+    assert keys == {*map(proposed_key, others), candidate.name}
+    labels = [marker.label for marker in view.markers]
+    assert sorted(labels) == sorted(f"{name}?" for name in (*others, candidate.name))
+    assert candidate.name not in others
     assert view.selected == (candidate.name, "")
     click(opened, opened.window.targets.candidate.reject)
     opened.rest()

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
+from lispac.progress import Step
 from lispac.project import Project
 from lispac.simulation.scene import tilted_rectangle
 from lispac.targets.flat_patches import find_flat_patches, voxel_side
@@ -94,7 +95,14 @@ def test_the_demo_is_calibrated_with_the_proposed_targets(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
-    proposal = propose_targets(project, survey)
+    fractions = [0.0]
+
+    def progress(fraction: float, _: Step | None = None) -> None:
+        fractions.append(fraction)
+
+    proposal = propose_targets(project, survey, progress=progress)
+    assert np.diff(sorted(fractions)).max() < 0.2
+    assert fractions[-1] == 1.0
     targets = [target for target in proposal.targets if target.role == "target"]
     validation = [target for target in proposal.targets if target.role == "validation"]
     seeds = {name: np.array(seed) for name, (_, seed) in demo_seeds().items()}

@@ -45,6 +45,7 @@ class Task:
     key : a later task with the same key cancels and replaces the task; empty for no replacement
     persistent : the task writes files, and cannot be cancelled after they are written
     modal : the value is shown in a dialogue
+    has_time_left : the time left can be estimated from the fraction
     superseded : the task was cancelled in favour of another task, not by the user
     """
 
@@ -55,6 +56,7 @@ class Task:
     key: str = ""
     persistent: bool = False
     modal: bool = False
+    has_time_left: bool = True
     superseded: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
@@ -62,16 +64,15 @@ class Task:
     started: float = 0.0
     reports: list[tuple[float, float]] = field(default_factory=list)
     """Seconds since the start and fraction of some reports."""
-    _has_dependable_rate: bool = field(default=False, init=False)
     _last_report: float = field(default=0.0, init=False)
     value: Any = None
     error: BaseException | None = None
 
     def report(self, fraction: float, step: Step | None = None) -> None:
-        """Report the progress of the task; raises `Cancelled` if it was cancelled."""
+        """Report the progress, which never decreases; raises `Cancelled` if it was cancelled."""
         if self.cancel.is_set():
             raise Cancelled
-        self.fraction = min(max(fraction, 0.0), 1.0)
+        self.fraction = min(max(fraction, self.fraction), 1.0)
         self._last_report = elapsed = time.monotonic() - self.started
         if not self.reports or elapsed - self.reports[-1][0] >= REPORT_INTERVAL_S:
             self.reports.append((elapsed, self.fraction))
@@ -91,14 +92,13 @@ class Task:
         time agree.
         """
         elapsed = time.monotonic() - self.started
+        if not self.has_time_left:
+            return None
         if elapsed < MIN_ESTIMATE_TIME_S or self.fraction < MIN_ESTIMATE_FRACTION:
             return None
         if elapsed - self._last_report > max(MAX_SILENCE_SHARE * elapsed, MIN_ESTIMATE_TIME_S):
             return None  # the mean rate is that of other steps
         duration = self._last_report / self.fraction
-        left = max(duration - elapsed, 0.0)
-        if self._has_dependable_rate:  # the text does not come and go
-            return left
         former = next((each for each in reversed(self.reports) if each[0] <= 0.5 * elapsed), None)
         if former is not None:
             time_then, fraction_then = former
@@ -106,8 +106,7 @@ class Task:
                 1 / MAX_DURATION_RATIO < time_then / fraction_then / duration < MAX_DURATION_RATIO
             ):
                 return None
-        self._has_dependable_rate = True
-        return left
+        return max(duration - elapsed, 0.0)
 
 
 class TaskRunner(QObject):
@@ -164,9 +163,10 @@ class TaskRunner(QObject):
         key: str = "",
         persistent: bool = False,
         modal: bool = False,
+        has_time_left: bool = True,
     ) -> Task:
         """Queue a task for the worker; ``done`` receives its value on the GUI thread."""
-        task = Task(title, work, done, quiet, key, persistent, modal)
+        task = Task(title, work, done, quiet, key, persistent, modal, has_time_left)
         for other in self._unfinished_tasks():
             replaced = key and other.key == key
             superseded = other.quiet and not quiet

@@ -25,7 +25,7 @@ ColouredPoints = tuple[PointColouring | None, ResidualColours]
 
 
 def proposed_key(name: str) -> str:
-    """Key of a proposed target in the viewport; the candidate may have the same name."""
+    """Key of a proposed target in the viewport."""
     return f"\n{name}"  # no target has a line break in its name
 
 

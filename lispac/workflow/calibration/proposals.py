@@ -1,6 +1,6 @@
 """Automatic detection of targets and validation planes, proposed to the user."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -21,7 +21,7 @@ from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note, warning
-from lispac.progress import Progress, no_progress, sub_progress
+from lispac.progress import Progress, Step, no_progress, progress_of_rounds, sub_progress
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, place_clouds
 from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
@@ -127,9 +127,9 @@ def propose_targets(
         settings,
         lines=aligned.clouds,
         find=find,
-        progress=sub_progress(progress, 0.1, 0.85),
+        progress=sub_progress(progress, 0.05, 0.4),
     )
-    progress(0.85, gettext_lazy("Fitting the planes"))
+    progress(0.4, gettext_lazy("Fitting the planes"))
     named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
     targets = tuple(
         _proposed_target(survey, plane, name, "target", threshold) for name, plane in named.items()
@@ -138,19 +138,24 @@ def propose_targets(
     flat = [target for target in targets if judged[target.name].use == "any"]
     if len(flat) < 2:
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
-    progress(0.9, gettext_lazy("Selecting the targets"))
+    progress(0.45, gettext_lazy("Selecting the targets"))
+    rounds = progress_of_rounds(sub_progress(progress, 0.45, 0.8))
     with replace_suggested_actions(project.name, "propose"):
-        chosen, solved, planes = _choose_flat_targets(project, survey, flat, named, judged)
+        chosen, solved, planes = _choose_flat_targets(project, survey, flat, named, judged, rounds)
     if len(chosen) < MIN_TARGETS:
         spare = [target for target in targets if judged[target.name].use == "at need"]
         flat = [target for target in targets if judged[target.name].use == "any"]
         with suppress(AdjustmentError, TargetNotFound):
-            others = _choose_flat_targets(project, survey, [*flat, *spare], named, judged)
+            others = _choose_flat_targets(project, survey, [*flat, *spare], named, judged, rounds)
             if len(others[0]) > len(chosen):
                 chosen, solved, planes = others
     assert solved.result is not None
     left = [target for target in targets if target.name not in chosen]
-    compared = _comparable_planes(solved, survey, left, judged)
+    progress(0.8, gettext_lazy("Selecting the validation planes"))
+    compared = _comparable_planes(
+        solved, survey, left, judged, progress=sub_progress(progress, 0.8, 0.95)
+    )
+    progress(0.95, gettext_lazy("Giving the reasons"))
     separate = {
         name: pairs
         for name, pairs in compared.items()
@@ -178,6 +183,8 @@ def _comparable_planes(
     survey: Survey,
     left: Sequence[Target],
     judged: Mapping[str, "_PlaneAssessment"],
+    *,
+    progress: Progress,
 ) -> dict[str, tuple[tuple[str, str], ...]]:
     """Candidate validation planes, with the pairs of lines that can be compared on them.
 
@@ -187,7 +194,7 @@ def _comparable_planes(
     assert solved.result is not None
     usable = [target for target in left if judged[target.name].use in ("any", "at need")]
     if _is_boresight_known(solved.result):
-        now = _assess_planes(replace(solved, targets=tuple(usable)), survey)
+        now = _assess_planes(replace(solved, targets=tuple(usable)), survey, progress=progress)
         usable = [target for target in usable if now[target.name].flat]
     placed = place_clouds(survey.clouds, solved.result.mounting)
     found: dict[str, tuple[tuple[str, str], ...]] = {}
@@ -217,12 +224,13 @@ def _choose_flat_targets(
     flat: Sequence[Target],
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
+    rounds: Iterator[Progress],
 ) -> tuple[list[str], Project, CandidatePlanes]:
     """Choose the targets without those that their adjustment calls probably not flat.
 
     As `_choose_targets`. Such targets are kept if fewer than `MIN_TARGETS` others can be chosen.
     """
-    found = _choose_targets(project, survey, flat, named, judged)
+    found = _choose_targets(project, survey, flat, named, judged, rounds)
     while True:
         chosen, solved, _ = found
         assert solved.result is not None
@@ -236,7 +244,7 @@ def _choose_flat_targets(
         if not bent or len(left) < MIN_TARGETS:
             return found
         try:
-            others = _choose_targets(project, survey, left, named, marked)
+            others = _choose_targets(project, survey, left, named, marked, rounds)
         except (AdjustmentError, TargetNotFound):
             return found
         if len(others[0]) < MIN_TARGETS:
@@ -251,6 +259,7 @@ def _choose_targets(
     flat: Sequence[Target],
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
+    rounds: Iterator[Progress],
 ) -> tuple[list[str], Project, CandidatePlanes]:
     """Choose the targets; returns their names, a project with their adjustment, and all planes.
 
@@ -266,10 +275,12 @@ def _choose_targets(
     """
     candidates = list(flat)
     while True:
+        progress = next(rounds)
         everything = replace(project, targets=tuple(candidates), result=None)
         planes = _candidate_planes(
-            everything, survey, {each.name: named[each.name] for each in candidates}
-        )
+            everything, survey, {each.name: named[each.name] for each in candidates},
+            progress=sub_progress(progress, 0.0, 0.3),
+        )  # fmt: skip
         chosen = choose_targets(planes)
         targets = tuple(
             replace(each, name=f"T{number}")
@@ -277,14 +288,18 @@ def _choose_targets(
             for each in candidates
             if each.name == name
         )
-        solved = estimate(replace(project, targets=targets, result=None), survey, cross_check=False)
+        solved = estimate(
+            replace(project, targets=targets, result=None), survey,
+            cross_check=False, progress=sub_progress(progress, 0.3, 0.8),
+        )  # fmt: skip
         result = solved.result
         assert result is not None
         suspects = {sighting.target for sighting in result.rejected_sightings} | set(
             result.excluded_targets
         )
         known = _is_boresight_known(result)
-        now = _assess_planes(solved, survey) if known else {}
+        step = sub_progress(progress, 0.8, 1.0)
+        now = _assess_planes(solved, survey, progress=step) if known else {}
         rejected = {
             name
             for name, target in zip(chosen, targets, strict=True)
@@ -301,10 +316,10 @@ def _choose_targets(
 
 
 def _candidate_planes(
-    project: Project, survey: Survey, named: Mapping[str, DetectedPlane]
+    project: Project, survey: Survey, named: Mapping[str, DetectedPlane], *, progress: Progress
 ) -> CandidatePlanes:
     """Candidate planes for the choice, from the project's targets."""
-    linearised = _linearise_planes(project, survey)
+    linearised = _linearise_planes(project, survey, progress)
     form_errors = _form_errors(project, place_clouds(survey.clouds, linearised.state.mounting))
     named = {name: named[name] for name in linearised.problem.observations.targets}
     return CandidatePlanes(
@@ -418,10 +433,16 @@ class _PlaneAssessment:
         return self.use != "not flat"
 
 
-def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
+def _assess_planes(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> dict[str, _PlaneAssessment]:
     """Assess each plane by the quality of its sightings."""
     found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
-    for (name, line), quality in sighting_qualities(project, survey).items():
+
+    def step(fraction: float, _: Step | None = None) -> None:
+        progress(fraction)  # the names of the planes are not those of the proposal
+
+    for (name, line), quality in sighting_qualities(project, survey, progress=step).items():
         found[name][line] = quality
     return {name: _assess_plane(lines) for name, lines in found.items()}
 
@@ -449,13 +470,16 @@ def _too_few_planes_message(
     )
 
 
-def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
+def _linearise_planes(project: Project, survey: Survey, progress: Progress) -> LinearisedProblem:
     """Linearised adjustment of all planes together, at its solution."""
     observations = observations_of(project, survey)
     model = project.settings.stochastic_model
     prior = project.mounting("prior")
     # Planes of one orientation are checked later, by pairs.
-    result = adjust(observations, prior, model, accept_single_orientation=True, diagnostics=False)
+    result = adjust(
+        observations, prior, model,
+        accept_single_orientation=True, diagnostics=False, progress=progress,
+    )  # fmt: skip
     observations = observations.without_targets(result.excluded_targets)
     shapes = np.stack([target.plane for target in result.targets])
     with single_blas_thread():

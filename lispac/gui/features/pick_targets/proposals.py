@@ -3,12 +3,12 @@
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSignalBlocker, Signal
 
 from lispac.gui.features.pick_targets.target_actions import SurveyDependentActions, TargetTools
 from lispac.gui.project.scene import Scene
 from lispac.language import N_, gettext
-from lispac.picked_targets import Triple
+from lispac.picked_targets import Target, Triple
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.project.survey import Survey
@@ -26,7 +26,8 @@ class ProposedTargets(SurveyDependentActions):
     def __init__(self, tools: TargetTools, scene: Scene) -> None:
         self._found: tuple[Proposal, Survey] | None = None
         self._left: Proposal | None = None
-        self._shown_project: Project | None = None
+        self._shown: tuple[Project | None, Target | None] = (None, None)
+        """Project and candidate for which the proposal was shown."""
         super().__init__(tools, [tools.panel.propose], ["propose"])
         self._scene, self._panel = scene, tools.panel.proposal
         tools.panel.propose_requested.connect(tools.actions["propose"].trigger)
@@ -36,6 +37,7 @@ class ProposedTargets(SurveyDependentActions):
         self._panel.ticks_changed.connect(self._show_in_scene)
         self._panel.selected.connect(self._scene.select_proposed)
         self._document.changed.connect(self._update)
+        self._controller.candidate_changed.connect(self._update)
         self._document.about_to_open.connect(self._close)
 
     def copy_state_from(self, former: "ProposedTargets") -> None:
@@ -61,11 +63,12 @@ class ProposedTargets(SurveyDependentActions):
             work,
             lambda proposal: self._show(proposal, survey),
             modal=True,
+            has_time_left=False,  # the number of rounds is unknown
         )
         self._controller.cancel_on_edit(task)
 
     def _show(self, proposal: "Proposal", survey: Survey) -> None:
-        self._found, self._shown_project = (proposal, survey), None
+        self._found, self._shown = (proposal, survey), (None, None)
         self._update()
         if self._left is None:
             self._controller.logged.emit(gettext("No other suitable targets were found."))
@@ -74,8 +77,11 @@ class ProposedTargets(SurveyDependentActions):
             self._panel.table.setFocus()
 
     def _update(self) -> None:
-        """Show what is left of the proposal after a change of the project."""
-        if self._found is None or self._document.project is self._shown_project:
+        """Show what is left of the proposal after a change of the project or the candidate."""
+        project, candidate = self._shown
+        if self._found is None or (
+            self._document.project is project and self._controller.candidate is candidate
+        ):
             return
         if self._document.project is None or self._document.survey is not self._found[1]:
             self._close()  # other points
@@ -85,16 +91,24 @@ class ProposedTargets(SurveyDependentActions):
     def _show_remaining(self, unticked: Collection[Triple]) -> None:
         from lispac.workflow.calibration.proposal_acceptance import remove_picked_surfaces
 
-        project = self._document.project
+        project, candidate = self._document.project, self._controller.candidate
         if self._found is None or project is None:
             return
         found, _ = self._found
-        self._left, self._shown_project = remove_picked_surfaces(project, found), project
+        self._shown = (project, candidate)
+        # The candidate has a name of its own and may be on a proposed surface
+        used = project if candidate is None else project.with_target(candidate)
+        self._left = remove_picked_surfaces(used, found)
         if not self._left.targets:
-            self._close()
+            self._close() if candidate is None else self._hide()
             return
         self._targets.show_proposal(True)
-        self._panel.show_proposal(self._left, unticked)
+        if candidate is None:
+            self._panel.show_proposal(self._left, unticked)
+            return
+        with QSignalBlocker(self._panel):  # the candidate remains selected in the scene
+            self._panel.show_proposal(self._left, unticked)
+        self._show_in_scene()
 
     def _unticked_seeds(self) -> set[Triple]:
         ticked = self._panel.ticked_entries
@@ -122,5 +136,8 @@ class ProposedTargets(SurveyDependentActions):
 
     def _close(self) -> None:
         self._found = self._left = None
+        self._hide()
+
+    def _hide(self) -> None:
         self._targets.show_proposal(False)
         self._scene.show_proposed((), ())
