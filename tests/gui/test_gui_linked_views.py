@@ -322,12 +322,20 @@ def test_linked_views_by_keys_menu_and_toolbar(adjusted: Driver) -> None:
     click(adjusted, button)
     wait_until_idle(adjusted)
     assert parts(adjusted) == TWO
+    assert lit_lines(adjusted) == {"two_views"}
     click(adjusted, button)
     assert viewport.linked == (), "chosen again"
+    assert lit_lines(adjusted) == {"after"}
     press(adjusted, Key.Key_4, ALT)
     press(adjusted, Key.Key_1, ALT)
     wait_until_idle(adjusted)
     assert viewport.linked == ()
+
+
+def lit_lines(driver: Driver) -> set[str]:
+    """Choices of the lines shown that are switched on."""
+    names = ("before", "after", "wipe", "two_views")
+    return {name for name in names if driver.window.actions_[name].isChecked()}
 
 
 def test_other_lines_or_the_split_view_end_the_linked_views(adjusted: Driver) -> None:
@@ -342,6 +350,7 @@ def test_other_lines_or_the_split_view_end_the_linked_views(adjusted: Driver) ->
         wait_until_idle(adjusted)
         assert viewport.linked == ()
         assert adjusted.window.actions_["one_view"].isChecked()
+        assert lit_lines(adjusted) == {"before" if key == Key.Key_B else "wipe"}
     assert viewport.wipe_clouds is not None
     press(adjusted, Key.Key_2, ALT)
     wait_until_idle(adjusted)

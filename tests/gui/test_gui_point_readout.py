@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu, QToolTip
+from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
@@ -165,6 +165,8 @@ def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
         return not QToolTip.isVisible()
 
     show()
+    tip = next(each for each in QApplication.topLevelWidgets() if each.inherits("QTipLabel"))
+    assert not tip.geometry().adjusted(-40, -40, 40, 40).contains(canvas.mapToGlobal(place))
     QTest.mouseMove(canvas, place + QPoint(40, 0))
     board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
     show()

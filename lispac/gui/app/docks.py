@@ -103,6 +103,13 @@ def raise_panel(panel: QWidget) -> None:
     container.bring_to_front()
 
 
+def close_panel(panel: QWidget) -> None:
+    """Close the dock or window of a panel."""
+    container = panel.parentWidget()
+    assert isinstance(container, Dock | PanelWindow)
+    container.close()
+
+
 class DockLayout(QObject):
     """Decides which docks are open, and hides all of them while the view is maximised.
 

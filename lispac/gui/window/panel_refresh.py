@@ -214,8 +214,9 @@ class PanelRefresh(QObject):
         self._computations.count(self._panels.adjust.subsample)
 
     def _show_before_after(self, which: str) -> None:
-        if self._actions["wipe"].isChecked() and which == "estimated":
-            return  # the split view shows both
+        shows_both = self._actions["wipe"].isChecked() or not self._actions["one_view"].isChecked()
+        if shows_both and which == "estimated":
+            return  # in a split view or beside each other
         self._actions["after" if which == "estimated" else "before"].setChecked(True)
 
     def _show_chosen_lines(self) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 from PySide6.QtCore import QObject
+from PySide6.QtGui import QActionGroup
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
@@ -71,6 +72,7 @@ class LinkedViews(QObject):
         if self._mouse_tool.tool in OUTLINE_TOOLS:
             self._mouse_tool.end()
         self.count = count
+        self._show_choice()
         self._note(gettext("Linked views: Esc returns to one view."))
         self._mouse_tool.end_mode = self.end
         self._enable()
@@ -93,8 +95,23 @@ class LinkedViews(QObject):
         self._due.stop()
         self._mouse_tool.end_mode = None
         self._actions["one_view"].setChecked(True)
+        self._show_choice()
         self._enable()
         self._viewport.show_linked(())
+
+    def _show_choice(self) -> None:
+        """Show neither *Before* nor *After* as chosen while both are shown beside each other."""
+        group = self._actions["before"].actionGroup()
+        policies, chosen = QActionGroup.ExclusionPolicy, group.checkedAction()
+        if self.count > 1 and self._has_result:
+            group.setExclusionPolicy(policies.ExclusiveOptional)
+            if chosen is not None:
+                chosen.setChecked(False)
+        else:
+            group.setExclusionPolicy(policies.Exclusive)
+            if chosen is None:
+                which = "after" if self._scene.which == "estimated" else "before"
+                self._actions[which].setChecked(True)
 
     @property
     def _has_result(self) -> bool:

@@ -116,7 +116,7 @@ class PointReadout(QObject):
             return None
 
     def _show_tooltip(self) -> None:
-        """Show the values beside the mouse until it moves, except while points are picked."""
+        """Show the values at the top until the mouse moves, except while points are picked."""
         is_pressed = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
         has_control = Qt.KeyboardModifier.ControlModifier & QGuiApplication.queryKeyboardModifiers()
         if not self.values or is_pressed or has_control or self._is_picking():
@@ -126,9 +126,13 @@ class PointReadout(QObject):
         widget = view.childAt(view.mapFromGlobal(place)) or view
         here = QRect(widget.mapFromGlobal(place) - QPoint(2, 2), widget.mapFromGlobal(place))
         text = "<br>".join(map(escape, self._tooltip_lines))
+        # In the half of the view away from the mouse, to leave what it points at visible
+        middle = view.width() // 2
+        left = 0 if view.mapFromGlobal(place).x() >= middle else middle
         QToolTip.showText(
-            place, f"<p style='white-space:pre'>{text}</p>", widget, here.adjusted(0, 0, 2, 2)
-        )
+            view.mapToGlobal(QPoint(left, 0)), f"<p style='white-space:pre'>{text}</p>",
+            widget, here.adjusted(0, 0, 2, 2),
+        )  # fmt: skip
 
     def _show_menu(self, point: PickedPoint | None, place: QPoint) -> None:
         """Show the menu of the view for the point under the right mouse button."""

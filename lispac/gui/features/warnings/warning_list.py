@@ -9,7 +9,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.docks import raise_panel
+from lispac.gui.app.docks import close_panel, raise_panel
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.warnings.warnings_panel import WarningsButton, WarningsPanel
 from lispac.gui.project.document import Document
@@ -57,7 +57,7 @@ class WarningList(QObject):
         self._collected.connect(self._show)
         document.changed.connect(self.update)
         actions.connect_slots({"warnings": self.open})
-        button.clicked.connect(self.open)
+        button.clicked.connect(self._toggle)
         self.update()
 
     @property
@@ -69,6 +69,12 @@ class WarningList(QObject):
         """Bring the list to the front and give it the focus."""
         raise_panel(self._panel)
         self._panel.focus_list()
+
+    def _toggle(self) -> None:
+        if self._panel.visibleRegion().isEmpty():  # closed, or behind another panel
+            self.open()
+        else:
+            close_panel(self._panel)
 
     def stop(self) -> None:
         """Stop the worker."""
