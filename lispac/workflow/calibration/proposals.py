@@ -439,10 +439,11 @@ def _assess_planes(
     """Assess each plane by the quality of its sightings."""
     found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
 
-    def step(fraction: float, _: Step | None = None) -> None:
+    def without_step(fraction: float, step: Step | None = None) -> None:
         progress(fraction)  # the names of the planes are not those of the proposal
 
-    for (name, line), quality in sighting_qualities(project, survey, progress=step).items():
+    qualities = sighting_qualities(project, survey, progress=without_step)
+    for (name, line), quality in qualities.items():
         found[name][line] = quality
     return {name: _assess_plane(lines) for name, lines in found.items()}
 
