@@ -89,6 +89,7 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert marks(judged) == [(True, "V1. Acceptance: fail")]
     outcome = judged.window.validate.outcome
     assert outcome.verdict.property("role") == "error"
+    failed = outcome.icon.pixmap().toImage()
     window = judged.window
     judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
     assert "acceptance.rms" in {each.code for each in window.warnings.messages}
@@ -97,6 +98,8 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert judged.project.judgement.verdict == "pass"
     assert state_of(judged) == "done"
     assert marks(judged) == [(True, "V1. Acceptance: pass")]
+    assert outcome.verdict.property("role") == "success"
+    assert outcome.icon.pixmap().toImage() != failed, "not the colour alone"
     field.selectAll()
     judged.bot.keyClick(field, Key.Key_Delete)
     judged.bot.keyClick(field, Key.Key_Tab)

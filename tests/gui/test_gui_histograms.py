@@ -17,7 +17,12 @@ from pytestqt.qtbot import QtBot
 from lispac.acceptance import largest_offset
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.validate.histograms_panel import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
+from lispac.gui.features.validate.histograms_panel import (
+    PAIRS_VIEW,
+    PROFILE_PLOT,
+    ZOOM_HINT,
+    HistogramsPanel,
+)
 from lispac.gui.features.validate.planes_table import OFFSET, PAIRS, RMS
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -245,7 +250,7 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
         assert not table.item(row, RMS).font().bold()
     assert f"{offset:.1f}" in panel.reading.text()
     assert panel.canvas.width() >= 0.3 * size[0]
-    assert panel.canvas.height() >= 100
+    assert panel.canvas.height() >= (130 if size[1] >= 1000 else 100)
 
 
 def test_a_double_click_on_a_plane_moves_the_view_to_it(
@@ -336,3 +341,31 @@ def test_pairs_are_compared_before_and_after_without_scrolling(
     finally:
         driver.leave()
         set_language("en")
+
+
+def test_sorting_the_pairs_does_not_widen_their_columns(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    panel.plot.setCurrentIndex(PAIRS_VIEW)
+    driver.rest()
+    header = panel.pairs.horizontalHeader()
+    widths = [header.sectionSize(column) for column in range(header.count())]
+    place = QPoint(header.sectionViewportPosition(1) + 5, header.height() // 2)
+    driver.bot.mouseClick(header.viewport(), Left, pos=place)
+    driver.rest()
+    assert header.sortIndicatorSection() == 1
+    assert [header.sectionSize(column) for column in range(header.count())] == widths
+
+
+def test_the_distances_before_do_not_flatten_those_after(
+    driver: Driver, panel: HistogramsPanel, validated: Project
+) -> None:
+    panel.plot.setCurrentIndex(PROFILE_PLOT)
+    driver.rest()
+    axes = panel.canvas.figure.axes[0]
+    assert axes.get_yscale() == "log"
+    low, high = axes.get_ylim()
+    for profile in (validated.validation[0].by_height, validated.validation[0].by_range):
+        for values in (profile.median_after, profile.p95_before):
+            shown = 1000 * values[np.isfinite(values)]
+            assert low <= shown.min() <= shown.max() <= high

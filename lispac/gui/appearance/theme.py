@@ -303,6 +303,7 @@ QPushButton[step="true"]:focus {{ border: 2px solid {s.accent}; padding: 0; }}
 QLabel[role="muted"] {{ color: {s.muted}; }}
 QLabel[role="heading"] {{ font-weight: 600; }}
 QLabel[role="error"] {{ color: {s.error}; }}
+QLabel[role="success"] {{ color: {s.done}; }}
 QLabel[role="warning"] {{ color: {s.warning_text}; background: {s.warning_ground};
     border: 1px solid {s.warning_edge}; border-radius: 5px; padding: 7px 9px; }}
 QLabel[role="hint"] {{ color: {s.hint_text}; background: {s.hint_ground};

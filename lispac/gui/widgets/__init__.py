@@ -34,7 +34,7 @@ from lispac.language import N_, gettext
 def label(
     text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
 ) -> QLabel:
-    """Create a label; ``role`` is muted, heading, error, warning or hint (see the style sheet).
+    """Create a label; ``role`` is a role of labels in the style sheet, such as error.
 
     Parameters
     ----------

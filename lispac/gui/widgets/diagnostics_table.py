@@ -113,7 +113,7 @@ class DiagnosticsTable(QTableWidget):
         self.setWordWrap(False)
         header = self.horizontalHeader()
         header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(columns[-1].is_text)
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
@@ -126,8 +126,6 @@ class DiagnosticsTable(QTableWidget):
         """Show rows, sorted as before."""
         selected, header = self.key(self.currentRow()), self.horizontalHeader()
         self.setSortingEnabled(False)
-        # Otherwise Qt measures the whole column again for each added cell
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._rows = list(rows)
         self.setRowCount(len(rows))
         font = theme.tabular_font(self.font())
@@ -145,7 +143,8 @@ class DiagnosticsTable(QTableWidget):
                 if row.tip:
                     item.setToolTip(widgets.plain_tip(row.tip))
                 self.setItem(number, column, item)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSortIndicatorShown(False)  # the arrow does not widen the columns
+        header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)
         self._show_sort_arrow(header.sortIndicatorSection())
         if selected is not None:
@@ -175,7 +174,7 @@ class DiagnosticsTable(QTableWidget):
                 return
 
     def _show_sort_arrow(self, section: int) -> None:
-        """Reserve space for the sort arrow only while a column is sorted."""
+        """Show the sort arrow only while a column is sorted."""
         self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
     def _emit_row_activated(self, row: int) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.ticker import Formatter, FuncFormatter, MaxNLocator, ScalarFormatter
+from matplotlib.ticker import Formatter, FuncFormatter, LogLocator, MaxNLocator, ScalarFormatter
 from PySide6.QtCore import QLocale
 
 from lispac.gui.appearance import theme, units
@@ -20,7 +20,8 @@ def convert_axis_units(axis: Axis, base: Base) -> None:
     if not units.is_converted(base):
         return
     factor = units.shown_unit(base).factor
-    axis.set_major_locator(_RoundLocator(factor))
+    is_log = isinstance(axis.get_major_locator(), LogLocator)
+    axis.set_major_locator(_RoundLogLocator(factor) if is_log else _RoundLocator(factor))
     axis.set_major_formatter(
         FuncFormatter(lambda value, _: _localised_label(f"{value * factor:.6g}"))
     )
@@ -47,6 +48,18 @@ class _RoundLocator(MaxNLocator):
 
     def __init__(self, factor: float) -> None:
         super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+        self._factor = factor
+
+    def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
+        found = super().tick_values(vmin * self._factor, vmax * self._factor)
+        return [float(each) / self._factor for each in found]
+
+
+class _RoundLogLocator(LogLocator):
+    """Locator of ticks at 1, 2 and 5 times powers of ten of another unit."""
+
+    def __init__(self, factor: float) -> None:
+        super().__init__(subs=(1.0, 2.0, 5.0))
         self._factor = factor
 
     def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:

@@ -3,9 +3,10 @@
 from math import radians
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.appearance import theme
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -23,6 +24,11 @@ CAUSE_BUTTONS: dict[CauseKind, str] = {
     "step": N_("Go to the targets"),
 }
 """Texts of the buttons that go to the causes of `probable_causes`."""
+
+
+VERDICT_STYLES = {"pass": ("good", "success"), "fail": ("poor", "error")}
+"""Icon and role of the text of each verdict; one that is not judged has none."""
+ICON_SIZE_PX = 16
 
 
 class AcceptanceOutcome(QWidget):
@@ -43,8 +49,15 @@ class AcceptanceOutcome(QWidget):
         self.buttons: list[QPushButton] = []
         self._causes = QVBoxLayout()
         self._causes.setSpacing(4)
-        layout.addWidget(self.verdict)
+        self.notes = widgets.label("", wrap=True, name="acceptance_notes")
+        self.icon = QLabel()
+        self.icon.setObjectName("acceptance_icon")
+        head = QHBoxLayout()
+        head.addWidget(self.icon)
+        head.addWidget(self.verdict, 1)
+        layout.addLayout(head)
         layout.addWidget(self.reasons)
+        layout.addWidget(self.notes)
         layout.addLayout(self._causes)
 
     def show_project(self, project: Project | None) -> None:
@@ -61,14 +74,17 @@ class AcceptanceOutcome(QWidget):
         self._shown = source
         values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
-        if values.checks:
-            reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
-            reasons += map(message_text, acceptance_notes(values))
-        else:
-            reasons = [gettext("Enter the criteria of the client or of a standard to judge it.")]
-        self.reasons.setText("\n".join(reasons))
+        reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
+        notes = map(message_text, acceptance_notes(values)) if values.checks else ()
+        for label, texts in ((self.reasons, reasons), (self.notes, notes)):
+            label.setText("\n".join(texts))
+            label.setVisible(bool(label.text()))
+        icon, role = VERDICT_STYLES.get(values.verdict, ("", ""))
+        self.icon.setVisible(bool(icon))
+        if icon:
+            self.icon.setPixmap(theme.quality_icon(icon).pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
         for each in (self.verdict, self.reasons):
-            each.setProperty("role", "error" if values.verdict == "fail" else "")
+            each.setProperty("role", role)
             each.style().unpolish(each)
             each.style().polish(each)
         planes = [ValidationPlane.of(each) for each in project.validation]

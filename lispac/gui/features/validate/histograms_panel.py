@@ -7,6 +7,7 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
@@ -223,7 +224,7 @@ class HistogramsPanel(QWidget):
         return planes
 
     def _create_details(self) -> QWidget:
-        """Plot or pairs of lines of the selected plane, below their choice and buttons."""
+        """Plot or pairs of lines of the selected plane, beside their choice and buttons."""
         self.pairs = pairs_table.create_pairs_table()
         self._views = QStackedWidget()
         plots = QWidget()
@@ -232,14 +233,16 @@ class HistogramsPanel(QWidget):
         self._views.addWidget(plots)
         self._views.addWidget(self.pairs)
         details = QWidget()
-        column = QVBoxLayout(details)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(self._create_tools())
-        column.addWidget(self._views, 1)
+        self._details = QBoxLayout(QBoxLayout.Direction.RightToLeft, details)
+        self._details.setContentsMargins(0, 0, 0, 0)
+        self._details.setSpacing(4)
+        self._tools = self._create_tools()
+        self._details.addLayout(self._tools)
+        self._details.addWidget(self._views, 1)
         return details
 
-    def _create_tools(self) -> QHBoxLayout:
+    def _create_tools(self) -> QBoxLayout:
+        """Choice and buttons: beside a plot because the panel is low, above the wide table."""
         self.plot = widgets.ChoiceBox(
             "comparison_plot", [gettext(plot) for plot in PLOT_TITLES],
             gettext(
@@ -260,15 +263,19 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         self.copy_numbers.clicked.connect(self._copy_numbers)
         self._colours = widgets.label("", name="comparison_colours", rich=True)
-        tools = QHBoxLayout()
-        for each in (self.plot, self.copy_picture, self.copy_numbers):
-            tools.addWidget(each)
-        # The names of the colours do not make the plot of a small window wider
-        self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        tools.addWidget(self._colours, 1)
         self.enlarge = widgets.enlarge_button("enlarge_histograms")
         self.enlarge.toggled.connect(self.enlarged)
-        tools.addWidget(self.enlarge)
+        last = QHBoxLayout()
+        # The names of the colours do not make the column wider
+        self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        last.addWidget(self._colours, 1)
+        last.addWidget(self.enlarge)
+        tools = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        tools.setSpacing(2)
+        for each in (self.plot, self.copy_picture, self.copy_numbers):
+            tools.addWidget(each)
+        tools.addLayout(last)
+        tools.addStretch(1)
         return tools
 
     @property
@@ -343,8 +350,11 @@ class HistogramsPanel(QWidget):
             self.plane_selected.emit(self.current)
 
     def _show_chosen_view(self, index: int) -> None:
-        self._views.setCurrentIndex(1 if index == PAIRS_VIEW else 0)
-        no_plot = first_reason((index == PAIRS_VIEW, Unavailable.NO_PLOT))
+        directions, is_table = QBoxLayout.Direction, index == PAIRS_VIEW
+        self._details.setDirection(directions.TopToBottom if is_table else directions.RightToLeft)
+        self._tools.setDirection(directions.RightToLeft if is_table else directions.TopToBottom)
+        self._views.setCurrentIndex(int(is_table))
+        no_plot = first_reason((is_table, Unavailable.NO_PLOT))
         self.copy_picture.set_reason(reason_text(no_plot))
         self._redraw_selected()
 
@@ -372,11 +382,12 @@ class HistogramsPanel(QWidget):
         )
         if self.plot.currentIndex() == PROFILE_PLOT:
             profile_figure(comparison, canvas.figure)
+            _adapt_profiles(canvas.figure, is_low=self._plot_form[0])
         else:
             share = self.plot.currentIndex() == PERCENT_PLOT
             histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
         self._show_units(canvas.figure)
-        self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
+        self._zooming.set_home(zooms_vertically=False)
         canvas.draw_idle()
         canvas.setAccessibleName(
             gettext(
@@ -464,6 +475,26 @@ class HistogramsPanel(QWidget):
             text = histogram_text(comparison, (high - low) / 1000.0, MAX_BARS)
         QGuiApplication.clipboard().setText(text)
         self.reading.setText(gettext("The numbers were copied to the clipboard"))
+
+
+def _adapt_profiles(figure, *, is_low: bool) -> None:
+    """Draw the distances on a logarithmic scale, since those before may be 100 times larger."""
+    from matplotlib.ticker import LogLocator, NullLocator
+
+    from lispac.report.figures import LocalisedFormatter
+
+    for axes in figure.axes:
+        if not axes.lines:
+            continue
+        axes.set_yscale("log")
+        axes.autoscale(axis="y")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.yaxis.set_minor_locator(NullLocator())
+        axes.yaxis.set_major_formatter(LocalisedFormatter())
+    if is_low:
+        figure.suptitle("")  # the plane is selected in the table
+        if figure.axes[0].get_ylabel():
+            figure.axes[0].set_ylabel("(mm)", fontsize=figure.axes[0].yaxis.label.get_fontsize())
 
 
 def _statistics_text(template: str, state: DistanceStatistics) -> str:
