@@ -1,13 +1,16 @@
 """Tests of the tools: measurements, sections, clip box, comparison and preview of a click."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from lispac.gui.features.inspect.section_figure import draw_section
 from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
 from lispac.gui.features.inspect.sections import DRAG_UPDATE_MS, section_box_sketch
 from lispac.gui.project.status import VALIDATE
@@ -179,6 +182,15 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     assert all(axes.get_aspect() == 1 / 50 for axes in panel.canvas.figure.axes)
     exaggerate(adjusted, "1")
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance from the vessel (m)"
+    far = replace(cuts[0], separation=10.0)
+    assert far.automatic_exaggeration == 1
+    colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
+    figure = Figure()
+    draw_section([far, cuts[1]], colours, ("Distance", "Height"), figure)
+    before, after = figure.axes
+    assert before.get_xlabel() == "Across the surface (m)"
+    assert after.get_xlabel().startswith("Across the surface, enlarged")
+    assert before.get_ylabel() == after.get_ylabel()
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:

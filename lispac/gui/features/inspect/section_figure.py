@@ -61,7 +61,15 @@ def draw_section(
     """
     figure.clear()
     ratio = _plot_ratio(figure, len(cuts))
-    views = [_CutView.of(cut, exaggeration).widened(ratio) for cut in cuts]
+    factors = [
+        cut.automatic_exaggeration if exaggeration is None else exaggeration for cut in cuts
+    ]
+    # The same axes in all cuts, also where one of them needs no exaggeration
+    is_natural = all(factor == 1 for factor in factors)
+    views = [
+        _CutView.of(cut, factor, is_natural=is_natural).widened(ratio)
+        for cut, factor in zip(cuts, factors, strict=True)
+    ]
     is_shared = len({(view.factor, view.crop) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
@@ -104,13 +112,14 @@ def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
 
 @dataclass(frozen=True, eq=False)
 class _CutView:
-    """A cut with its exaggeration; a plane is then drawn by its distances across and along it.
+    """A cut with its exaggeration; a plane is drawn by its distances across and along it.
 
     Attributes
     ----------
     rotation : ndarray of shape (2, 2)
         Axes of the drawn picture in that of the cut, as columns.
     vertical : whether the vertical axis is exaggerated, instead of the horizontal one
+    is_natural : whether the axes are those of the section, instead of along and across a plane
     crop : ratio of the height of the section to that of the picture, at least 1
     """
 
@@ -118,18 +127,18 @@ class _CutView:
     factor: float
     rotation: Array
     vertical: bool
+    is_natural: bool
     crop: float = 1.0
 
     @classmethod
-    def of(cls, cut: SectionPoints, exaggeration: float | None) -> "_CutView":
-        factor = cut.automatic_exaggeration if exaggeration is None else exaggeration
-        if cut.normal is None or factor == 1:
-            return cls(cut, factor, np.eye(2), True)
+    def of(cls, cut: SectionPoints, factor: float, *, is_natural: bool) -> "_CutView":
+        if cut.normal is None or is_natural:
+            return cls(cut, factor, np.eye(2), True, True)
         vertical = bool(abs(cut.normal[1]) > abs(cut.normal[0]))
         across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
         along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
         axes = (along, across) if vertical else (across, along)
-        return cls(cut, factor, np.column_stack(axes), vertical)
+        return cls(cut, factor, np.column_stack(axes), vertical, False)
 
     def widened(self, ratio: float) -> "_CutView":
         """View without the empty space above and below the lines, for a plot wider than high.
@@ -157,7 +166,7 @@ class _CutView:
 
     def axis_titles(self, titles: tuple[str, str]) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
-        if self.factor != 1 and self.cut.normal is not None:
+        if not self.is_natural:
             across = (ACROSS_TITLE, ALONG_TITLE)
             titles = (across[1], across[0]) if self.vertical else across
         texts = [gettext(title) for title in titles]
