@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.errors import ProjectError
 from lispac.gui.project.status import TARGETS
 from lispac.workflow.project.projects import open_project
+from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import (
     WAIT_MS,
     Control,
@@ -100,6 +101,20 @@ def test_closing_with_changes_asks(
     assert driver.window.close() is closes
     assert driver.dialogs.requests == ["harbour"]
     assert len(open_project(demo_copy).targets) == saved
+
+
+def test_a_project_is_closed_from_the_menu(driver: Driver, demo: Demo, demo_copy: Path) -> None:
+    window, before = driver.window, replace(demo.project, folder=demo_copy)
+    window.document.open(before, demo.survey)
+    window.document.edit("detection of T1", before.with_target(demo.picked.target("T1")))
+    driver.rest()
+    for choice, is_open in (("cancel", True), ("discard", False)):
+        driver.dialogs.save_choice = choice
+        choose(driver.bot, open_menu(driver.bot, window, "File"), "Close project")
+        driver.rest()
+        assert (window.document.project is not None) == is_open
+        assert window.centralWidget().start.isVisible() != is_open
+    assert not window.actions_["close_project"].isEnabled()
 
 
 def test_saving_clears_the_modified_state_and_undo_sets_it_again(

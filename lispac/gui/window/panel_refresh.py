@@ -154,6 +154,7 @@ class PanelRefresh(QObject):
         )
         for name, reason in {
             **dict.fromkeys(("new", "open", "demo", "tour", "Recent"), busy),
+            "close_project": no_project or busy,
             **dict.fromkeys(("add_lines", "save_as"), steps[DATA].reason or busy),
             "report": steps[REPORT].reason or busy,
             "estimate": self._estimate_reason(),

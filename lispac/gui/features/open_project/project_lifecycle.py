@@ -49,6 +49,7 @@ class ProjectLifecycle(QObject):
                 "add_lines": self.add_lines,
                 "save": controller.save,
                 "save_as": self.save_as,
+                "close_project": self.close,
             }
         )
         actions.submenus["Recent"].aboutToShow.connect(
@@ -157,6 +158,11 @@ class ProjectLifecycle(QObject):
             folder = self._dialogs.folder_to_save_in(_free_folder(project.folder))
             if folder is not None:
                 self._controller.save_as(folder)
+
+    def close(self) -> None:
+        """Close the project, after asking about unsaved changes."""
+        if self.may_leave():
+            self._document.open(None, None)
 
     def demo(self) -> None:
         """Open the demo survey."""
