@@ -364,6 +364,11 @@ def lever_arm_fields(prefix: str) -> TripleField:
     return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
 
 
+LEVER_ARM_SIGMA_HINT = N_(
+    "For the error budget only. If all three are 0, the lever arm is assumed exact."
+)
+
+
 def lever_arm_sigma_fields(prefix: str) -> TripleField:
     """Fields of the standard deviations of the lever arm, metres; zero in all if not given."""
     fields = [

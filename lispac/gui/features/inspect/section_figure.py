@@ -61,9 +61,7 @@ def draw_section(
     """
     figure.clear()
     ratio = _plot_ratio(figure, len(cuts))
-    factors = [
-        cut.automatic_exaggeration if exaggeration is None else exaggeration for cut in cuts
-    ]
+    factors = [cut.automatic_exaggeration if exaggeration is None else exaggeration for cut in cuts]
     # The same axes in all cuts, also where one of them needs no exaggeration
     is_natural = all(factor == 1 for factor in factors)
     views = [

@@ -110,6 +110,7 @@ class DataPanel(QWidget):
         self.lever_arm_sigma = widgets.lever_arm_sigma_fields("lever_arm_sigma")
         filled.addWidget(widgets.label(gettext("Lever arm (1 σ)"), "heading"))
         filled.addWidget(self.lever_arm_sigma)
+        filled.addWidget(widgets.label(gettext(widgets.LEVER_ARM_SIGMA_HINT), "muted", wrap=True))
 
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",

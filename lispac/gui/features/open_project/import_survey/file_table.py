@@ -74,8 +74,8 @@ class FileTable(QTableWidget):
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(FILE, QHeaderView.ResizeMode.Stretch)
-        for column, width in ((ROLE, 128), (FORMAT, 210), (COUNT, 96), (SPAN, 200), (FRAME, 180),
-                              (STATE, 120)):  # fmt: skip
+        for column, width in ((ROLE, 128), (FORMAT, 194), (COUNT, 96), (SPAN, 200), (FRAME, 180),
+                              (STATE, 136)):  # fmt: skip
             self.setColumnWidth(column, width)
         self._paths: list[Path] = []
         self.itemSelectionChanged.connect(lambda: self.file_selected.emit(self.current))
@@ -149,7 +149,10 @@ class FileTable(QTableWidget):
         roles: tuple[Kind | None, ...] = (*file.roles, None)
         if file.project_reading is not None:
             roles = (file.role,)
-        items = [(gettext(file_texts.ROLE_NAMES[role]), role) for role in roles]
+        if file.pending and not file.roles:
+            items: list[tuple[str, object]] = [(file_texts.NO_VALUE, None)]  # not known yet
+        else:
+            items = [(gettext(file_texts.ROLE_NAMES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, file, items, file.role, self.role_chosen)
 
     def _fill_format(self, row: int, file: InputFile) -> None:

@@ -64,7 +64,7 @@ def state_text(input_files: InputFiles, file: InputFile) -> tuple[str, str]:
     """Text and colour of the state of a file."""
     match input_files.state_of_file(file):
         case "pending":
-            return gettext("Waiting to be read"), theme.MUTED
+            return gettext("Waiting"), theme.MUTED
         case "fine":
             return gettext("OK"), theme.DONE
         case "error":

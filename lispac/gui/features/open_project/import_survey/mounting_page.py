@@ -117,6 +117,11 @@ class MountingPage(QScrollArea):
         self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
         self.boresight = widgets.boresight_fields("new_boresight")
         form.addRow(gettext("Lever arm"), self.lever_arm)
+        hint = gettext(
+            "From the POS centre to the optical centre of the scanner. Applanix gives Y to "
+            "starboard and Z down: enter those two with the opposite sign."
+        )
+        form.addRow(widgets.label(hint, "muted", wrap=True, name="new_lever_arm_hint"))
         form.addRow(gettext("Prior boresight"), self.boresight)
         self.view = MountingView("new_mounting")
         form.addRow(self.view)
@@ -187,6 +192,7 @@ class MountingPage(QScrollArea):
         form.addRow(gettext("Attitude (1 σ)"), self.pos_sigmas.attitude)
         self.lever_arm_sigma = widgets.lever_arm_sigma_fields("new_lever_arm_sigma")
         form.addRow(gettext("Lever arm (1 σ)"), self.lever_arm_sigma)
+        form.addRow(widgets.label(gettext(widgets.LEVER_ARM_SIGMA_HINT), "muted", wrap=True))
         return form
 
     def _draw_mounting(self) -> None:
