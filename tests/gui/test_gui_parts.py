@@ -252,7 +252,7 @@ def test_steps_show_their_status_and_advice(demo: Demo):
     assert [s.state for s in start] == ["done", "todo", "empty", "empty", "empty"]
     assert "Ctrl" in start[1].advice
     ready = status.step_statuses(demo.picked, demo.survey)
-    assert ready[1].sentence == "2 targets in 6 lines, 1 validation plane"
+    assert ready[1].sentence == "2 targets, 1 validation plane"
     assert ready[2].ready
     first = demo.picked.target("T1")
     on_one_line = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))

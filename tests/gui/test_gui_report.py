@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.app.settings import ReportChoice
+from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
 from lispac.gui.viewport.frame_times import FrameTimes
@@ -123,7 +124,8 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         assert label.text() == ""
         assert keep.isEnabled()
         opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
-        assert "do not contain a date" in label.text()
+        assert dialog.findChild(QLabel, "identity_dates_hint").isVisible()
+        assert dialog.focusWidget() is dates
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
@@ -509,6 +511,7 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
     open_step(adjusted, REPORT_STEP)
     company = "Fleuve Surveys"  # keys of a test are ASCII
     last = {"surveyor": "Ève Tremblay", "checked_by": "Ana Ruiz", "scanner": "Profiler 16"}
+    last["client"] = "Harbour authority"
     adjusted.window.settings.save_company(company, last)
 
     def use_dialog(dialog: QWidget) -> None:
@@ -516,12 +519,16 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
         type_into(adjusted, field(dialog, "company"), company)
         assert field(dialog, "surveyor").text() == "Ève Tremblay"
         assert field(dialog, "checked_by").text() == "Luc Roy"
-        assert field(dialog, "vessel").text() == ""
+        assert field(dialog, "vessel").text() == field(dialog, "client").text() == ""
+        completer = field(dialog, "client").completer()
+        completer.setCompletionPrefix("har")
+        assert completer.currentCompletion() == "Harbour authority"
         type_into(adjusted, field(dialog, "company"), "Another company")
         assert field(dialog, "surveyor").text() == field(dialog, "scanner").text() == ""
         assert field(dialog, "checked_by").text() == "Luc Roy"
         type_into(adjusted, field(dialog, "company"), company)
         type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
+        type_into(adjusted, field(dialog, "contract"), "C-17")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
     use_next_dialog(adjusted, use_dialog)
@@ -530,4 +537,11 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
     assert (identity.surveyor, identity.scanner) == ("Ève Tremblay", "Profiler 32")
     stored = adjusted.window.settings.companies()[company]
     assert (stored["scanner"], stored["checked_by"]) == ("Profiler 32", "Luc Roy")
-    assert set(stored) <= set(COMPANY_FIELDS)
+    assert stored["contract"] == "C-17"
+    assert set(stored) <= {*COMPANY_FIELDS, *SURVEY_FIELDS}
+    limits = adjusted.window.validate.acceptance
+    for value in ("5", "6"):
+        type_into(adjusted, limits.fields["rms"], value)
+        adjusted.bot.keyClick(limits.fields["rms"], Key.Key_Return)
+        assert adjusted.project.acceptance.source == ("C-17" if value == "5" else "")
+        adjusted.window.controller.change_acceptance({"source": ""})

@@ -261,6 +261,11 @@ def test_a_new_project_starts_with_the_default_sensors_and_names_them(
     assert sensor_settings.attitude_sigma_deg == (0.005, 0.005, 0.01)
     assert dialog.mounting.settings() == Settings((0.0, 0.0, 0.0))  # no mounting was typed
     other.work.close()
+    settings.keep_sensors(("riegl-vux-1", "hydrins:rtk"))
+    assert settings.default_sensors == ("zf-9012", "apogee:ppk"), "the user has chosen them"
+    settings.default_sensors = ("", "")
+    settings.keep_sensors(("riegl-vux-1", ""))
+    assert settings.default_sensors == ("riegl-vux-1", "")
 
 
 def test_chosen_sensors_fill_editable_fields(

@@ -49,7 +49,7 @@ def test_a_seed_highlights_the_plane_on_every_line_and_enter_accepts(opened: Dri
     wait_until_idle(opened)
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
-    assert sentence(opened, 1) == "1 target in 6 lines: second target required"
+    assert sentence(opened, 1) == "1 target: second target required"
 
 
 def test_escape_rejects_the_candidate(opened: Driver):

@@ -220,6 +220,11 @@ class AppSettings:
         for key, name in zip(("scanner", "pos"), names, strict=True):
             self._store.setValue(key, name)
 
+    def keep_sensors(self, names: tuple[str, str]) -> None:
+        """Use chosen sensors as defaults where there is none; empty for a sensor not chosen."""
+        scanner, pos = self.default_sensors
+        self.default_sensors = scanner or names[0], pos or names[1]
+
     @property
     def units(self) -> tuple[str, str]:
         """Keys of the units of angles and lengths that the window shows."""

@@ -547,16 +547,22 @@ class Controller(QObject):
             self._document.edit(name, self._project.with_settings(settings))
 
     def change_acceptance(self, values: Mapping[str, float | str | None]) -> None:
-        """Change acceptance criteria, given by their names: one undo step."""
+        """Change acceptance criteria, given by their names: one undo step.
+
+        With the first criterion, the contract in the details for the report becomes the source.
+        """
         if self._project is None:
             return
+        former, contract = self._project.acceptance, self._project.identity.contract
+        if former.is_empty and contract and "source" not in values:
+            values = {**values, "source": contract}
         try:
-            criteria = self._project.acceptance.changed(**values)
+            criteria = former.changed(**values)
         except LispacError as error:
             self.refused.emit(error)
             self._document.changed.emit()
             return
-        if criteria != self._project.acceptance:
+        if criteria != former:
             name = N_("change of acceptance criteria")
             self._document.edit(name, self._project.with_acceptance(criteria))
 

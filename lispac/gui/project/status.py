@@ -194,7 +194,7 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
     sentence = gettext("{targets} in {lines}", targets=targets, lines=line_count(len(lines)))
     if planes:
         text = gettext(VALIDATION_PLANE_COUNT_TEXT, count=len(planes))
-        sentence = gettext("{targets}, {planes}", targets=sentence, planes=text)
+        sentence = gettext("{targets}, {planes}", targets=targets, planes=text)
     if in_few_lines:
         return StepStatus(
             "warning",
@@ -208,7 +208,7 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
     if len(used) < 2:
         return StepStatus(
             "warning",
-            gettext("{targets}: second target required", targets=sentence),
+            gettext("{targets}: second target required", targets=targets),
             _single_target_text(),
         )
     if project.result is None and have_targets_single_orientation(project, survey):

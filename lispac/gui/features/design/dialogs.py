@@ -41,4 +41,5 @@ class DesignDialogs(Questions):
         from lispac.gui.features.design.system import PlanSensorsDialog
 
         dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
+        dialog.choice.choose(*settings.default_sensors)
         return dialog.sensors if run_dialog(dialog) else None

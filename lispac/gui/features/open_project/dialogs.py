@@ -34,7 +34,10 @@ class ProjectDialogs(Questions):
 
         dialog = ImportDialog(settings, self.parent)
         dialog.add(paths)
-        return dialog.request() if run_dialog(dialog) else dialog.project
+        if not run_dialog(dialog):
+            return dialog.project
+        settings.keep_sensors(dialog.mounting.sensors.names)
+        return dialog.request()
 
     def add_lines(
         self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()

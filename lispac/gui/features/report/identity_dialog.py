@@ -53,6 +53,8 @@ FIELD_TIPS = {
     "remarks": N_("Other information to print in the report"),
 }
 """Tips of the fields by their names."""
+SURVEY_FIELDS = ("client", "contract", "vessel", "site")
+"""Fields of a survey whose texts in other reports complete what is typed."""
 LEFT_GROUPS = 3
 """Number of groups in the left column; the last group is below both columns."""
 
@@ -85,6 +87,8 @@ class IdentityDialog(QDialog):
         self._dates, self._companies = dates, companies
         self._proposed: dict[str, str] = {}
         self._labels: list[QWidget] = []
+        self.dates_hint = widgets.label("", "hint", wrap=True, name="identity_dates_hint")
+        self.dates_hint.hide()
         self.identity: Identity = identity
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
@@ -111,7 +115,7 @@ class IdentityDialog(QDialog):
         layout.addLayout(columns)
         layout.addLayout(self._form(FIELD_GROUPS[-1:]))
         self._align_fields()
-        self._complete_company()
+        self._complete_texts()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         layout.addWidget(self.message_label)
         accept = gettext("Export") if missing else gettext("OK")
@@ -146,6 +150,7 @@ class IdentityDialog(QDialog):
                 form.addRow(label, self.fields[name])
                 if name == "dates":
                     form.addRow(None, self._create_dates_button())
+                    form.addRow(None, self.dates_hint)
         return form
 
     def _align_fields(self) -> None:
@@ -154,14 +159,19 @@ class IdentityDialog(QDialog):
         for label in self._labels:
             label.setMinimumWidth(width)
 
-    def _complete_company(self) -> None:
-        """Complete the names of known companies, and propose their details."""
-        company = self.fields["company"]
-        assert isinstance(company, QLineEdit)
-        completer = QCompleter(list(self._companies), self)
-        completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        company.setCompleter(completer)
-        company.textChanged.connect(self._propose_details)
+    def _complete_texts(self) -> None:
+        """Complete texts of earlier reports, and propose the details of known companies."""
+        known = {
+            name: dict.fromkeys(filter(None, (each.get(name) for each in self._companies.values())))
+            for name in SURVEY_FIELDS
+        }
+        for name, texts in {"company": self._companies, **known}.items():
+            field = self.fields[name]
+            assert isinstance(field, QLineEdit)
+            completer = QCompleter(list(texts), self)
+            completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+            field.setCompleter(completer)
+        self.fields["company"].textChanged.connect(self._propose_details)
 
     def _propose_details(self, company: str) -> None:
         """Fill the details of a known company into empty fields; typed texts are kept."""
@@ -184,15 +194,17 @@ class IdentityDialog(QDialog):
 
     def _fill_in_dates(self) -> None:
         found = self._dates()
+        self.dates_hint.setVisible(not found)
         if found:
             self.fields["dates"].setText(found)
-        else:
-            self.message_label.setText(
-                gettext(
-                    "The lines do not contain a date, only the time of the day or week. Enter the "
-                    "survey dates by hand, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
-                )
+            return
+        self.dates_hint.setText(
+            gettext(
+                "The lines contain only the time of the day or week, no date. Enter the dates "
+                "above, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
             )
+        )
+        self.fields["dates"].setFocus()
 
     def _check_input(self) -> None:
         """Accept the typed texts, or show the error in them."""

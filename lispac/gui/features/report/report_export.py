@@ -15,6 +15,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.report.dialogs import ReportDialogs
+from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import Pictures, ReportPictures
 from lispac.gui.project.computations import Computations
@@ -104,7 +105,8 @@ class ReportExport(QObject):
             missing,
         )
         if identity is not None and identity.company:
-            given = {name: getattr(identity, name) for name in COMPANY_FIELDS}
+            names = (*COMPANY_FIELDS, *SURVEY_FIELDS)
+            given = {name: getattr(identity, name) for name in names}
             known = self._settings.companies().get(identity.company, {})
             details = {**known, **{name: text for name, text in given.items() if text}}
             self._settings.save_company(identity.company, details)

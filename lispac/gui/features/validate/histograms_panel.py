@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QPaintEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QHBoxLayout,
@@ -154,6 +154,11 @@ class _ReadingLabel(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.setContentsMargins(4, 4, 4, 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint nothing where even the first line would be cut off."""
+        if self.contentsRect().height() >= self.fontMetrics().height():
+            super().paintEvent(event)
 
     def hasHeightForWidth(self) -> bool:
         """Return False: the height of the text would make the table lower."""
