@@ -51,39 +51,35 @@ def _target_count(project: Project, role: str) -> int:
 
 
 VERDICT_TEXTS: Mapping[Verdict, str] = {
-    "pass": N_(
-        "The calibration meets the acceptance criteria. Press Ctrl+E to write the report. Each "
-        "step on the left shows its state and the next action."
-    ),
+    "pass": N_("The calibration meets the acceptance criteria. Press Ctrl+E to write the report."),
     "fail": N_(
         "The calibration does not meet the acceptance criteria; step 4 on the left gives the "
         "reasons. Ctrl+E writes the report, with this verdict."
     ),
     "not judged": N_(
-        "The boresight is estimated and the lines are compared, but the calibration is not judged "
-        "yet: enter the acceptance criteria of your contract in step 4. Ctrl+E writes the report."
+        "The histograms show the distances between the lines, and B switches the view between "
+        "before and after. Enter the criteria of your contract in step 4, then press Ctrl+E for "
+        "the report."
     ),
 }
 """Instruction of the last step, by the verdict on the calibration."""
 
 TOUR_STEPS = (
-    TourStep(N_("The vessel has passed this quay six times; each line has its own colour. The "
-            "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
-            "click the framed board in the middle of the view."), "T1",
+    TourStep(N_("Six lines along a quay, each in its own colour, do not agree because the boresight "
+            "is not calibrated. Hold Ctrl and click the framed board."), "T1",
          lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1),
     TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
          lambda project, _candidate_waits: _target_count(project, "target") >= 1),
-    TourStep(N_("One board does not determine all three angles. Ctrl+click this second board, "
+    TourStep(N_("One board does not determine all three angles. Ctrl+click the framed board, "
             "which leans back, and press Enter."), "T2",
          lambda project, _candidate_waits: _target_count(project, "target") >= 2),
     TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear below the view, "
-            "with standard deviations that include the errors of the trajectory."), "",
+            "with their standard deviations."), "",
          lambda project, _candidate_waits: project.result is not None),
-    TourStep(N_("Now check that the lines agree on a validation plane, which is not used in the "
-            "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",
+    TourStep(N_("Now compare the lines on a plane that is not used in the adjustment. Press F7, "
+            "Ctrl+click in the frame and press Enter."), "V1",
          lambda project, _candidate_waits: _target_count(project, "validation") >= 1),
-    TourStep(N_("Press F10: the histograms below show the distances between the lines before and "
-            "after the calibration. Press B to switch the view between before and after."), "",
+    TourStep(N_("Press F10 to compare the lines on this plane before and after the calibration."), "",
          lambda project, _candidate_waits: bool(project.validation)),
     TourStep(VERDICT_TEXTS["not judged"], "", lambda _project, _candidate_waits: False),
 )  # fmt: skip

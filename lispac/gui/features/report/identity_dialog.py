@@ -87,8 +87,6 @@ class IdentityDialog(QDialog):
         self._dates, self._companies = dates, companies
         self._proposed: dict[str, str] = {}
         self._labels: list[QWidget] = []
-        self.dates_hint = widgets.label("", "hint", wrap=True, name="identity_dates_hint")
-        self.dates_hint.hide()
         self.identity: Identity = identity
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
@@ -150,7 +148,6 @@ class IdentityDialog(QDialog):
                 form.addRow(label, self.fields[name])
                 if name == "dates":
                     form.addRow(None, self._create_dates_button())
-                    form.addRow(None, self.dates_hint)
         return form
 
     def _align_fields(self) -> None:
@@ -194,17 +191,19 @@ class IdentityDialog(QDialog):
 
     def _fill_in_dates(self) -> None:
         found = self._dates()
-        self.dates_hint.setVisible(not found)
         if found:
             self.fields["dates"].setText(found)
             return
-        self.dates_hint.setText(
+        self.message_label.setText(
             gettext(
-                "The lines contain only the time of the day or week, no date. Enter the dates "
-                "above, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
+                "The lines contain only the time of the day or week, no date. Type the dates in "
+                "the field Survey dates, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
             )
         )
-        self.fields["dates"].setFocus()
+        dates = self.fields["dates"]
+        assert isinstance(dates, QLineEdit)
+        dates.setPlaceholderText(gettext("no date in the lines"))
+        dates.setFocus()
 
     def _check_input(self) -> None:
         """Accept the typed texts, or show the error in them."""
