@@ -65,8 +65,8 @@ VERDICT_TEXTS: Mapping[Verdict, str] = {
 """Instruction of the last step, by the verdict on the calibration."""
 
 TOUR_STEPS = (
-    TourStep(N_("Six lines along a quay, each in its own colour, do not agree because the boresight "
-            "is not calibrated. Hold Ctrl and click the framed board."), "T1",
+    TourStep(N_("Six lines along a quay, each in its own colour, do not agree because the "
+            "boresight is not calibrated. Hold Ctrl and click the framed board."), "T1",
          lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1),
     TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
          lambda project, _candidate_waits: _target_count(project, "target") >= 1),
@@ -79,7 +79,8 @@ TOUR_STEPS = (
     TourStep(N_("Now compare the lines on a plane that is not used in the adjustment. Press F7, "
             "Ctrl+click in the frame and press Enter."), "V1",
          lambda project, _candidate_waits: _target_count(project, "validation") >= 1),
-    TourStep(N_("Press F10 to compare the lines on this plane before and after the calibration."), "",
+    TourStep(N_("Press F10 to compare the lines on this plane before and after the "
+            "calibration."), "",
          lambda project, _candidate_waits: bool(project.validation)),
     TourStep(VERDICT_TEXTS["not judged"], "", lambda _project, _candidate_waits: False),
 )  # fmt: skip
