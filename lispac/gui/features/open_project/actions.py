@@ -21,6 +21,6 @@ ACTIONS = by_name(
     ActionRecord("save_as", N_("Save &as…"),
         N_("Save the project in another folder and continue to work on the copy"), ("File", 2, 3),
         keys=QKeySequence.StandardKey.SaveAs, uses_values=True),
-    ActionRecord("close_project", N_("&Close project"),
+    ActionRecord("close_project", N_("Close &project"),
         N_("Close the project and show the start page"), ("File", 2, 4)),
 )  # fmt: skip
