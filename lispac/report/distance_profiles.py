@@ -49,7 +49,7 @@ def profile_figure_of(plane: ValidationPlane) -> Figure:
 def _draw_profiles(
     figure: Figure | None, name: str, profiles: Sequence[DistancesBySteps | None]
 ) -> Figure:
-    figure = blank_figure(figure, (6.3, 2.3))
+    figure = blank_figure(figure, (6.3, 1.9))
     drawn = [
         (each, across)
         for each, across in zip(
