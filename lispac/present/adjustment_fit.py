@@ -38,7 +38,7 @@ def chi_square_facts(values: AdjustmentValues) -> list[Fact]:
     """Facts about the variance factor and its test, in the language in use."""
     return [
         Fact(gettext("Variance factor"), _variance_factor_text(values)),
-        Fact(gettext("95 % interval if the sigmas are correct"), _interval_text(values)),
+        Fact(gettext("Expected interval at 95 %"), _interval_text(values)),
         Fact(gettext("Chi-square test at 95 %"), _chi_square_text(values)),
         Fact("", str(values.chi_square.text)),
     ]

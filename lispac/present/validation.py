@@ -581,7 +581,7 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
 )
 RECIPROCAL_PAIRS_TEXT = N_(
     "Values of the reciprocal pairs (lines run in opposite directions, where a boresight error is "
-    "largest), or of all pairs if there are none. Offsets are the largest of all pairs."
+    "largest), or of all pairs if there are none."
 )
 """Note below tables of planes."""
 

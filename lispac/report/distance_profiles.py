@@ -42,8 +42,8 @@ def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) ->
 
 
 def profile_figure_of(plane: ValidationPlane) -> Figure:
-    """Draw `profile_figure` from the values of a report."""
-    return _draw_profiles(None, plane.name, (plane.by_height, plane.by_range))
+    """Draw `profile_figure` from the values of a report, whose caption has the name."""
+    return _draw_profiles(None, "", (plane.by_height, plane.by_range))
 
 
 def _draw_profiles(

@@ -130,7 +130,7 @@ def test_the_interval_of_the_variance_factor_is_that_of_its_test(project: Projec
     test = result.chi_square
     tables = _tables(report_document(sample_content(project), {}, FULL_REPORT))
     facts = dict(tables["Fit of the adjustment"].rows)  # type: ignore[arg-type]
-    low, high = map(float, facts["95 % interval if the sigmas are correct"].split(" to "))
+    low, high = map(float, facts["Expected interval at 95 %"].split(" to "))
     assert low == pytest.approx(test.lower / result.degrees_of_freedom, abs=5e-5)
     assert high == pytest.approx(test.upper / result.degrees_of_freedom, abs=5e-5)
     factor = float(facts["Variance factor"].split()[0])
