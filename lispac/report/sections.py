@@ -160,10 +160,7 @@ def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
     if not acceptance.checks:
         return [Paragraph(gettext("Acceptance not judged: no acceptance criteria are given."))]
     table = acceptance_table(acceptance.criteria.source)
-    blocks: list[Block] = [report_table(table, decisive_checks(acceptance))]
-    if acceptance.criteria.offset_m is not None:
-        blocks.append(Paragraph(gettext("The offset is the largest of all pairs of lines.")))
-    return blocks
+    return [report_table(table, decisive_checks(acceptance))]
 
 
 def _fit_text(adjustment: AdjustmentValues) -> str:

@@ -175,12 +175,12 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     columns = 1 if len(shown) <= MAX_MAP_ROWS else 2
     maps = [_map(plane, is_row=columns == 1) for plane in shown]
     tallest = MAX_MAP_ROW_HEIGHT_MM if columns == 1 else MAX_MAP_HEIGHT_MM
+    if maps:
+        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     blocks += [
         PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=tallest)
         for k in range(0, len(maps), columns)
     ]
-    if maps:
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     if len(shown) < len(mapped):
         omitted = gettext(
             "Maps of {shown:n} of {total:n} validation planes are shown, those with the largest "
