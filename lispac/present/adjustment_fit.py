@@ -2,7 +2,6 @@
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import AdjustmentValues
-from lispac.present.settings import POS_ERROR_MEANINGS
 from lispac.present.tables import Fact
 from lispac.present.text_format import fixed_number, grouped_number
 
@@ -30,7 +29,6 @@ def fit_facts(values: AdjustmentValues) -> list[Fact]:
             gettext("RMS after calibration"),
             gettext("{rms:mm.1} mm; POS errors not removed", rms=values.rms_after_m),
         ),
-        Fact(gettext("Model of the POS errors"), gettext(POS_ERROR_MEANINGS[values.pos_errors])),
     ]
 
 
