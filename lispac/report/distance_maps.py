@@ -52,9 +52,9 @@ INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
 INCHES_PER_TICK, MAX_TICKS = 0.3, 4
 """Length that the number of a tick needs, and the largest number of intervals; a shorter axis has
 one tick at its end."""
-MARGIN_RIGHT, MAP_SPACING = 0.06, 0.14
+MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
 """Margin at the right of a pair of maps, and the distance between its maps, inches."""
-MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT = 5.0, 5.0, 4.2, 7.0
+MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT = 5.0, 5.0, 4.2, 7.4
 """Margins around a pair of maps, and height of the colour bars, as multiples of the size of the
 texts in them."""
 MIN_MAP_HEIGHT = 0.3

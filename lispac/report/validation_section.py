@@ -90,10 +90,10 @@ MAP_LEGEND_TEXT = N_(
     "vessel; colours show the deviation from it (red: nearer, blue: farther away, grey: too few "
     "points)."
 )
-MAP_CAPTION = N_(
-    "{plane}: maps of the distances between two lines; the pair with the largest offset after the "
-    "calibration is included."
+MAPPED_PAIRS_TEXT = N_(
+    "Mapped: the pair of lines with the largest offset after the calibration, and reciprocal pairs."
 )
+MAP_CAPTION = N_("{plane}: maps of the distances between two lines.")
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
     "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
@@ -148,7 +148,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         *_acceptance_blocks(content.acceptance),
     ]
     if any(plane.maps for plane in content.validation):
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
+        blocks += [Paragraph(gettext(each)) for each in (MAP_LEGEND_TEXT, MAPPED_PAIRS_TEXT)]
     blocks += map(_plane_figures, content.validation)
     blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
