@@ -141,14 +141,14 @@ TEXTS: Mapping[str, Template] = {
         "residuals and estimate again."
     ),
     "adjustment.lidar_noise_conservative": N_(
-        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
-        "{given:mm.1} mm, so that the angles are probably more precise than stated. Use the noise "
-        "of the residuals and estimate again."
+        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma), less than the given "
+        "{given:mm.1} mm with which the standard deviations of the angles are computed. Use the "
+        "noise of the residuals and estimate again."
     ),
     "adjustment.lidar_noise_ratio_conservative": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one, so that the "
-        "angles are probably more precise than stated. Use the noise of the residuals and estimate "
-        "again."
+        "The residuals show a LiDAR noise of {ratio:x.2} times the given one with which the "
+        "standard deviations of the angles are computed. Use the noise of the residuals and "
+        "estimate again."
     ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "

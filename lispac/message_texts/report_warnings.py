@@ -41,8 +41,8 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the data sheet or of the processing report, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The residuals are smaller than the standard deviations used predict. The angles are "
-        "therefore probably more precise than stated."
+        "The residuals are smaller than the standard deviations used predict, so that these are "
+        "probably too large. Those of the angles are computed with them and not reduced."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."

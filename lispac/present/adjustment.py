@@ -112,13 +112,13 @@ TOO_LARGE_ASSUMED_TEXT = N_(
     "of the processing report."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "
-    "angles are therefore probably more precise than stated."
+    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict, so that "
+    "these are probably too large. The sigmas of the angles are computed with them and not reduced."
 )
 TOO_SMALL_RAISED_TEXT = N_(
-    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict. The "
-    "sigmas of the angles were increased nevertheless, because angles computed from subsets of the "
-    "data scatter more than predicted."
+    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict, so that "
+    "these are probably too large. The sigmas of the angles were increased nevertheless, because "
+    "angles computed from subsets of the data scatter more than predicted."
 )
 
 

@@ -2,21 +2,12 @@
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import AdjustmentValues
-from lispac.present.settings import POS_ERROR_MEANINGS
 from lispac.present.tables import Fact
 from lispac.present.text_format import fixed_number, grouped_number
 
 FIT_TITLE = N_("Fit of the adjustment")
-VARIANCE_FACTOR_TEXT = N_("{factor}, computed with the given sigmas")
-VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components"
-)
-VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas, before the LiDAR noise was estimated"
-)
-VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
-    "{factor}, computed with the given sigmas multiplied by the applied variance components, "
-    "before the LiDAR noise was estimated"
+VARIANCE_FACTOR_TEXT = N_(
+    "{factor} = a posteriori variance / a priori variance (that of the LiDAR and POS sigmas used)"
 )
 AVERAGED_POINTS_TEXT = N_("{points:n}, averaged from {picked:n} points of the targets")
 THINNED_POINTS_TEXT = N_("{points:n}, thinned from {picked:n} points of the targets")
@@ -38,7 +29,6 @@ def fit_facts(values: AdjustmentValues) -> list[Fact]:
             gettext("RMS after calibration"),
             gettext("{rms:mm.1} mm; POS errors not removed", rms=values.rms_after_m),
         ),
-        Fact(gettext("Model of the POS errors"), gettext(POS_ERROR_MEANINGS[values.pos_errors])),
     ]
 
 
@@ -46,6 +36,7 @@ def chi_square_facts(values: AdjustmentValues) -> list[Fact]:
     """Facts about the variance factor and its test, in the language in use."""
     return [
         Fact(gettext("Variance factor"), _variance_factor_text(values)),
+        Fact(gettext("Expected interval at 95 %"), _interval_text(values)),
         Fact(gettext("Chi-square test at 95 %"), _chi_square_text(values)),
         Fact("", str(values.chi_square.text)),
     ]
@@ -67,16 +58,16 @@ def points_used_text(values: AdjustmentValues) -> str:
 def _variance_factor_text(values: AdjustmentValues) -> str | None:
     if values.variance_factor is None:
         return None
-    applied = any(component.applied for component in values.components)
-    if values.pos_errors == "correlated":
-        template = (
-            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT
-            if applied
-            else VARIANCE_FACTOR_BEFORE_NOISE_TEXT
-        )
-    else:
-        template = VARIANCE_FACTOR_COMPONENTS_TEXT if applied else VARIANCE_FACTOR_TEXT
-    return gettext(template, factor=fixed_number(values.variance_factor, 4))
+    return gettext(VARIANCE_FACTOR_TEXT, factor=fixed_number(values.variance_factor, 4))
+
+
+def _interval_text(values: AdjustmentValues) -> str | None:
+    """Interval of the variance factor of correct sigmas: the bounds of the test per degree."""
+    test = values.chi_square
+    if test.lower is None or test.upper is None:
+        return None
+    lower, upper = (bound / values.degrees_of_freedom for bound in (test.lower, test.upper))
+    return gettext("{lower} to {upper}", lower=fixed_number(lower, 4), upper=fixed_number(upper, 4))
 
 
 def _chi_square_text(values: AdjustmentValues) -> str:

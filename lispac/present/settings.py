@@ -20,7 +20,7 @@ from lispac.present.text_format import (
     shortest_number,
     triple_text,
 )
-from lispac.project import Project
+from lispac.project import Project, Settings
 
 CONVENTION_TEXT = N_(
     "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
@@ -75,10 +75,8 @@ OFFSET_TITLES: Mapping[str, str] = {
 }
 """Titles of the offsets, by the name of the value."""
 
-CORRELATION_TIMES_TEXT = N_(
-    "{position} s and {attitude} s: time over which a POS error persists. Use the values of the "
-    "processing report if it gives them. Too short a time is safer than too long a time."
-)
+DEFAULT_CORRELATION_TIMES_TEXT = N_("{position} s, {attitude} s (assumed, not given)")
+CORRELATION_TIMES_TEXT = N_("{position} s, {attitude} s (given)")
 
 
 @dataclass(frozen=True)
@@ -95,6 +93,7 @@ class SettingsUsed:
     """
 
     lever_arm_m: tuple[float, ...]
+    lever_arm_sigma_m: tuple[float, ...] | None
     origin_deg_m: tuple[float, ...] | None
     position_sigma_m: tuple[float, ...] | None
     attitude_sigma_deg: tuple[float, ...] | None
@@ -130,6 +129,7 @@ def settings_used(project: Project) -> SettingsUsed:
     found = result.surface if result else model.surface
     return SettingsUsed(
         lever_arm_m=settings.lever_arm,
+        lever_arm_sigma_m=settings.lever_arm_sigma,
         origin_deg_m=settings.origin_deg_m,
         position_sigma_m=settings.used_position_sigma if typed else None,
         attitude_sigma_deg=settings.used_attitude_sigma_deg if typed else None,
@@ -211,7 +211,8 @@ def _subsampling_text(used: SettingsUsed, has_spheres: bool) -> str:
 
 def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
     """Stochastic model, in the language in use."""
-    lidar, position, attitude = sigma_facts(used.standard_deviations)
+    sightings = () if adjustment is None else adjustment.sightings
+    lidar, position, attitude = sigma_facts(used.standard_deviations, sightings)
     values = [
         Fact(
             gettext("POS errors"),
@@ -221,11 +222,13 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         attitude,
     ]
     if used.position_correlation_time_s and used.attitude_correlation_time_s:
+        pair = used.position_correlation_time_s, used.attitude_correlation_time_s
+        are_default = pair == (Settings.position_time, Settings.attitude_time)
+        position_time, attitude_time = map(shortest_number, pair)
         times = gettext(
-            CORRELATION_TIMES_TEXT,
-            position=shortest_number(used.position_correlation_time_s),
-            attitude=shortest_number(used.attitude_correlation_time_s),
-        )
+            DEFAULT_CORRELATION_TIMES_TEXT if are_default else CORRELATION_TIMES_TEXT,
+            position=position_time, attitude=attitude_time,
+        )  # fmt: skip
         values.append(Fact(gettext("Correlation times (position, attitude)"), times))
     values.append(lidar)
     if adjustment is not None and used.pos_errors == "correlated":
@@ -234,8 +237,16 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         values.append(
             Fact(gettext("Form error of the targets (1 sigma)"), _surface_sigma_text(used))
         )
+    values.append(Fact(gettext("Lever-arm sigma (forward, left, up)"), _lever_arm_sigma_text(used)))
     loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
     return [*values, Fact(gettext("Outliers"), loss)]
+
+
+def _lever_arm_sigma_text(used: SettingsUsed) -> str:
+    if used.lever_arm_sigma_m is None:
+        return gettext("not given: not part of the error budget")
+    values = triple_text(used.lever_arm_sigma_m, 4)
+    return gettext("{values} m (given, for the error budget only)", values=values)
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:

@@ -1,6 +1,6 @@
 """Standard deviations used in an adjustment, and where they come from."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -8,6 +8,7 @@ from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.parameters import COMPONENT_TITLES, VarianceComponentValues, interval_text
+from lispac.present.sightings import PosErrorValues, SightingValues
 from lispac.present.tables import Fact
 from lispac.present.text_format import fixed_number, triple_text
 from lispac.project import Project
@@ -22,6 +23,11 @@ SIGMA_TITLES: Mapping[SigmaGroup, str] = {
 }
 SIGMAS_TITLE = N_("Standard deviations used")
 _FILE_TEXT = N_("from the trajectory accuracy file")
+_FILE_RANGES_TEXT = N_("{values} at the sightings of the targets (from the accuracy file)")
+_SCALED_FILE_RANGES_TEXT = N_(
+    "{values} at the sightings of the targets ({factor} times those of the accuracy file, "
+    "estimated)"
+)
 _SOURCE_TEXTS: Mapping[SigmaSource, str] = {
     "given": N_("{values} (given)"),
     "assumed": N_("{values} (assumed, not given)"),
@@ -83,12 +89,21 @@ def _sigmas_of_group(project: Project, group: SigmaGroup) -> SigmaValues:
     )  # fmt: skip
 
 
-def sigma_text(sigmas: SigmaValues) -> str:
-    """Values and source of standard deviations in the language in use."""
+def sigma_text(sigmas: SigmaValues, sightings: Sequence[SightingValues] = ()) -> str:
+    """Values and source of standard deviations in the language in use.
+
+    Parameters
+    ----------
+    sightings : sightings with POS errors, for the range of the values of an accuracy file
+    """
     if sigmas.before is None or sigmas.used is None:
-        if sigmas.source == "file":
-            return gettext(_FILE_TEXT)
-        return gettext(_SCALED_FILE_TEXT, factor=fixed_number(sigmas.factor, 2))
+        errors = [each.pos_error for each in sightings if each.pos_error is not None]
+        factor = fixed_number(sigmas.factor, 2)
+        is_scaled = sigmas.source != "file"
+        if errors:
+            template = _SCALED_FILE_RANGES_TEXT if is_scaled else _FILE_RANGES_TEXT
+            return gettext(template, values=_ranges_text(sigmas.group, errors), factor=factor)
+        return gettext(_SCALED_FILE_TEXT if is_scaled else _FILE_TEXT, factor=factor)
     used = _values_text(sigmas, sigmas.used)
     if sigmas.source != "estimated":
         return gettext(_SOURCE_TEXTS[sigmas.source], values=used)
@@ -133,6 +148,27 @@ def _values_text(sigmas: SigmaValues, values: tuple[float, ...]) -> str:
     return gettext("x {x:mm.1} mm, y {y:mm.1} mm, z {z:mm.1} mm", x=x, y=y, z=z)
 
 
-def sigma_facts(sigmas: tuple[SigmaValues, ...]) -> list[Fact]:
-    """Facts about the standard deviations, in the language in use."""
-    return [Fact(gettext(SIGMA_TITLES[each.group]), sigma_text(each)) for each in sigmas]
+def _ranges_text(group: SigmaGroup, errors: Sequence[PosErrorValues]) -> str:
+    """Smallest and largest standard deviation of each component of the POS error."""
+    is_position = group == "POS position"
+    decimals = 3 if is_position else 4
+    ranges = []
+    for values in zip(
+        *(each.sigma_m if is_position else each.sigma_deg for each in errors), strict=True
+    ):
+        least, largest = (fixed_number(each, decimals) for each in (min(values), max(values)))
+        ranges.append(
+            least if least == largest else gettext("{lower} to {upper}", lower=least, upper=largest)
+        )
+    x, y, z = ranges
+    texts = gettext("{x}, {y}, {z}", x=x, y=y, z=z)
+    if is_position:
+        return gettext("{values} m", values=texts)
+    return gettext("{values} deg", values=texts)
+
+
+def sigma_facts(
+    sigmas: tuple[SigmaValues, ...], sightings: Sequence[SightingValues] = ()
+) -> list[Fact]:
+    """Facts about the standard deviations, in the language in use; see `sigma_text`."""
+    return [Fact(gettext(SIGMA_TITLES[each.group]), sigma_text(each, sightings)) for each in sigmas]

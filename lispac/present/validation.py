@@ -562,10 +562,28 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
     )
 
 
+def _pooled_pairs_text(plane: ValidationPlane) -> str:
+    """Number of the pairs of lines in the statistics of a plane."""
+    total = len(plane.pairs)
+    if plane.pooled_from == "all pairs":
+        return gettext("all: {total:n}", total=total)
+    reciprocal = sum(pair.reciprocal for pair in plane.pairs)
+    return gettext("reciprocal: {count:n} of {total:n}", count=reciprocal, total=total)
+
+
 PLANE_DISTANCES_TABLE = Table[ValidationPlane](
     N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
-    (Column("name", N_("Plane")), *distance_columns("before", "after")),
+    (
+        Column("name", N_("Plane")),
+        Column(_pooled_pairs_text, N_("Pairs\nof lines")),
+        *distance_columns("before", "after"),
+    ),
 )
+RECIPROCAL_PAIRS_TEXT = N_(
+    "Values of the reciprocal pairs (lines run in opposite directions, where a boresight error is "
+    "largest), or of all pairs if there are none."
+)
+"""Note below tables of planes."""
 
 
 def judged_distances_table(verdicts: Mapping[str, Verdict]) -> Table[ValidationPlane]:
@@ -593,7 +611,7 @@ PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     ),
 )
 PAIR_PLACES_TABLE = Table[PairOnPlane](
-    N_("Signed distances along the normal, reciprocal pairs (mm)"),
+    N_("Signed distances along the normal (mm); reciprocal pairs, or all pairs if there are none"),
     (
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),
@@ -619,7 +637,7 @@ PAIR_PLACES_TABLE = Table[PairOnPlane](
     ),
 )  # fmt: skip
 PAIR_PLANES_TABLE = Table[PairOnPlane](
-    N_("Comparison of the planes fitted to two lines, reciprocal pairs"),
+    N_("Comparison of the planes fitted to two lines; reciprocal pairs, or all if there are none"),
     (
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),

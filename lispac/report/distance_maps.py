@@ -1,16 +1,22 @@
-"""Maps of the distances between two lines on a plane, before and after the calibration."""
+"""Maps of the distances between two lines on a plane, before and after the calibration.
+
+The colours show deviations from the median of each map, which is given above it: after the
+calibration most of a distance is the offset of a whole line, which would hide the pattern.
+"""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
-from lispac.present.text_format import shortest_number
+from lispac.present.text_format import shortest_number, signed_number
 from lispac.present.validation import DistanceMapValues, ValidationPlane
 from lispac.report.figures import (
     INK_COLOUR,
@@ -21,62 +27,56 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.report.text_width import cut_to_width, largest_fitting_font_size
+from lispac.report.text_width import cut_to_width, largest_fitting_font_size, text_width
 
 Array = NDArray[np.float64]
 
-PANEL_TITLES = N_("before"), N_("after")
-BAR_TITLES = N_("Before (mm)"), N_("After (mm)")
+MAP_TITLES = N_("before\n{median} mm"), N_("after\n{median} mm")
+"""Titles of a map: its state and median."""
+BAR_TITLES = N_("Before: deviation from median (mm)"), N_("After: deviation from median (mm)")
 """Titles of the colour bars."""
-FINER_BAR_TITLE = N_("After (mm), {factor} × finer")
-COARSER_BAR_TITLE = N_("After (mm), {factor} × coarser")
-"""Titles of the colour bar after, if the scales differ."""
+FINER_TEXT, COARSER_TEXT = N_("scale {factor} × finer"), N_("scale {factor} × coarser")
+"""Second line of the title of the colour bar after, if the scales differ."""
 MAX_COMMON_RATIO = 2.0
 """Largest ratio of the two colour scales for which both states have the larger one."""
 COLOUR_MAP = "RdBu_r"
-"""Colour map: red where the first line is nearer to the vessel, white where both coincide."""
+"""Colour map: red where the first line is nearer to the vessel than by the median."""
 SCALE_PERCENTILE = 98.0
-"""Percentile of the absolute distances at the ends of the colour scale."""
+"""Percentile of the absolute deviations at the ends of the colour scale."""
 MIN_COLOUR_LIMIT_M = 1e-4
-"""Smallest distance at the ends of the colour scale, metres."""
+"""Smallest deviation at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
 INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
 """Width that the number of a tick of a colour bar needs, and the numbers of intervals."""
-MIN_PANEL_HEIGHT = 0.5
-"""Smallest height of a panel, inches."""
-MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
-MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.9
-"""Margins around and between the panels, inches; the top margin is larger if all pairs are in one
-row."""
-MAX_TEXT_SHARE = 0.95
-"""Largest share of the distance between the centres of two panels that a text may fill."""
-INCHES_PER_TICK, MIN_TICKS, MAX_TICKS = 0.3, 2, 4
-"""Width that the number of a tick needs, and the numbers of ticks; a narrower map has one tick at
-its right end."""
-ONE_ROW_RATIO = 1.4
-"""Ratio of height to width of a plane above which the maps of all its pairs are in one row."""
+INCHES_PER_TICK, MAX_TICKS = 0.3, 4
+"""Length that the number of a tick needs, and the largest number of intervals; a shorter axis has
+one tick at its end."""
+MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
+"""Margin at the right of a pair of maps, and the distance between its maps, inches."""
+MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT = 5.0, 5.0, 4.2, 7.4
+"""Margins around a pair of maps, and height of the colour bars, as multiples of the size of the
+texts in them."""
+MIN_MAP_HEIGHT = 0.3
+"""Smallest height of the space for a map, inches."""
 
 
 @dataclass(frozen=True)
 class _Size:
-    """Size of a figure of maps.
-
-    Attributes
-    ----------
-    width : width of the figure, inches
-    max_panel_height : largest height of a panel, inches
-    max_tall_height : the same if the panels of all pairs are in one row
-    """
+    """Width and largest height of a figure of maps, inches, and the size of its texts, points."""
 
     width: float
-    max_panel_height: float
-    max_tall_height: float
+    height: float
+    text: float = SMALL_TEXT_SIZE
+
+    def inches(self, texts: float) -> float:
+        """Length of so many sizes of the texts, inches."""
+        return texts * self.text / 72.0
 
 
-FULL_SIZE = _Size(6.3, 1.15, 3.2)
-SMALL_SIZE = _Size(3.3, 0.75, 1.3)
-ROW_SIZE = _Size(6.3, 1.7, 1.7)
+FULL_SIZE = _Size(6.3, 4.2)
+SMALL_SIZE = _Size(3.3, 2.2, 5.5)
+ROW_SIZE = _Size(6.3, 2.3)
 MAX_SMALL_MAPS = 2
 """Largest number of pairs in a figure that is half as wide as a page."""
 
@@ -84,10 +84,10 @@ MAX_SMALL_MAPS = 2
 def map_figure_of(plane: ValidationPlane) -> Figure:
     """Maps of the signed distances on the plane, before and after, for each mapped pair of lines.
 
-    A state with much smaller distances has a finer colour scale, so that they are visible; the
-    title of its colour bar says so.
+    Both maps of a pair have the same axes, and all maps the same scale. A state with much smaller
+    deviations has a finer colour scale; the title of its colour bar says so.
     """
-    return _draw_maps(plane.name, plane.maps)
+    return _draw_maps(plane.name, plane.maps, FULL_SIZE)
 
 
 def small_map_figure_of(plane: ValidationPlane) -> Figure:
@@ -96,8 +96,8 @@ def small_map_figure_of(plane: ValidationPlane) -> Figure:
 
 
 def map_row_figure_of(plane: ValidationPlane) -> Figure:
-    """The maps of `small_map_figure_of` in one row, as wide as a page."""
-    return _draw_maps(plane.name, _largest_maps(plane), ROW_SIZE, in_one_row=True)
+    """The maps of `small_map_figure_of`, lower and as wide as a page."""
+    return _draw_maps(plane.name, _largest_maps(plane), ROW_SIZE)
 
 
 def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
@@ -116,198 +116,234 @@ def _offset_after(values: DistanceMapValues) -> float:
     return float(abs(np.median(values.after_m)))
 
 
-def _draw_maps(
-    name: str,
-    maps: Sequence[DistanceMapValues],
-    form: _Size = FULL_SIZE,
-    *,
-    in_one_row: bool = False,
-) -> Figure:
-    if not maps:
-        figure = blank_figure(None, (form.width, 1.0))
-        axes = figure.add_subplot()
-        axes.set_axis_off()
-        missing = gettext(
-            "{plane}: this result contains no map. Run the validation again.",
-            plane=short_name(name),
-        )
-        axes.text(
-            0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT_SIZE, color=INK_COLOUR,
-            transform=axes.transAxes,
-        )  # fmt: skip
-        return figure
-    sides = np.max([_map_size(each) for each in maps], axis=0)
-    tall = in_one_row or bool(sides[1] > ONE_ROW_RATIO * sides[0])
-    if tall:
-        form = replace(form, max_panel_height=form.max_tall_height)
-    figure, places = _map_panels(len(maps), sides, tall, form)
-    limits = _colour_limits(maps)
-    named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
-    across, up = gettext("Horizontal (m)"), gettext("Up (m)")
-    for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
-        for axes, values, end, state in zip(
-            row, _cell_grids(pair), limits, PANEL_TITLES, strict=True
-        ):
-            _draw_map(axes, values, end, pair.cell_m)
-            _set_ticks(axes, values.shape, pair.cell_m, figure.get_size_inches())
-            # The labels of small panels in one row would overlap; they have one in common.
-            last, first = not tall and k == len(maps) - 1, axes is row[0] and not (tall and k)
-            style_axes(axes, across if last else "", up if first else "")
-            axes.grid(False)
-            title = gettext(state) if not k else ""
-            if tall:
-                title = f"{gettext(state)}\n{named[k]}"
-            elif first:
-                axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK_COLOUR)
-            axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
-    for column, title in enumerate(_bar_titles(limits)):
-        _draw_colour_bar(figure, [row[column] for row in places], title)
-    if tall:
-        left, right = (axes.get_position(original=True) for axes in (places[0][0], places[-1][-1]))
-        below = left.y0 - 0.24 / figure.get_size_inches()[1]
-        figure.text(
-            (left.x0 + right.x1) / 2, below, across, ha="center", va="top",
-            fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
-        )  # fmt: skip
-    figure.suptitle(
-        short_name(name),
-        x=0.01,
-        y=0.99,
-        ha="left",
-        va="top",
-        fontsize=TEXT_SIZE + 1,
-        color=INK_COLOUR,
+@dataclass(frozen=True, eq=False)
+class _Map:
+    """Deviations of the distances from their median, in the smallest rectangle of cells.
+
+    Attributes
+    ----------
+    grid : deviations (up, across), metres, NaN for cells without distance
+    extent : left, right, lower and upper edge, metres
+    title : state and median
+    """
+
+    grid: Array
+    extent: tuple[float, float, float, float]
+    title: str
+
+    @property
+    def sides(self) -> Array:
+        """Width and height, metres."""
+        left, right, low, high = self.extent
+        return np.array([right - left, high - low])
+
+
+def _maps_of(pair: DistanceMapValues) -> tuple[_Map, _Map]:
+    """Maps before and after; both have the same cells."""
+    columns, rows = (
+        np.floor(np.array(each) / pair.cell_m).astype(int) for each in (pair.across_m, pair.up_m)
     )
+    left, low = columns.min(), rows.min()
+    right, high = columns.max() + 1, rows.max() + 1
+    extent = (left * pair.cell_m, right * pair.cell_m, low * pair.cell_m, high * pair.cell_m)
+
+    def of_state(distances_m: Sequence[float], title: str) -> _Map:
+        median = float(np.median(distances_m))
+        grid = np.full((high - low, right - left), np.nan)
+        grid[rows - low, columns - left] = np.array(distances_m) - median
+        return _Map(grid, extent, gettext(title, median=signed_number(1000 * median, 1)))
+
+    before, after = MAP_TITLES
+    return of_state(pair.before_m, before), of_state(pair.after_m, after)
+
+
+@dataclass(frozen=True)
+class _Arrangement:
+    """Places of the pairs of maps in a figure.
+
+    Attributes
+    ----------
+    columns, rows : numbers of pairs side by side and of their rows
+    scale : inches on the paper for each metre
+    slot : width of a map with its title, inches
+    """
+
+    columns: int
+    rows: int
+    scale: float
+    slot: float
+
+
+def _arrange(pairs: Sequence[tuple[_Map, _Map]], size: _Size) -> _Arrangement:
+    """Arrangement with the largest maps whose titles do not overlap."""
+    sides = np.max([before.sides for before, _ in pairs], axis=0)
+    titles = [text for pair in pairs for each in pair for text in each.title.split("\n")]
+    least = 1.02 * max(text_width(text, size.text) for text in titles)
+    left, above, below, bars = (
+        size.inches(each) for each in (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT)
+    )
+    found = []
+    for columns in range(1, len(pairs) + 1):
+        rows = ceil(len(pairs) / columns)
+        width = (size.width / columns - left - MAP_SPACING - MARGIN_RIGHT) / 2
+        height = (size.height - bars) / rows - above - below
+        has_space = width >= least, height >= MIN_MAP_HEIGHT
+        scale = float(min(width / sides[0], max(height, MIN_MAP_HEIGHT) / sides[1]))
+        slot = min(max(scale * float(sides[0]), least), width)
+        found.append((has_space, scale, _Arrangement(columns, rows, scale, slot)))
+    return max(found, key=lambda each: each[:2])[-1]
+
+
+def _draw_maps(name: str, values: Sequence[DistanceMapValues], size: _Size) -> Figure:
+    if not values:
+        return _missing_maps(name, size)
+    pairs = [_maps_of(each) for each in values]
+    arrangement = _arrange(pairs, size)
+    figure, places = _map_axes(pairs, arrangement, size)
+    limits = _colour_limits(pairs)
+    pair_width = 2 * arrangement.slot + MAP_SPACING
+    for k, (pair, row, each) in enumerate(zip(pairs, places, values, strict=True)):
+        for drawn, axes, limit in zip(pair, row, limits, strict=True):
+            _draw_map(axes, drawn, limit)
+            is_left = axes is row[0]
+            is_outer = is_left and k % arrangement.columns == 0
+            style_axes(axes, "", gettext("Up (m)") if is_outer else "")
+            axes.yaxis.label.set_fontsize(size.text)
+            axes.grid(False)
+            _set_ticks(axes.xaxis, drawn.extent[:2], arrangement.scale)
+            _set_ticks(axes.yaxis, drawn.extent[2:], arrangement.scale)
+            axes.tick_params(labelsize=size.text, labelleft=is_left)
+            axes.set_title(drawn.title, fontsize=size.text, color=INK_COLOUR, pad=3)
+        _draw_pair_texts(figure, row, each, pair_width, size)
+    for column, title in enumerate(_bar_titles(limits)):
+        _draw_colour_bar(figure, places[0][column], column, title, size)
     return figure
 
 
-def _fitted_pair_names(
-    maps: Sequence[DistanceMapValues], tall: bool, figure: Figure, panel: Axes
-) -> tuple[list[str], float]:
-    """Name of each pair, and the font size at which no name overlaps its neighbour."""
-    box, inches = panel.get_position(original=True), figure.get_size_inches()
-    available = (
-        box.width * inches[0] + COLUMN_SPACING if tall else box.height * inches[1] + ROW_SPACING
+def _missing_maps(name: str, size: _Size) -> Figure:
+    figure = blank_figure(None, (size.width, 1.0))
+    axes = figure.add_subplot()
+    axes.set_axis_off()
+    missing = gettext(
+        "{plane}: this result contains no map. Run the validation again.", plane=short_name(name)
     )
-    available *= MAX_TEXT_SHARE
-    others = [gettext(state) for state in PANEL_TITLES] if tall else [gettext("Up (m)")]
-    for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
-        named = [
-            gettext(
-                template,
-                line=cut_to_width(short_name(each.line_a), available),
-                other=cut_to_width(short_name(each.line_b), available),
-            )
-            for each in maps
-        ]
-        if (
-            size := largest_fitting_font_size(named, available, SMALL_TEXT_SIZE)
-        ) == SMALL_TEXT_SIZE:
-            break
-    return named, min(size, largest_fitting_font_size(others, available, SMALL_TEXT_SIZE))
+    axes.text(
+        0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT_SIZE, color=INK_COLOUR,
+        transform=axes.transAxes,
+    )  # fmt: skip
+    return figure
 
 
-def _map_panels(
-    pairs: int, sides: Array, tall: bool, form: _Size
-) -> tuple[Figure, list[list[Axes]]]:
-    """Panels for each pair: one row for each pair, or a single row if the plane is tall."""
-    down, along = (1, 2 * pairs) if tall else (pairs, 2)
-    wide = (form.width - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
-    high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, form.max_panel_height))
-    top = MARGIN_TOP_ONE_ROW if tall else MARGIN_TOP
-    size = form.width, top + down * high + (down - 1) * ROW_SPACING + MARGIN_BOTTOM
-    figure = blank_figure(None, size)
+def _map_axes(
+    pairs: Sequence[tuple[_Map, _Map]], arrangement: _Arrangement, size: _Size
+) -> tuple[Figure, list[tuple[Axes, Axes]]]:
+    """Figure as high as its maps, and axes with the shape of each map."""
+    shapes = arrangement.scale * np.array([before.sides for before, _ in pairs])
+    left, above, below, bars = (
+        size.inches(each) for each in (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT)
+    )
+    high = float(shapes[:, 1].max()) + above + below
+    height = arrangement.rows * high + bars
+    figure = blank_figure(None, (size.width, height))
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
+    pitch = size.width / arrangement.columns
+    used = left + 2 * arrangement.slot + MAP_SPACING
+    places = []
+    for k, (width, up) in enumerate(shapes):
+        row, column = divmod(k, arrangement.columns)
+        top = height - row * high - above
+        first = column * pitch + (pitch - used - MARGIN_RIGHT) / 2 + left
+        before, after = (
+            figure.add_axes((
+                (first + state * (arrangement.slot + MAP_SPACING) + (arrangement.slot - width) / 2)
+                / size.width,
+                (top - up) / height,
+                width / size.width,
+                up / height,
+            ))
+            for state in (0, 1)
+        )  # fmt: skip
+        places.append((before, after))
+    return figure, places
 
-    def panel(row: int, column: int) -> Axes:
-        left = MARGIN_LEFT + column * (wide + COLUMN_SPACING)
-        low = size[1] - top - high - row * (high + ROW_SPACING)
-        return figure.add_axes(
-            (left / form.width, low / size[1], wide / form.width, high / size[1])
-        )
 
-    panels = [[panel(row, column) for column in range(along)] for row in range(down)]
-    if not tall:
-        return figure, panels
-    # The panels of one state are adjacent, above their colour bar.
-    (one,) = panels
-    return figure, [[one[k], one[pairs + k]] for k in range(pairs)]
-
-
-def _draw_colour_bar(figure: Figure, panels: Sequence[Axes], title: str) -> None:
-    """Draw the common colour bar of some panels below them, in millimetres."""
-    boxes = [axes.get_position(original=True) for axes in panels]
-    left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
-    inch = 1 / figure.get_size_inches()[1]
-    spare = 0.08 * (right - left)
-    place = (left + spare, min(box.y0 for box in boxes) - 0.52 * inch, right - left - 2 * spare)
-    bar = figure.colorbar(
-        panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
-        extend="both", format=LocalisedFormatter(),
+def _draw_map(axes: Axes, drawn: _Map, limit: float) -> None:
+    sharp = np.repeat(
+        np.repeat(1000 * drawn.grid, PIXELS_PER_CELL, axis=0), PIXELS_PER_CELL, axis=1
+    )
+    axes.imshow(
+        sharp, cmap=COLOUR_MAP, vmin=-1000 * limit, vmax=1000 * limit, origin="lower",
+        extent=drawn.extent, aspect="equal", interpolation="none",
     )  # fmt: skip
-    bar.set_label(title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
-    ticks = int(place[2] * figure.get_size_inches()[0] / INCHES_PER_BAR_TICK)
+    axes.set_facecolor("#dddddd")
+
+
+def _set_ticks(axis: Axis, ends: tuple[float, float], scale: float) -> None:
+    """Set as many ticks as their numbers have space for."""
+    low, high = ends
+    intervals = min(MAX_TICKS, int((high - low) * scale / INCHES_PER_TICK))
+    if intervals >= 2:
+        axis.set_major_locator(MaxNLocator(intervals))
+    else:
+        tenths = int(10 * high + 1e-6)
+        axis.set_ticks([tenths / 10 if tenths > 10 * low else high])
+
+
+def _draw_pair_texts(
+    figure: Figure, row: tuple[Axes, Axes], values: DistanceMapValues, width: float, form: _Size
+) -> None:
+    """Draw the names of the lines above both maps, and the label of the axis below them."""
+    first, second = (short_name(each) for each in (values.line_a, values.line_b))
+    text = f"{first} − {second}"
+    if largest_fitting_font_size([text], width, form.text) < form.text - 1:
+        half = width / 2 - 0.1
+        text = f"{cut_to_width(first, half)} − {cut_to_width(second, half)}"
+    left, right = (axes.get_position(original=True) for axes in row)
+    figure.text(
+        (left.x0 + right.x1) / 2, left.y1 + form.inches(3.7) / figure.get_size_inches()[1], text,
+        ha="center", va="bottom", color=INK_COLOUR, fontweight="bold",
+        fontsize=largest_fitting_font_size([text], 0.9 * width, form.text),
+    )  # fmt: skip
+    # The labels of two narrow maps would overlap; they have one in common.
+    figure.text(
+        (left.x0 + right.x1) / 2, left.y0 - form.inches(2.4) / figure.get_size_inches()[1],
+        gettext("Horizontal (m)"), ha="center", va="top", color=INK_COLOUR, fontsize=form.text,
+    )  # fmt: skip
+
+
+def _draw_colour_bar(figure: Figure, axes: Axes, column: int, title: str, form: _Size) -> None:
+    """Draw the colour bar of a state at the bottom, in millimetres: before left, after right."""
+    width, height = figure.get_size_inches()
+    spare = 0.3
+    place = (
+        (column * width / 2 + spare) / width, (form.inches(BARS_HEIGHT) - 0.12) / height,
+        (width / 2 - 2 * spare) / width, 0.09 / height,
+    )  # fmt: skip
+    bar = figure.colorbar(
+        axes.images[0],
+        cax=figure.add_axes(place),
+        orientation="horizontal",
+        extend="both",
+        format=LocalisedFormatter(),
+    )
+    size = largest_fitting_font_size([title], 0.94 * width / 2, form.text)
+    bar.set_label(title, fontsize=size, color=INK_COLOUR)
+    ticks = int(place[2] * width / INCHES_PER_BAR_TICK)
     bar.locator = MaxNLocator(int(np.clip(ticks, MIN_BAR_TICKS, MAX_BAR_TICKS)))
     bar.update_ticks()
-    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
+    bar.ax.tick_params(labelsize=form.text, colors=INK_COLOUR)
 
 
-def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
-    rows, columns = values.shape
-    sharp = np.repeat(np.repeat(1000 * values, PIXELS_PER_CELL, axis=0), PIXELS_PER_CELL, axis=1)
-    axes.imshow(
-        sharp, cmap=COLOUR_MAP, vmin=-1000 * end, vmax=1000 * end, origin="lower",
-        extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
-    )  # fmt: skip
-    axes.set_facecolor("#eeeeee")
-
-
-def _set_ticks(axes: Axes, shape: tuple[int, ...], cell: float, inches: Array) -> None:
-    """Set as many ticks across as their numbers have space for."""
-    rows, columns = shape
-    # Equal scales make the map of a narrow plane narrower than its panel.
-    box = axes.get_position(original=True)
-    width = min(box.width * inches[0], box.height * inches[1] * columns / rows)
-    if width >= INCHES_PER_TICK * MIN_TICKS:
-        axes.locator_params(axis="x", nbins=min(MAX_TICKS, int(width / INCHES_PER_TICK)))
-    else:
-        tenths = int(10 * columns * cell)
-        axes.set_xticks([tenths / 10 if tenths else columns * cell])
-
-
-def _cell_grids(pair: DistanceMapValues) -> tuple[Array, Array]:
-    """Distances of the cells before and after as grids (up, across), NaN for empty cells."""
-    columns, rows = (
-        np.floor(np.array(v) / pair.cell_m).astype(int) for v in _cell_coordinates(pair)
-    )
-    grids = []
-    for values in (pair.before_m, pair.after_m):
-        grid = np.full((rows.max() + 1, columns.max() + 1), np.nan)
-        grid[rows, columns] = values
-        grids.append(grid)
-    return grids[0], grids[1]
-
-
-def _cell_coordinates(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    return pair.across_m, pair.up_m
-
-
-def _map_size(pair: DistanceMapValues) -> Array:
-    """Width and height of the area covered by a map, metres."""
-    return np.array([max(values) + pair.cell_m / 2 for values in _cell_coordinates(pair)])
-
-
-def _colour_limit(values: Sequence[float]) -> float:
-    return max(float(np.percentile(np.abs(values), SCALE_PERCENTILE)), MIN_COLOUR_LIMIT_M)
-
-
-def _colour_limits(maps: Sequence[DistanceMapValues]) -> tuple[float, float]:
+def _colour_limits(pairs: Sequence[tuple[_Map, _Map]]) -> tuple[float, float]:
     """Ends of the colour scales before and after, metres; equal unless they differ much."""
     before, after = (
-        max(_colour_limit(getattr(each, state)) for each in maps)
-        for state in ("before_m", "after_m")
-    )
+        max(
+            float(np.nanpercentile(np.abs(each.grid), SCALE_PERCENTILE)) for each in maps
+        )
+        for maps in zip(*pairs, strict=True)
+    )  # fmt: skip
+    before, after = max(before, MIN_COLOUR_LIMIT_M), max(after, MIN_COLOUR_LIMIT_M)
     if max(before, after) <= MAX_COMMON_RATIO * min(before, after):
         return max(before, after), max(before, after)
     return before, after
@@ -319,6 +355,7 @@ def _bar_titles(limits: tuple[float, float]) -> list[str]:
     titles = [gettext(title) for title in BAR_TITLES]
     if before != after:
         ratio = before / after
-        title = FINER_BAR_TITLE if ratio > 1 else COARSER_BAR_TITLE
-        titles[1] = gettext(title, factor=shortest_number(float(f"{max(ratio, 1 / ratio):.2g}")))
+        text = FINER_TEXT if ratio > 1 else COARSER_TEXT
+        factor = shortest_number(float(f"{max(ratio, 1 / ratio):.2g}"))
+        titles[1] = f"{titles[1]}\n{gettext(text, factor=factor)}"
     return titles

@@ -42,14 +42,14 @@ def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) ->
 
 
 def profile_figure_of(plane: ValidationPlane) -> Figure:
-    """Draw `profile_figure` from the values of a report."""
-    return _draw_profiles(None, plane.name, (plane.by_height, plane.by_range))
+    """Draw `profile_figure` from the values of a report, whose caption has the name."""
+    return _draw_profiles(None, "", (plane.by_height, plane.by_range))
 
 
 def _draw_profiles(
     figure: Figure | None, name: str, profiles: Sequence[DistancesBySteps | None]
 ) -> Figure:
-    figure = blank_figure(figure, (6.3, 2.3))
+    figure = blank_figure(figure, (6.3, 1.9))
     drawn = [
         (each, across)
         for each, across in zip(

@@ -72,11 +72,10 @@ def undrawn_document(
     summary: list[Block]
     if options.extent == "short":
         notes = short_report.shortened_notes(notes)
-        summary = short_report.summary_blocks(content, closing)
+        summary = short_report.summary_blocks(content)
         parts = short_report.short_sections(content, views)
     else:
-        signature = sections.signature_lines(content)
-        summary = [*sections.summary_blocks(content), *closing, signature]
+        summary = sections.summary_blocks(content)
         parts = _full_sections(content, views)
     letterhead = options.company or content.identity.company
     return Document(
@@ -88,8 +87,9 @@ def undrawn_document(
         verdict=verdict,
         identity=identity_form(content, letterhead, blank=options.extent == "full"),
         warnings=serious,
-        notes=notes,
         summary=tuple(summary),
+        notes=notes,
+        conclusion=(*closing, sections.signature_lines(content)),
         sections=tuple(section for section in parts if section.blocks),
         page=options.page,
         letterhead=Letterhead(
@@ -131,13 +131,14 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
 
 
 def _subject_text(content: ReportContent) -> str:
-    """Vessel, site and project, below the title."""
+    """Vessel, site and project, below the title; the project only if its name differs."""
+    fields = {name: getattr(content.identity, name) for name in TITLE_FIELDS}
     known = [
         gettext("{label}: {text}", label=gettext(FIELD_LABELS[name]), text=text)
-        for name in TITLE_FIELDS
-        if (text := getattr(content.identity, name))
+        for name, text in fields.items()
+        if text
     ]
-    return " · ".join((*known, content.project))
+    return " · ".join(known if content.project in fields.values() else (*known, content.project))
 
 
 def _header_texts(content: ReportContent) -> tuple[str, str]:

@@ -201,9 +201,10 @@ NO_LETTERHEAD = Letterhead()
 class Document:
     """Complete report.
 
-    ``identity`` and ``summary`` are on page one, above and below the warnings. ``header`` has the
-    texts at the left and at the right of the top of each further page. ``furniture`` has the texts
-    that do not depend on the project.
+    Page one has ``identity``, ``warnings``, ``summary``, ``notes`` and ``conclusion`` in this
+    order; the conclusion is the closing text and the signatures. ``header`` has the texts at the
+    left and at the right of the top of each further page. ``furniture`` has the texts that do not
+    depend on the project.
     """
 
     title: str
@@ -214,8 +215,9 @@ class Document:
     verdict: str
     identity: Table
     warnings: tuple[str, ...]
-    notes: tuple[str, ...]
     summary: tuple[Block, ...]
+    notes: tuple[str, ...]
+    conclusion: tuple[Block, ...]
     sections: tuple[Section, ...]
     page: Page = "a4"
     letterhead: Letterhead = NO_LETTERHEAD

@@ -49,8 +49,8 @@ are darkened for thin curves."""
 
 TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
-MAX_SIGHTINGS_PER_FIGURE = 28
-"""Largest number of sightings in a bar chart that fills one page."""
+MAX_SIGHTINGS_PER_FIGURE = 20
+"""Largest number of sightings in a bar chart, which is then half as high as a page."""
 
 MAX_LABEL_LENGTH = 24
 """Largest number of characters of a name in a figure."""
@@ -122,7 +122,7 @@ def site_figure(
     tracks : north and west, shape (k, 2), metres, by name of the line
     targets, validation : seeds (north, west, up), metres, by name; up is not drawn
     """
-    figure = blank_figure(figure, (6.3, 4.4))
+    figure = blank_figure(figure, (6.3, 4.0))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
         _draw_track(
@@ -173,7 +173,7 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 
 
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw `residual_figure` from the values of a report, divided into figures of one page."""
+    """Draw `residual_figure` from the values of a report, divided into figures of half a page."""
     figures = []
     for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
         part = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
@@ -184,7 +184,7 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 
 
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw the estimated POS errors with their prior, divided into figures of one page."""
+    """Draw the estimated POS errors with their prior, divided into figures of half a page."""
     return [
         _pos_error_figure(sightings[start : start + MAX_SIGHTINGS_PER_FIGURE])
         for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE)
@@ -353,7 +353,7 @@ def _before_after_bars(
     before: Sequence[float],
     after: Sequence[float],
 ) -> Figure:
-    figure = blank_figure(figure, (6.3, 0.7 + 0.26 * len(labels)))
+    figure = blank_figure(figure, (6.3, 0.7 + 0.2 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (

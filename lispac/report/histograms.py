@@ -133,7 +133,7 @@ def _draw_histogram(
     share: bool,
     titled: bool = True,
 ) -> Figure:
-    figure = blank_figure(figure, (6.3, 2.6))
+    figure = blank_figure(figure, (6.3, 2.1))
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < MAX_ENLARGED_SHARE * top
     places = list(figure.subplots(1, 2, width_ratios=(3, 2))) if enlarged else [figure.subplots()]

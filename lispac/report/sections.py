@@ -23,7 +23,11 @@ from lispac.present.text_format import (
     quantity_text,
     sentence_text,
 )
-from lispac.present.validation import ValidationPlane, judged_distances_table
+from lispac.present.validation import (
+    RECIPROCAL_PAIRS_TEXT,
+    ValidationPlane,
+    judged_distances_table,
+)
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -52,7 +56,7 @@ NOISE_FACTOR_TEXT = N_(
 )
 TRAJECTORY_COLUMNS_TEXT = N_(
     "Roll and pitch: motion of the vessel (standard deviation). The last four columns give the "
-    "largest 1 sigma of the POS on the line, as given."
+    "largest 1 sigma of the POS on the line; horizontal: north and east together."
 )
 COLUMNS_TEXT = N_(
     "Points: all points of the sighting, before averaging or thinning. RMS: distance of the points "
@@ -121,7 +125,9 @@ def validation_summary(content: ReportContent, planes: Sequence[ValidationPlane]
     """Blocks on the distances on ``planes``, the acceptance, and the check against a reference."""
     blocks: list[Block] = []
     if planes:
-        blocks.append(distances_table(content, planes))
+        blocks += [
+            distances_table(content, planes), Paragraph(gettext(RECIPROCAL_PAIRS_TEXT)),
+        ]  # fmt: skip
     if content.calibrated:
         blocks += acceptance_blocks(content.acceptance)
     against = content.absolute

@@ -29,6 +29,7 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.validation_section import MAP_LEGEND_TEXT
 
 MAX_PLANES = 12
 """Largest number of validation planes in the table."""
@@ -42,7 +43,7 @@ MAX_NOTES = 8
 """Largest number of notes."""
 MAX_MAP_ROWS = 3
 """Largest number of planes whose maps are as wide as the page; more are in two columns."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 80.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 64.0
 MAX_MAP_ROW_HEIGHT_MM = 62.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
@@ -59,13 +60,8 @@ def shortened_notes(notes: Sequence[str]) -> tuple[str, ...]:
     return (*kept, omitted)
 
 
-def summary_blocks(content: ReportContent, closing: Sequence[Paragraph]) -> list[Block]:
-    """Blocks on the angles, the validation and the acceptance, then the signatures.
-
-    Parameters
-    ----------
-    closing : text above the signatures
-    """
+def summary_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the angles, the validation and the acceptance."""
     # Angles need their signs beside them: those of the other program, or those of the body frame.
     angles: list[Block] = (
         [sections.convention_paragraph(content)]
@@ -76,8 +72,6 @@ def summary_blocks(content: ReportContent, closing: Sequence[Paragraph]) -> list
         *sections.angle_blocks(content),
         *angles,
         *_validation(content, _planes_to_show(content, MAX_PLANES)),
-        *closing,
-        sections.signature_lines(content),
     ]
 
 
@@ -115,7 +109,7 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     facts += chi_square_facts(adjustment)
     if content.cross_checks is not None:
         facts.append(Fact(gettext("Cross-checks"), agreement_text(content.cross_checks)))
-    facts += sigma_facts(content.settings.standard_deviations)
+    facts += sigma_facts(content.settings.standard_deviations, adjustment.sightings)
     table = TARGETS_TABLE
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
         table = table.without(title)
@@ -150,7 +144,7 @@ def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> li
             "report contains all {total:n} planes.",
             shown=len(planes), total=len(content.validation),
         )  # fmt: skip
-        blocks.insert(1, Paragraph(omitted))
+        blocks.insert(2, Paragraph(omitted))
     return blocks
 
 
@@ -181,17 +175,12 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     columns = 1 if len(shown) <= MAX_MAP_ROWS else 2
     maps = [_map(plane, is_row=columns == 1) for plane in shown]
     tallest = MAX_MAP_ROW_HEIGHT_MM if columns == 1 else MAX_MAP_HEIGHT_MM
+    if maps:
+        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     blocks += [
         PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=tallest)
         for k in range(0, len(maps), columns)
     ]
-    if maps:
-        legend = gettext(
-            "Maps: distance of the first line from the second along the normal of the plane, seen "
-            "from the vessel. Red: the first line is nearer to the vessel; blue: farther away. "
-            "If the scale after the calibration is finer, its title says so."
-        )
-        blocks.append(Paragraph(legend))
     if len(shown) < len(mapped):
         omitted = gettext(
             "Maps of {shown:n} of {total:n} validation planes are shown, those with the largest "

@@ -84,12 +84,16 @@ SHIFTS_TEXT = N_(
     "Lines with different shifts give the histograms several modes; a warning is given only if a "
     "shift exceeds its uncertainty."
 )
-MAP_CAPTION = N_(
-    "{plane}: distance of the first line from the second along the normal; the plane is shown as "
-    "seen from the vessel. Red: the first line is nearer to the vessel; blue: it is farther away; "
-    "grey: one of the lines has too few points. If the scale after the calibration is finer, its "
-    "title says so. The pair of lines with the largest offset after the calibration is included."
+MAP_LEGEND_TEXT = N_(
+    "Maps: distance of the first line from the second along the normal of the plane, seen from the "
+    "vessel. The number above a map is the median, positive where the first line is nearer to the "
+    "vessel; colours show the deviation from it (red: nearer, blue: farther away, grey: too few "
+    "points)."
 )
+MAPPED_PAIRS_TEXT = N_(
+    "Mapped: the pair of lines with the largest offset after the calibration, and reciprocal pairs."
+)
+MAP_CAPTION = N_("{plane}: maps of the distances between two lines.")
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
     "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
@@ -143,6 +147,8 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         Paragraph(gettext(ROBUST_SIGMA_TEXT)),
         *_acceptance_blocks(content.acceptance),
     ]
+    if any(plane.maps for plane in content.validation):
+        blocks += [Paragraph(gettext(each)) for each in (MAP_LEGEND_TEXT, MAPPED_PAIRS_TEXT)]
     blocks += map(_plane_figures, content.validation)
     blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
@@ -176,7 +182,7 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
 
 
 def _plane_figures(plane: ValidationPlane) -> PictureRows:
-    """Histogram, profiles and maps of one plane, on one page."""
+    """Histogram, profiles and maps of one plane."""
     from lispac.report.distance_maps import map_figure_of
     from lispac.report.distance_profiles import profile_figure_of
     from lispac.report.histograms import validation_figure

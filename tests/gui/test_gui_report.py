@@ -340,6 +340,12 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     captions = re.findall(r"<figcaption>([^<]*) boresight<", text)
     assert captions == [f"{view}, {when}" for view in views for when in ("prior", "estimated")]
+    # Labels are at the points of their targets, not at the seeds.
+    clouds = scene.clouds_of("estimated")
+    for marker, target in zip(viewport.markers, project.targets, strict=True):
+        points = np.concatenate([clouds[each.line][each.indices] for each in target.sightings])
+        assert marker.label == target.name
+        np.testing.assert_allclose(marker.position, points.mean(axis=0), atol=1e-6)
     shown: list[dict[str, np.ndarray]] = []
     cameras: list[list[tuple[str, tuple[object, ...]]]] = [[]]
     for name, arguments in viewport.calls:

@@ -220,7 +220,7 @@ def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     assert document.letterhead.company == "no"
     assert document.letterhead.heading == "Good."
     assert details["Entreprise"] == "up"  # the letterhead is of another company
-    *_, closing, signature = document.summary
+    closing, signature = document.conclusion
     assert closing == Paragraph("yes")
     assert isinstance(signature, SignatureLines)
     assert signature.values[0] == typed.surveyor

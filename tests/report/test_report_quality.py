@@ -82,9 +82,7 @@ def _settings(content: ReportContent) -> dict[str, str]:
 def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
     rows = _settings(sample_content(project))
     assert rows["POS errors"].startswith("Correlated in time. All points of one sighting share")
-    assert rows["Correlation times (position, attitude)"].startswith(
-        "300 s and 600 s: time over which a POS error persists"
-    )
+    assert rows["Correlation times (position, attitude)"] == "300 s, 600 s (assumed, not given)"
     assert rows["Form error of the targets (1 sigma)"].startswith(
         "0.4\u00a0mm, estimated from the data"
     )
@@ -105,6 +103,51 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     assert "adjustment.noise" not in {message.code for message in noisy.warnings}
     noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
     assert (noisier["targets"], noisier["factor"]) == (("T2",), 2.4)
+
+
+def test_pos_accuracies_and_the_lever_arm_have_their_sources(
+    project: Project, changed: Changed
+) -> None:
+    first, *others = _result(project).reliability
+    content = changed(reliability=(replace(first, pos_sigma=2 * first.pos_sigma), *others))
+    rows = _settings(content)
+    assert rows["Position sigma (north, east, down)"] == (
+        "0.012 to 0.024, 0.012 to 0.024, 0.020 to 0.040 m at the sightings of the targets (from "
+        "the accuracy file)"
+    )
+    assert rows["Attitude sigma (roll, pitch, heading)"].startswith("0.0080 to 0.0160, ")
+    assert rows["Lever-arm sigma (forward, left, up)"].startswith("not given")
+    model = replace(_result(project).model, position_time=120.0)
+    rows = _settings(changed(model=model))
+    assert rows["Correlation times (position, attitude)"] == "120 s, 600 s (given)"
+    known = replace(project.settings, lever_arm_sigma=(0.005, 0.006, 0.007))
+    rows = _settings(sample_content(replace(project, settings=known)))
+    assert rows["Lever-arm sigma (forward, left, up)"].startswith("0.0050, 0.0060, 0.0070 m (given")
+
+
+def test_the_interval_of_the_variance_factor_is_that_of_its_test(project: Project) -> None:
+    result = _result(project)
+    test = result.chi_square
+    tables = _tables(report_document(sample_content(project), {}, FULL_REPORT))
+    facts = dict(tables["Fit of the adjustment"].rows)  # type: ignore[arg-type]
+    low, high = map(float, facts["Expected interval at 95 %"].split(" to "))
+    assert low == pytest.approx(test.lower / result.degrees_of_freedom, abs=5e-5)
+    assert high == pytest.approx(test.upper / result.degrees_of_freedom, abs=5e-5)
+    factor = float(facts["Variance factor"].split()[0])
+    assert (low <= factor <= high) == test.passed
+
+
+def test_the_table_of_planes_states_the_pairs_of_its_values(project: Project) -> None:
+    content = sample_content(project)
+    plane = content.validation[0]
+    only = replace(plane, name="V9", pooled_from="all pairs")
+    document = report_document(replace(content, validation=(plane, only)), {}, FULL_REPORT)
+    (table,) = (table for title, table in _tables(document).items() if "Validation:" in title)
+    place = [column.title for column in table.columns].index("Pairs\nof lines")
+    reciprocal = sum(pair.reciprocal for pair in plane.pairs)
+    assert [row[place] for row in table.rows] == [
+        f"reciprocal: {reciprocal} of {len(plane.pairs)}", f"all: {len(plane.pairs)}",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,9 @@ def print_result(
 
 def print_sigmas(project: Project) -> None:
     """Print the standard deviations used in the adjustment, and where they come from."""
-    print_facts(SIGMAS_TITLE, sigma_facts(sigmas_used(project)))
+    values = None if project.result is None else adjustment_values(project.result)
+    sightings = () if values is None else values.sightings
+    print_facts(SIGMAS_TITLE, sigma_facts(sigmas_used(project), sightings))
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:

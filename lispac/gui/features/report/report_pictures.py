@@ -91,8 +91,9 @@ class ReportPictures(QObject):
         viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
         viewport.widget.resize(*PICTURE_SIZE_PX)
         viewport.widget.show()
+        placed = self._clouds("estimated")
         viewport.show_markers(
-            [Marker(each.name, each.seed, _colour(each)) for each in project.targets]
+            [Marker(each.name, _middle(each, placed), _colour(each)) for each in project.targets]
         )
         views = list(_views(project, extent, self._clouds))
         taken: dict[tuple[PriorOrEstimated, int], QImage] = {}
@@ -207,6 +208,15 @@ def _groups(target: Target, clouds: Mapping[str, Cloud]) -> list[Array]:
         for each in target.sightings
         if each.line in clouds and len(each.indices) >= 3
     ]
+
+
+def _middle(target: Target, clouds: Mapping[str, Cloud]) -> tuple[float, float, float]:
+    """Mean of the points of a target; the seed, which may be far from them, if there are none."""
+    groups = _groups(target, clouds)
+    if not groups:
+        return target.seed
+    north, west, up = np.concatenate(groups).mean(axis=0).tolist()
+    return north, west, up
 
 
 def _colour(target: Target):

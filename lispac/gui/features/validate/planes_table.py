@@ -32,12 +32,18 @@ NAME, RMS, OFFSET, P95, PAIRS = range(5)
 _COLUMNS = (
     (N_("Plane"), N_("Validation plane, and whether it meets the acceptance criteria")),
     # Units or limits in a second line, so that all columns fit on a small screen
-    (N_("RMS\n({unit})"), N_("Root mean square distance between the lines, before → after")),
+    (
+        N_("RMS\n({unit})"),
+        N_("Root mean square distance between the lines of reciprocal pairs, before → after"),
+    ),
     (
         N_("Offset\n({unit})"),
-        N_("Largest median distance between any two lines after the calibration"),
+        N_("Largest median distance of all pairs of lines after the calibration"),
     ),
-    (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
+    (
+        N_("95 %\n({unit})"),
+        N_("95 % of the distances of reciprocal pairs are smaller, before → after"),
+    ),
     (
         N_("Reciprocal\npairs"),
         N_(
