@@ -75,7 +75,7 @@ OFFSET_TITLES: Mapping[str, str] = {
 }
 """Titles of the offsets, by the name of the value."""
 
-DEFAULT_CORRELATION_TIMES_TEXT = N_("{position} s, {attitude} s (assumed, not given)")
+DEFAULT_CORRELATION_TIMES_TEXT = N_("{position} s, {attitude} s (default values)")
 CORRELATION_TIMES_TEXT = N_("{position} s, {attitude} s (given)")
 
 

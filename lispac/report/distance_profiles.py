@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
 
 from lispac.language import N_, gettext
 from lispac.present.validation import DistancesBySteps, ValidationPlane
@@ -14,6 +15,7 @@ from lispac.report.figures import (
     INK_COLOUR,
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
+    LocalisedFormatter,
     blank_figure,
     is_wide,
     short_name,
@@ -33,7 +35,10 @@ LINE_STYLES = {"median": "-", "p95": "--"}
 
 
 def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Median (solid) and 95th percentile (dashed) of the distances, by height and by range."""
+    """Median (solid) and 95th percentile (dashed) of the distances, by height and by range.
+
+    The scale is logarithmic, since the distances before may be 100 times larger than those after.
+    """
     profiles = [
         None if each is None else DistancesBySteps.of(each)
         for each in (comparison.by_height, comparison.by_range)
@@ -61,7 +66,10 @@ def _draw_profiles(
     for axes, (profile, across) in zip(places, drawn, strict=False):
         _draw_profile(axes, profile)
         style_axes(axes, across, gettext("Distance (mm)") if axes is places[0] else "")
-        axes.set_ylim(bottom=0.0)
+        axes.set_yscale("log")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.yaxis.set_minor_locator(NullLocator())
+        axes.yaxis.set_major_formatter(LocalisedFormatter())
     if drawn:
         figure.legend(
             *places[0].get_legend_handles_labels(), loc="outside upper right",

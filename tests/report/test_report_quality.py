@@ -82,7 +82,7 @@ def _settings(content: ReportContent) -> dict[str, str]:
 def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
     rows = _settings(sample_content(project))
     assert rows["POS errors"].startswith("Correlated in time. All points of one sighting share")
-    assert rows["Correlation times (position, attitude)"] == "300 s, 600 s (assumed, not given)"
+    assert rows["Correlation times (position, attitude)"] == "300 s, 600 s (default values)"
     assert rows["Form error of the targets (1 sigma)"].startswith(
         "0.4\u00a0mm, estimated from the data"
     )

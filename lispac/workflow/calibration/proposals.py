@@ -155,7 +155,7 @@ def propose_targets(
     compared = _comparable_planes(
         solved, survey, left, judged, progress=sub_progress(progress, 0.8, 0.95)
     )
-    progress(0.95, gettext_lazy("Giving the reasons"))
+    progress(0.95)
     separate = {
         name: pairs
         for name, pairs in compared.items()

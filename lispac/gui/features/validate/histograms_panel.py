@@ -387,7 +387,8 @@ class HistogramsPanel(QWidget):
         )
         if self.plot.currentIndex() == PROFILE_PLOT:
             profile_figure(comparison, canvas.figure)
-            _adapt_profiles(canvas.figure, is_low=self._plot_form[0])
+            if self._plot_form[0]:
+                _shorten_profile_texts(canvas.figure)
         else:
             share = self.plot.currentIndex() == PERCENT_PLOT
             histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
@@ -482,24 +483,11 @@ class HistogramsPanel(QWidget):
         self.reading.setText(gettext("The numbers were copied to the clipboard"))
 
 
-def _adapt_profiles(figure, *, is_low: bool) -> None:
-    """Draw the distances on a logarithmic scale, since those before may be 100 times larger."""
-    from matplotlib.ticker import LogLocator, NullLocator
-
-    from lispac.report.figures import LocalisedFormatter
-
-    for axes in figure.axes:
-        if not axes.lines:
-            continue
-        axes.set_yscale("log")
-        axes.autoscale(axis="y")
-        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.yaxis.set_minor_locator(NullLocator())
-        axes.yaxis.set_major_formatter(LocalisedFormatter())
-    if is_low:
-        figure.suptitle("")  # the plane is selected in the table
-        if figure.axes[0].get_ylabel():
-            figure.axes[0].set_ylabel("(mm)", fontsize=figure.axes[0].yaxis.label.get_fontsize())
+def _shorten_profile_texts(figure) -> None:
+    """Leave the height of a low figure to the curves."""
+    figure.suptitle("")  # the plane is selected in the table
+    if figure.axes[0].get_ylabel():
+        figure.axes[0].set_ylabel("(mm)", fontsize=figure.axes[0].yaxis.label.get_fontsize())
 
 
 def _statistics_text(template: str, state: DistanceStatistics) -> str:
