@@ -12,6 +12,7 @@ OCCASIONS: Mapping[str, str] = {
     "absolute": N_("The lines are compared with a surveyed reference"),
     "acceptance": N_("The calibration is judged by its acceptance criteria"),
     "acceptance_field": N_("Acceptance criterion, in another message"),
+    "acceptance_value": N_("Value with an acceptance criterion, in another message"),
     "accuracy": N_("A file of trajectory accuracies is read"),
     "adjustment": N_("The adjustment is computed or its result is checked"),
     "agreement": N_("A target found on one line is compared with the other lines"),

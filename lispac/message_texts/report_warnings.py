@@ -162,9 +162,14 @@ TEXTS: Mapping[str, Template] = {
         "compared there. The calibration is not accepted without them."
     ),
     "acceptance.criteria_missing": N_(
-        "The verdict does not include the values without a criterion: {criteria:names}. Enter "
-        "these criteria if the contract or standard has them."
+        "The verdict does not include these values, because no criterion is given for them: "
+        "{criteria:names}. Enter the criteria if the contract or standard has them."
     ),
+    "acceptance_value.roll_sigma": N_("standard deviation of roll"),
+    "acceptance_value.pitch_sigma": N_("standard deviation of pitch"),
+    "acceptance_value.yaw_sigma": N_("standard deviation of yaw"),
+    "acceptance_value.rms": N_("RMS on a validation plane"),
+    "acceptance_value.offset": N_("offset between two lines"),
     "acceptance_field.roll_sigma": N_("Largest standard deviation of roll"),
     "acceptance_field.pitch_sigma": N_("Largest standard deviation of pitch"),
     "acceptance_field.yaw_sigma": N_("Largest standard deviation of yaw"),

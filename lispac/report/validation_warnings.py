@@ -39,7 +39,7 @@ def acceptance_notes(values: AcceptanceValues) -> Iterator[Message]:
             yield note("acceptance.not_judged", subject=VALIDATE_STEP)
     missing = values.criteria.missing
     if values.checks and missing:
-        criteria = tuple(note(f"acceptance_field.{name}") for name in missing)
+        criteria = tuple(note(f"acceptance_value.{name}") for name in missing)
         yield note("acceptance.criteria_missing", criteria=criteria, subject=VALIDATE_STEP)
 
 
