@@ -207,7 +207,7 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
         "V1": note("propose.validation_plane", area=2.0, lines=2, height=3.0),
     }
     needed, flat = map(english_text, reasons.values())
-    proposal = Proposal(targets, reasons, np.radians([0.01, 0.02, 0.03]))
+    proposal = Proposal(targets, reasons, lambda _names: np.radians([0.01, 0.02, 0.03]))
     monkeypatch.setattr(
         "lispac.workflow.calibration.proposals.propose_targets", lambda *_, **__: proposal
     )

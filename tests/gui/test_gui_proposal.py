@@ -70,14 +70,19 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
     table = propose(opened)
     panel = opened.window.targets.proposal
     assert cells(table, 1).count("Validation plane") >= 4
-    assert "roll 0." in panel.findChild(QLabel, "proposal_sigmas").text()
+    sigmas = panel.findChild(QLabel, "proposal_sigmas")
+    assert "roll 0." in sigmas.text()
+    with_all = sigmas.text()
     assert opened.project is before
     proposed = cells(table, 0)
     opened.bot.keyClick(table, Qt.Key.Key_Space)  # unticks the first one
+    assert sigmas.text() != with_all
     click(opened, panel.accept_button)
     opened.rest()
     assert not panel.isVisible()
     assert [target.name for target in opened.project.targets] == proposed[1:]
+    assert opened.project.prediction is not None
+    assert "T1" not in opened.project.prediction.targets
     assert opened.window.document.undo_stack.undoText() == "addition of proposed targets"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
@@ -196,8 +201,8 @@ def test_existing_targets_are_not_proposed_and_names_are_unique(
 @pytest.mark.parametrize(
     ("known", "words"),
     [
-        (0, "deviations of the boresight with the proposed targets: roll 0.0"),
-        (1, "with the proposed and the existing targets (A1): roll 0.0"),
+        (0, "deviations of the boresight with the ticked targets: roll 0.0"),
+        (1, "with the ticked and the existing targets (A1): roll 0.0"),
         (9, "already targets or validation planes: A1, A2"),
     ],
 )

@@ -136,7 +136,7 @@ def test_picked_targets_are_not_proposed_again() -> None:
     )
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
-    proposal = Proposal((found[0], plane), reasons, np.zeros(3))
+    proposal = Proposal((found[0], plane), reasons, lambda _names: np.zeros(3))
     remaining = remove_picked_surfaces(project, proposal)
     assert (remaining.targets, remaining.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])

@@ -71,25 +71,30 @@ def test_edits_of_targets_or_settings_discard_the_prediction(
     assert project.without_target(plane.name).prediction is project.prediction
 
 
-def test_the_prediction_is_kept_if_all_proposed_targets_are_accepted(
+def test_the_prediction_is_that_of_the_accepted_targets(
     calibrated: tuple[Project, Survey],
 ) -> None:
-    """Targets picked before count too; with some of the targets there is no prediction."""
+    """Targets picked before are included; with another target there is no prediction."""
     project, _ = calibrated
     sigma = np.array([1e-4, 2e-4, 3e-4])
     reasons = {target.name: note("propose.target_needed", lines=2) for target in project.targets}
-    proposal = Proposal(project.targets, reasons, sigma)
+    proposal = Proposal(
+        project.targets, reasons, lambda used: sigma / len(used) if used else np.full(3, np.inf)
+    )
     bare = replace(project, targets=(), result=None)
     names = [target.name for target in project.targets]
     targets = {target.name for target in project.targets_of_role("target")}
     accepted, _ = with_accepted_targets(bare, proposal, names)
     assert accepted.prediction is not None
     assert set(accepted.prediction.targets) == targets
-    assert (accepted.prediction.sigma == sigma).all()
+    assert (accepted.prediction.sigma == sigma / len(targets)).all()
     assert prediction_warnings(accepted) == ()
     without_planes, _ = with_accepted_targets(bare, proposal, targets)
     assert without_planes.prediction is not None
-    assert with_accepted_targets(bare, proposal, names[1:])[0].prediction is None
+    fewer, _ = with_accepted_targets(bare, proposal, sorted(targets)[1:])
+    assert fewer.prediction is not None
+    assert (fewer.prediction.sigma == sigma / (len(targets) - 1)).all()
+    assert with_accepted_targets(bare, proposal, set(names) - targets)[0].prediction is None
     own = bare.with_target(replace(project.targets_of_role("target")[0], name="own"))
     assert with_accepted_targets(own, proposal, names)[0].prediction is None
     also, _ = with_accepted_targets(own, replace(proposal, picked=("own",)), names)

@@ -4,6 +4,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.duplicate_targets import find_overlap
 from lispac.messages import Message
@@ -17,19 +18,26 @@ def remove_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
     targets: list[Target] = []
     reasons: dict[str, Message] = {}
     picked: list[str] = []
+    former_names: dict[str, str] = {}
     numbered = project
     for target in proposal.targets:
         own = _same_picked_target(target, project)
         if own is not None:
             picked += [own] if target.role == "target" else []
+            former_names[own] = target.name
             continue
         if target.role == "validation" and _shares_points(target, project):
             continue  # it would not be independent of the adjustment
         name = next_name(numbered, target.role)
         targets.append(replace(target, name=name))
         reasons[name] = proposal.reasons[target.name]
+        former_names[name] = target.name
         numbered = numbered.with_target(targets[-1])
-    return replace(proposal, targets=tuple(targets), reasons=reasons, picked=tuple(picked))
+
+    def predict(names: Collection[str]) -> NDArray[np.float64]:
+        return proposal.predict([former_names[name] for name in names])
+
+    return Proposal(tuple(targets), reasons, predict, tuple(picked), proposal.warnings)
 
 
 def with_accepted_targets(
@@ -37,8 +45,8 @@ def with_accepted_targets(
 ) -> tuple[Project, tuple[str, ...]]:
     """Add the proposed targets with given names; returns the project and their names in it.
 
-    If a name is taken, the next free one is used. The predicted sigma is kept if it is valid for
-    the resulting set of targets.
+    If a name is taken, the next free one is used. The predicted sigma is kept if the project uses
+    no other targets.
     """
     new_names: list[str] = []
     targets = set(proposal.picked)
@@ -50,10 +58,10 @@ def with_accepted_targets(
         project = project.with_target(replace(target, name=name))
         new_names.append(name)
         targets |= {name} if target.role == "target" else set()
-    proposed = [target for target in proposal.targets if target.role == "target"]
     used = {target.name for target in project.targets_of_role("target") if target.used}
-    if used == targets and all(target.name in names for target in proposed):
-        project = project.with_prediction(ProposalPrediction(tuple(sorted(used)), proposal.sigma))
+    sigma = proposal.predicted_sigma(names)
+    if used == targets and np.isfinite(sigma).all():
+        project = project.with_prediction(ProposalPrediction(tuple(sorted(used)), sigma))
     return project, tuple(new_names)
 
 

@@ -1,6 +1,6 @@
 """Automatic detection of targets and validation planes, proposed to the user."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -74,9 +74,11 @@ class Proposal:
     targets : tuple of Target
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
     reasons : dict of name to Message
-    sigma : ndarray of shape (3,), radians
-        Predicted sigmas of roll, pitch, yaw from the geometry of the proposed targets, with the
-        given standard deviations and the noise observed on all flat planes.
+    predict : callable
+        From names of targets, proposed or ``picked``, to the predicted sigmas of roll, pitch, yaw,
+        ndarray of shape (3,), radians: from the geometry of these targets, with the given standard
+        deviations and the noise observed on all flat planes. Infinite if the targets do not
+        determine the angles.
     picked : tuple of str
         Targets of the project that would have been proposed.
     warnings : tuple of Message
@@ -86,9 +88,23 @@ class Proposal:
 
     targets: tuple[Target, ...]
     reasons: dict[str, Message]
-    sigma: Array
+    predict: Callable[[Collection[str]], Array]
     picked: tuple[str, ...] = ()
     warnings: tuple[Message, ...] = ()
+
+    @property
+    def sigma(self) -> Array:
+        """Predicted sigmas with all proposed and picked targets, as in `predict`."""
+        return self.predicted_sigma(target.name for target in self.targets)
+
+    def predicted_sigma(self, names: Iterable[str]) -> Array:
+        """Predicted sigmas with the proposed targets of given names and the picked ones.
+
+        Validation planes among the names are ignored. As in `predict`.
+        """
+        chosen = set(names)
+        used = [t.name for t in self.targets if t.role == "target" and t.name in chosen]
+        return self.predict((*used, *self.picked))
 
 
 def propose_targets(
@@ -175,7 +191,12 @@ def propose_targets(
     if not ordered:
         warnings += (warning("targets.no_validation_plane", subject=RESULT_CAUSE),)
     progress(1.0)
-    return Proposal(tuple(proposed), reasons, planes.predicted_sigma(chosen), (), warnings)
+    surfaces = {f"T{number}": name for number, name in enumerate(chosen, start=1)}
+
+    def predict(names: Collection[str]) -> Array:
+        return planes.predicted_sigma(surfaces[name] for name in names)
+
+    return Proposal(tuple(proposed), reasons, predict, (), warnings)
 
 
 def _comparable_planes(

@@ -4,6 +4,7 @@ from collections.abc import Collection
 from math import degrees
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
@@ -78,7 +79,6 @@ class ProposedTargetsPanel(QFrame):
         """Show a proposal; the targets with the ``unticked`` seeds are not ticked."""
         name = self.current
         self._proposal = proposal
-        self._sigmas.setText(_targets_text(proposal))
         self._warnings.setText("\n".join(map(message_text, proposal.warnings)))
         self._warnings.setVisible(bool(proposal.warnings))
         self.table.blockSignals(True)
@@ -139,6 +139,8 @@ class ProposedTargetsPanel(QFrame):
             gettext("Add {ticked:n} of {total:n}", ticked=ticked, total=total)
         )
         self.accept_button.setEnabled(ticked > 0)
+        if self._proposal is not None:
+            self._sigmas.setText(_targets_text(self._proposal, self.ticked_entries))
         self.ticks_changed.emit()
 
 
@@ -184,23 +186,26 @@ class _ProposalTable(QTableWidget):
             super().keyPressEvent(event)
 
 
-def _targets_text(proposal: "Proposal") -> str:
-    """Text on the predicted precision, or that all useful targets are picked."""
+def _targets_text(proposal: "Proposal", ticked: Collection[str]) -> str:
+    """Text on the precision predicted with the ticked targets, or that all are picked already."""
     if not any(target.role == "target" for target in proposal.targets):
         return gettext(
             "No more targets are proposed because all suitable surfaces are already targets or "
             "validation planes: {targets:names}.",
             targets=proposal.picked,
         )
-    sigmas = dict(zip(ANGLES, map(_angle_text, proposal.sigma), strict=True))
+    sigma = proposal.predicted_sigma(ticked)
+    if not np.isfinite(sigma).all():
+        return gettext("The ticked targets do not determine the boresight. Tick more targets.")
+    sigmas = dict(zip(ANGLES, map(_angle_text, sigma), strict=True))
     if proposal.picked:
         return gettext(
-            "Predicted standard deviations of the boresight with the proposed and the existing "
+            "Predicted standard deviations of the boresight with the ticked and the existing "
             "targets ({targets:names}): roll {roll}, pitch {pitch}, yaw {yaw}.",
             targets=proposal.picked, **sigmas,
         )  # fmt: skip
     return gettext(
-        "Predicted standard deviations of the boresight with the proposed targets: roll {roll}, "
+        "Predicted standard deviations of the boresight with the ticked targets: roll {roll}, "
         "pitch {pitch}, yaw {yaw}.",
         **sigmas,
     )
