@@ -89,9 +89,13 @@ class OptionsForm(QWidget):
         self._show_system(file)
 
     def focus_option(self, name: str) -> None:
-        """Set the focus to the field of an option."""
-        if name in self.fields:
-            self.fields[name].setFocus(Qt.FocusReason.OtherFocusReason)
+        """Set the focus to the field of an option, and open its list of values."""
+        field = self.fields.get(name)
+        if field is None:
+            return
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
+        if isinstance(field, QComboBox):
+            field.showPopup()
 
     def _build(self, options: tuple[FormatOption, ...]) -> None:
         self.system.setParent(None)
