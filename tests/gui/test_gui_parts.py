@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
 from lispac.adjustment.result import PossibleCause
@@ -315,6 +315,21 @@ def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, ste
     task.report(0.5, step)
     bar.show_task(task)
     assert bar.text.text() == shown
+
+
+def test_a_message_stays_alone_when_the_height_of_the_status_bar_changes(qtbot: QtBot) -> None:
+    bar = TaskStatusBar()
+    qtbot.addWidget(bar)
+    bar.point.setText("Line L1")
+    bar.show()
+    bar.showMessage("T1: found in 6 of 6 lines")
+    higher = QLabel("6 notes")
+    higher.setFixedHeight(2 * bar.height())
+    bar.addPermanentWidget(higher)
+    QApplication.processEvents()
+    assert not bar.point.isVisible()
+    bar.clearMessage()
+    assert bar.point.isVisible()
 
 
 def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:

@@ -41,6 +41,8 @@ class TaskStatusBar(QStatusBar):
         self.point.setObjectName("point_values")
         self.point.setContentsMargins(6, 0, 6, 0)
         self.addWidget(self.point, 1)
+        # Qt shows the widget again, over the message, when the height of the bar changes.
+        self.messageChanged.connect(lambda message: self.point.setVisible(not message))
         self._parts = (self.text, self.bar, self.cancel)
         for each in self._parts:
             self.addPermanentWidget(each)
