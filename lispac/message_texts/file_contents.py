@@ -82,8 +82,12 @@ TEXTS: Mapping[str, Template] = {
         "it."
     ),
     "assumed.roll_starboard_down": N_("Roll is positive starboard down."),
-    "assumed.roll_port_down": N_("Roll is positive port down. Its sign is reversed."),
-    "assumed.pitch_bow_up": N_("Pitch is positive bow up. Its sign is reversed."),
+    "assumed.roll_port_down": N_(
+        "In the file, roll is positive port down. LISPAC reverses its sign when reading it."
+    ),
+    "assumed.pitch_bow_up": N_(
+        "In the file, pitch is positive bow up. LISPAC reverses its sign when reading it."
+    ),
     "assumed.pitch_bow_down": N_("Pitch is positive bow down."),
     "assumed.velocity_axes": N_("The axes of the velocities are {axes}."),
     "assumed.fitting_velocity_axes": N_(

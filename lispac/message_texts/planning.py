@@ -54,16 +54,16 @@ TEXTS: Mapping[str, Template] = {
     "further_line.port_of_face": N_(
         "A further line at heading {heading:deg.0}° ({off:deg.0}° from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to port, would reduce the "
-        "standard deviation of {angle} from {now:deg.4} to {then:deg.4}°."
+        "standard deviation of {angle} from {now:deg.4}° to {then:deg.4}°."
     ),
     "further_line.starboard_of_face": N_(
         "A further line at heading {heading:deg.0}° ({off:deg.0}° from the face of "
         "{target}), with the middle of the targets {distance:m.1} m to starboard, would reduce the "
-        "standard deviation of {angle} from {now:deg.4} to {then:deg.4}°."
+        "standard deviation of {angle} from {now:deg.4}° to {then:deg.4}°."
     ),
     "further_line.insufficient": N_(
         "No single further line past these targets, {distance:m.1} m from their middle, would "
-        "reduce the standard deviation of {angle} from {now:deg.4} to less than {limit:deg.4}°. "
+        "reduce the standard deviation of {angle} from {now:deg.4}° to less than {limit:deg.4}°. "
         "Add targets elsewhere, or repeat the survey later, when the POS error is different."
     ),
     "further_line.prior": N_(

@@ -11,6 +11,7 @@ from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
 from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
+from lispac.language import gettext
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
@@ -376,6 +377,20 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
         press(driver, Key.Key_Z, Control)
     driver.rest()
     assert not model.accept_single_orientation.isChecked()
+
+
+def test_the_panel_says_that_cross_checks_are_being_computed(picked: Driver) -> None:
+    window, texts = picked.window, []
+    window.estimation.checking.connect(
+        lambda running: texts.append((running, window.results.checks.text()))
+    )
+    press(picked, Key.Key_F9)
+    picked.rest()
+    running, ended = texts
+    assert running == (True, gettext("being computed"))
+    assert not ended[0]
+    assert ended[1] != running[1]
+    assert picked.project.cross_checks is not None
 
 
 def test_an_automatic_estimate_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):

@@ -350,6 +350,7 @@ class MainWindow(QMainWindow):
         self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
         self.computations.validated.connect(partial(self.workflow.open, status.VALIDATE))
         self.estimation.estimated.connect(partial(self.workflow.open, status.ADJUST))
+        self.estimation.checking.connect(self.results.show_checking)
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(self._on_missed)

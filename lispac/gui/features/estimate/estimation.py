@@ -86,6 +86,8 @@ class Estimation(QObject):
     """Runs the adjustment, and stores the selected points for quick repetitions."""
 
     estimated = Signal()
+    checking = Signal(bool)
+    """Whether cross-checks of the last result are being computed."""
     """A requested adjustment has a result."""
 
     def __init__(
@@ -261,8 +263,10 @@ class Estimation(QObject):
         if self._runner.active:
             return
         last, self._checking = self._checking, None
-        if last is not None and last.cancel.is_set() and not last.superseded:
-            self._unchecked = None  # cancelled by the user
+        if last is not None:
+            self.checking.emit(False)
+            if last.cancel.is_set() and not last.superseded:
+                self._unchecked = None  # cancelled by the user
         (project, survey), selection = self._document.current_data, self._selection
         if project is None or survey is None:
             return
@@ -292,6 +296,7 @@ class Estimation(QObject):
             else gettext("Searching for an additional line that improves the result")
         )
         self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
+        self.checking.emit(cross_check)
 
     def _note(self, project: Project, text: Plural) -> None:
         result = project.result

@@ -23,7 +23,7 @@ from lispac.adjustment.diagnostics.warnings import (
     result_warnings,
 )
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
@@ -77,6 +77,8 @@ class ResultsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._settings: Settings | None = None
+        self._cross_checks: CrossChecks | None = None
+        self._is_checking = False
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.vertical_layout(empty)
@@ -87,6 +89,19 @@ class ResultsPanel(QWidget):
         layout.addStretch(1)
         self._stack.addWidget(empty)
         self._stack.addWidget(self._create_body())
+
+    def show_checking(self, running: bool) -> None:
+        """Show whether missing cross-checks are being computed."""
+        self._is_checking = running
+        self._show_checks()
+
+    def _show_checks(self) -> None:
+        is_running = self._is_checking and self._cross_checks is None
+        self.checks.setText(
+            gettext("being computed")
+            if is_running
+            else result_texts.cross_checks_text(self._cross_checks)
+        )
 
     def show_state(self, state: ProjectState) -> None:
         """Show the result of the project; while a new one is computed, disable the last one."""
@@ -275,7 +290,8 @@ class ResultsPanel(QWidget):
         for key, text in texts.items():
             # Qt breaks lines at a narrow space, as between the thousands of a French number
             self._values[key].setText(text.replace("\u202f", "\u00a0"))
-        self.checks.setText(result_texts.cross_checks_text(project.cross_checks))
+        self._cross_checks = project.cross_checks
+        self._show_checks()
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
         components = "; ".join(result_texts.variance_component_texts(project, result))
         if components:
