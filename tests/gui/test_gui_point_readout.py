@@ -180,6 +180,18 @@ def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
     assert is_hidden()
 
 
+def test_no_tooltip_covers_the_view_while_a_candidate_waits(board: Driver) -> None:
+    place = board_pixel(board)
+    board.window.controller.set_candidate(replace(board.project.target("T1"), name="T9"))
+    board.rest()
+    hover(board, place)
+    board.bot.wait(2 * TOOLTIP_DELAY_MS)
+    assert not QToolTip.isVisible()
+    press(board, Key.Key_Escape)
+    hover(board, place + QPoint(3, 0))
+    board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+
+
 def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> None:
     values = hover(board, board_pixel(board))
     board.bot.keyClick(board.viewport.canvas, Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)

@@ -223,7 +223,9 @@ class MainWindow(QMainWindow):
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
         )  # fmt: skip
-        self.tools.point_readout.may_show_tooltip = lambda: not self.tour.is_running
+        self.tools.point_readout.may_show_tooltip = lambda: not (
+            self.tour.is_running or runner.busy or control.candidate is not None
+        )
         FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
 
     def _build(self) -> None:

@@ -88,7 +88,7 @@ class PointReadout(QObject):
         self._reading.stop()
         measured = None if self._point is None else self._measured(self._point)
         self._set_values([] if measured is None else _facts_texts(point_facts(measured)))
-        if measured is not None and self.may_show_tooltip():
+        if measured is not None:
             self._tooltip_lines = [
                 FIELD_SEPARATOR.join(f"{name}: {text}" for name, text in _facts_texts(line))
                 for line in brief_point_facts(measured)
@@ -120,6 +120,8 @@ class PointReadout(QObject):
         is_pressed = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
         has_control = Qt.KeyboardModifier.ControlModifier & QGuiApplication.queryKeyboardModifiers()
         if not self.values or is_pressed or has_control or self._is_picking():
+            return
+        if not self.may_show_tooltip():
             return
         view, place = self._viewport.widget, QCursor.pos()
         # Qt hides the tooltip if this widget, which must be the one under the mouse, reports a move
