@@ -86,6 +86,15 @@ def sub_progress(progress: Progress, start: float, stop: float) -> Progress:
     return report
 
 
+def without_steps(progress: Progress) -> Progress:
+    """Progress of a part of a task that does not replace the name of the task's step."""
+
+    def report(fraction: float, step: Step | None = None) -> None:
+        progress(fraction)
+
+    return report
+
+
 ROUND_SHARE = 0.7
 """Share of the remaining progress that the next one of an unknown number of rounds covers."""
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from lispac.errors import TargetNotFound
 from lispac.language import gettext_lazy
 from lispac.messages import Message
-from lispac.progress import Progress, no_progress, sub_progress
+from lispac.progress import Progress, no_progress, sub_progress, without_steps
 from lispac.targets.flat_patches import FlatPatch, find_flat_patches, voxel_side
 from lispac.targets.plane_finder import FinderSettings, PlanePatch
 from lispac.targets.planes_across_lines import find_in_lines
@@ -132,12 +132,15 @@ def detect_planes(
             _plane_contains_seed(plane, lines[line], line, seed, settings) for plane in detected
         ):
             continue
-        step = sub_progress(
-            progress, 0.4 + 0.6 * followed / max_surfaces, 0.4 + 0.6 * (followed + 1) / max_surfaces
-        )
+        start, stop = (0.4 + 0.6 * (followed + k) / max_surfaces for k in (0, 1))
         followed += 1
+        text = gettext_lazy(
+            "Searching for plane {number:n} of at most {count:n} in every line",
+            number=followed, count=max_surfaces,
+        )  # fmt: skip
+        progress(start, text)
         try:
-            found, missing = find(seed, line, step)
+            found, missing = find(seed, line, without_steps(sub_progress(progress, start, stop)))
         except TargetNotFound:
             continue
         if len(found) >= 2 and not any(_are_planes_equal(plane.found, found) for plane in detected):

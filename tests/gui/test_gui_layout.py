@@ -41,7 +41,7 @@ from tests.gui.support import (
     show_panel,
 )
 
-SIZES = {(1600, 1000): 0.55, (1366, 768): 0.45}
+SIZES = {(1920, 1080): 0.55, (1600, 1000): 0.55, (1366, 768): 0.45}
 """Smallest share of the view by the size of the window, pixels."""
 SOON_MS = 10_000
 

@@ -75,7 +75,14 @@ def test_pieces_of_one_surface_count_once_for_the_limit_of_surfaces():
         if patch.area > 0.7  # area of the board
     ]
     assert len(pieces) > 2
-    planes = detect_planes(clouds, settings, max_surfaces=2)
+    reports: list[tuple[float, str]] = []
+    planes = detect_planes(
+        clouds, settings, max_surfaces=2,
+        progress=lambda fraction, step=None: reports.append((fraction, str(step or ""))),
+    )  # fmt: skip
+    fractions = [fraction for fraction, _ in reports]
+    assert fractions == sorted(fractions)
+    assert len([step for _, step in reports if step]) == 3, "detection, and a step for each surface"
     shown = [
         {
             name

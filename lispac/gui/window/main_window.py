@@ -223,8 +223,8 @@ class MainWindow(QMainWindow):
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
         )  # fmt: skip
-        self.tools.point_readout.may_show_tooltip = lambda: not (
-            self.tour.is_running or runner.busy or control.candidate is not None
+        self.tools.point_readout.may_show_tooltip = lambda: (
+            not (self.tour.is_running or runner.busy or control.candidate is not None)
         )
         FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
 

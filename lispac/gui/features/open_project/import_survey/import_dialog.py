@@ -87,8 +87,8 @@ class ImportDialog(NumberDialog):
         self._connect_signals()
         self._show()
         screen = self.screen().availableGeometry()
-        self.resize(min(1240, screen.width() - 40), min(840, screen.height() - 60))
-        table = min(270, self.height() * 3 // 10)
+        self.resize(min(1240, screen.width() - 40), min(940, screen.height() - 60))
+        table = min(290, self.height() * 3 // 10)
         self._split.setSizes([table, self.height() - table])
 
     @property
