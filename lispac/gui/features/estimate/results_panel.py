@@ -140,8 +140,8 @@ class ResultsPanel(QWidget):
         )  # fmt: skip
         around.addWidget(self._waiting)
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
-        title = gettext("Boresight ({unit})", unit=units.shown_unit("°").sign)
-        self.angles = _create_table("angles_table", gettext("Boresight angles"), 4)
+        unit = units.shown_unit("°").sign
+        self.angles = _create_table("angles_table", gettext("Boresight angles"), 4, unit)
         self._truth_note = widgets.label(
             gettext(
                 "Simulated survey with known true angles. Green: the true angle is within the 95 % "
@@ -165,9 +165,7 @@ class ResultsPanel(QWidget):
         convention.setText(convention_html())
         self._body = ColumnFlow({
             "warnings": _block(self.warnings),
-            "angles": _block(
-                widgets.label(title, "heading"), self.angles, self._truth_note, self.rotation
-            ),
+            "angles": _block(self.angles, self._truth_note, self.rotation),
             "parameters": _block(
                 widgets.label(gettext("Other estimated parameters"), "heading"), self.parameters
             ),
@@ -339,7 +337,8 @@ def _correlation_times(model: StochasticModel) -> str:
     )  # fmt: skip
 
 
-def _create_table(name: str, title: str, rows: int) -> QTableWidget:
+def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWidget:
+    """Table with a column for each angle; the unit of its values, if any, is in the headers."""
     table = QTableWidget(rows, len(ANGLES))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
@@ -348,7 +347,8 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    table.setHorizontalHeaderLabels([gettext(name) for name in ANGLE_NAMES])
+    heads = [gettext(angle) for angle in ANGLE_NAMES]
+    table.setHorizontalHeaderLabels([f"{head} ({unit})" if unit else head for head in heads])
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_ALIGN_RIGHT)
     side = table.verticalHeader()
