@@ -19,7 +19,7 @@ from lispac.geometry.point_tree import PointTree
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel, LocalSurfaces
 
 _CHUNK_POINTS = 50_000
 """Number of compared points that a thread processes at once."""
@@ -34,6 +34,7 @@ def cloud_to_cloud(
     reference: ArrayLike | PointTree,
     *,
     model: LocalModel = SIX_POINT_PLANE,
+    surfaces: LocalSurfaces | None = None,
     max_distance: float | None = None,
     progress: Progress = no_progress,
 ) -> NDArray[np.float64]:
@@ -48,6 +49,8 @@ def cloud_to_cloud(
         the model, the distance to the nearest point is used.
     model : LocalModel
         Model of the surface between the reference points.
+    surfaces : LocalSurfaces, optional
+        Surfaces of this model at all points of the tree, if several clouds are compared with it.
     max_distance : float, metres, optional
         Compared points without a reference point within this distance get NaN.
 
@@ -82,22 +85,22 @@ def cloud_to_cloud(
     progress(0.0, gettext_lazy("Indexing the point clouds"))
     starts = range(0, len(compared), _CHUNK_POINTS)
     if len(starts) == 1:
-        surface = reference if isinstance(reference, PointTree) else PointTree(reference)
-        found = _chunk_distances(compared, surface, model, limit)
+        tree = reference if isinstance(reference, PointTree) else PointTree(reference)
+        found = _chunk_distances(compared, tree, model, surfaces, limit)
         progress(1.0, gettext_lazy("Computing distances"))
         return found
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
         # The places are searched for in spatial order, in which the processor's cache is used.
         ordering = pool.submit(PointTree, compared)
-        surface = reference if isinstance(reference, PointTree) else PointTree(reference)
+        tree = reference if isinstance(reference, PointTree) else PointTree(reference)
         places = ordering.result()
         distances = np.empty(len(compared))
 
         def measure(start: int) -> None:
             chunk = slice(start, start + _CHUNK_POINTS)
             distances[places.order[chunk]] = _chunk_distances(
-                places.points[chunk], surface, model, limit
+                places.points[chunk], tree, model, surfaces, limit
             )
 
         tasks = [pool.submit(measure, start) for start in starts]
@@ -111,14 +114,18 @@ def cloud_to_cloud(
 
 
 def _chunk_distances(
-    compared: NDArray[np.float64], reference: PointTree, model: LocalModel, limit: float
-) -> NDArray[np.float64]:
+    compared: NDArray[np.float64], reference: PointTree, model: LocalModel,
+    surfaces: LocalSurfaces | None, limit: float,
+) -> NDArray[np.float64]:  # fmt: skip
     """Distances (n,) of one spatially coherent chunk."""
     distances, nearest = reference.nearest(compared, limit)
     found = np.isfinite(distances)
     distances[~found] = np.nan
     if found.any():
-        to_surface = model.distances(compared[found], nearest[found], reference)
+        if surfaces is None:
+            to_surface = model.distances(compared[found], nearest[found], reference)
+        else:
+            to_surface = surfaces.distances(compared[found], nearest[found])
         distances[found] = np.fmin(distances[found], to_surface)  # fmin: NaN is "no surface"
     return distances
 

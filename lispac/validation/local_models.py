@@ -13,7 +13,7 @@ from lispac.compiled_code import njit
 from lispac.errors import InputError
 from lispac.geometry.local_planes import local_planes
 from lispac.geometry.point_tree import PointTree
-from lispac.geometry.quadrics import heights_above, local_quadrics
+from lispac.geometry.quadrics import Quadrics, heights_above, local_quadrics
 from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
@@ -97,21 +97,62 @@ class LocalModel:
             return np.full(len(compared), np.nan)
         # Several compared points may have the same nearest point, and therefore the same surface.
         centres, surface_of = _number_surfaces(nearest)
-        groups, counts = self._neighbour_groups(reference, centres)
-        centroids, normals = local_planes(reference.points, groups, counts)
-        offsets = compared - centroids[surface_of]
-        if self.kind == "plane":
-            return np.abs(np.einsum("ij,ij->i", offsets, normals[surface_of]))
-        quadrics = local_quadrics(reference.points, groups, counts, centroids, normals)
-        return np.abs(heights_above(quadrics, offsets, surface_of))
+        return self.surfaces(reference, reference.points[centres]).distances(compared, surface_of)
 
-    def _neighbour_groups(self, reference: PointTree, centres: Indices) -> tuple[Indices, Indices]:
+    def surfaces(self, reference: PointTree, places: Array) -> "LocalSurfaces":
+        """Planes or quadrics fitted to the points of a cloud around some of them.
+
+        Parameters
+        ----------
+        reference : PointTree, local frame
+        places : ndarray of shape (c, 3), metres, local frame
+            Points of the cloud.
+        """
+        groups, counts = self._neighbour_groups(reference, places)
+        centroids, normals = local_planes(reference.points, groups, counts)
+        quadrics = None
+        if self.kind == "quadric":
+            quadrics = local_quadrics(reference.points, groups, counts, centroids, normals)
+        return LocalSurfaces(centroids, normals, quadrics)
+
+    def _neighbour_groups(self, reference: PointTree, places: Array) -> tuple[Indices, Indices]:
         """Neighbours (c, k) of the given points, and the number of valid entries in each row."""
-        places = reference.points[centres]
         if self.radius is not None:
             return reference.within(places, self.radius)
         k = min(self.neighbours, len(reference))
-        return reference.neighbours(places, k)[1], np.full(len(centres), k, dtype=np.int64)
+        return reference.neighbours(places, k)[1], np.full(len(places), k, dtype=np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class LocalSurfaces:
+    """Surfaces fitted to points of a cloud, see `LocalModel.surfaces`.
+
+    Attributes
+    ----------
+    centroids : ndarray of shape (c, 3), metres, local frame
+    normals : ndarray of shape (c, 3), unit vectors, local frame
+        Of the planes; NaN where the neighbours determine none.
+    quadrics : Quadrics or None
+        Heights over these planes; None if the surfaces are the planes.
+    """
+
+    centroids: Array
+    normals: Array
+    quadrics: Quadrics | None
+
+    def distances(self, compared: Array, surface_of: Indices) -> Array:
+        """Unsigned distance of each point (n, 3) to its surface, shape (n,), metres.
+
+        Parameters
+        ----------
+        compared : ndarray of shape (n, 3), metres, local frame
+        surface_of : ndarray of shape (n,)
+            Index of the surface of each point.
+        """
+        offsets = compared - self.centroids[surface_of]
+        if self.quadrics is None:
+            return np.abs(np.einsum("ij,ij->i", offsets, self.normals[surface_of]))
+        return np.abs(heights_above(self.quadrics, offsets, surface_of))
 
 
 @njit(nogil=True, cache=True)

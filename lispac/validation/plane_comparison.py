@@ -38,7 +38,7 @@ from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.line_overlap import Bools, LineOverlap
 from lispac.validation.line_shifts import PlaneErrors, line_shifts
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel, LocalSurfaces
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from lispac.validation.two_modes import find_two_modes
@@ -163,7 +163,7 @@ def compare_plane(
             if observed
             else error("validation.plane_in_no_line", plane=name, needed=MIN_OVERLAP_POINTS)
         )
-    lines = _ComparedLines.of(before, after, observed, ranges, facing)
+    lines = _ComparedLines.of(before, after, observed, model, ranges, facing)
     couples = sorted(
         combinations(observed, 2),
         key=lambda pair: not are_reciprocal(headings[pair[0]], headings[pair[1]]),
@@ -179,7 +179,7 @@ def compare_plane(
         if (a, b) not in lines.common:
             not_compared.append((a, b))
             continue
-        distances, signed, states = lines.compare(a, b, model)
+        distances, signed, states = lines.compare(a, b)
         reciprocal = are_reciprocal(headings[a], headings[b])
         modes = _modes_of_pair(signed[-1], a, b, errors)
         pairs.append(PairComparison(a, b, reciprocal, states[0], states[1], modes))
@@ -225,8 +225,8 @@ class _ComparedLines:
     ----------
     clouds : tuple of two dicts of line name to ndarray of shape (n, 3), metres, local frame
         Thinned points, before and after.
-    trees : tuple of two dicts of line name to PointTree
-        Search trees of these points.
+    references : tuple of two dicts of line name to _Reference
+        Search trees and surfaces of these points.
     ranges : dict of line name to ndarray of shape (n,), metres, or None
     overlap : LineOverlap
     common : dict of two line names to two ndarrays of shape (n,), bool
@@ -235,7 +235,7 @@ class _ComparedLines:
     """
 
     clouds: tuple[dict[str, Array], dict[str, Array]]
-    trees: tuple[dict[str, PointTree], dict[str, PointTree]]
+    references: "tuple[dict[str, _Reference], dict[str, _Reference]]"
     ranges: dict[str, Array] | None
     overlap: LineOverlap
     common: dict[tuple[str, str], tuple[Bools, Bools]]
@@ -247,6 +247,7 @@ class _ComparedLines:
         before: Mapping[str, Array],
         after: Mapping[str, Array],
         observed: Sequence[str],
+        model: LocalModel,
         ranges: Mapping[str, Array] | None,
         facing: Array | None,
     ) -> "_ComparedLines":
@@ -255,7 +256,8 @@ class _ComparedLines:
         overlap = LineOverlap(*clouds)
         if facing is None:
             facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
-        first, second = ({line: PointTree(cloud[line]) for line in observed} for cloud in clouds)
+        with ThreadPoolExecutor(len(clouds)) as pool:
+            first, second = pool.map(lambda cloud: _references(cloud, model), clouds)
         thinned = None
         if ranges is not None:
             thinned = {line: _thin_evenly(ranges[line]) for line in observed}
@@ -264,17 +266,18 @@ class _ComparedLines:
         return cls(clouds, (first, second), thinned, overlap, common, facing)
 
     def compare(
-        self, a: str, b: str, model: LocalModel
+        self, a: str, b: str
     ) -> tuple[list[Array], list[list[NormalDistances]], list[PairState]]:
         """Unsigned and signed distances and statistics of a pair, each before and after."""
         a_in_b, b_in_a = self.common[a, b]
         with ThreadPoolExecutor(len(self.clouds)) as pool:
             tasks = [
                 pool.submit(
-                    _compare_state, (cloud[a][a_in_b], cloud[b][b_in_a]), (tree[a], tree[b]),
-                    model=model, facing=self.facing, spacing=self.overlap.spacing(a, b),
+                    _compare_state, (cloud[a][a_in_b], cloud[b][b_in_a]),
+                    (references[a], references[b]),
+                    facing=self.facing, spacing=self.overlap.spacing(a, b),
                 )
-                for cloud, tree in zip(self.clouds, self.trees, strict=True)
+                for cloud, references in zip(self.clouds, self.references, strict=True)
             ]  # fmt: skip
             results = [task.result() for task in tasks]
         unsigned, signed, states = map(list, zip(*results, strict=True))
@@ -317,9 +320,37 @@ class _ComparedLines:
         return tuple(maps)
 
 
+@dataclass(frozen=True, eq=False)
+class _Reference:
+    """Points of a line in one state, to which distances are measured.
+
+    The surfaces of a line are the same for all lines that are compared with it, and are therefore
+    fitted once. They are None if distances are measured to the points.
+    """
+
+    tree: PointTree
+    model: LocalModel
+    surfaces: LocalSurfaces | None
+
+    def distances(self, points: Array) -> Array:
+        """Unsigned distances of points (n, 3), metres, local frame."""
+        return cloud_to_cloud(points, self.tree, model=self.model, surfaces=self.surfaces)
+
+
+def _references(cloud: Mapping[str, Array], model: LocalModel) -> dict[str, _Reference]:
+    """References of the lines of one state; points of shape (n, 3), metres, local frame."""
+    trees = {line: PointTree(points) for line, points in cloud.items()}
+    return {
+        line: _Reference(
+            tree, model, None if model.kind == "point" else model.surfaces(tree, tree.points)
+        )
+        for line, tree in trees.items()
+    }
+
+
 def _compare_state(
-    points: tuple[Array, Array], lines: tuple[PointTree, PointTree], *, model: LocalModel,
-    facing: Array, spacing: float,
+    points: tuple[Array, Array], lines: tuple[_Reference, _Reference], *, facing: Array,
+    spacing: float,
 ) -> tuple[Array, list[NormalDistances], PairState]:  # fmt: skip
     """Distances of two lines in one state: unsigned and along the normal, and their statistics.
 
@@ -327,16 +358,11 @@ def _compare_state(
     ----------
     points : tuple of two ndarrays of shape (n, 3), metres, local frame
         Points of each line inside the footprint of the other.
-    lines : tuple of two PointTree
+    lines : tuple of two _Reference
         All points of each line.
     """
     first, second = points
-    unsigned = np.concatenate(
-        (
-            cloud_to_cloud(first, lines[1], model=model),
-            cloud_to_cloud(second, lines[0], model=model),
-        )
-    )
+    unsigned = np.concatenate((lines[1].distances(first), lines[0].distances(second)))
     along_normal = signed_distances(
         first, second, facing=facing, spacing=spacing, reach=unsigned.max()
     )
