@@ -23,6 +23,7 @@ from lispac.present.tables import (
     Table,
     ratio,
 )
+from lispac.present.text_format import grouped_number
 from lispac.validation.comparison_results import (
     DistanceStatistics,
     LineShift,
@@ -480,15 +481,6 @@ def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
     return [PairOnPlane(plane, pair) for plane in planes for pair in plane.pairs]
 
 
-def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """Reciprocal pairs of each plane, where a boresight error is largest; all pairs if none."""
-    return [
-        each
-        for each in pair_rows(planes)
-        if each.pair.reciprocal or each.plane.pooled_from == "all pairs"
-    ]
-
-
 @dataclass(frozen=True)
 class ShiftOnPlane:
     """Table row with a shift of lines on a validation plane."""
@@ -562,11 +554,11 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
     )
 
 
-def _pooled_pairs_text(plane: ValidationPlane) -> str:
+def pooled_pairs_text(plane: ValidationPlane | PlaneComparison) -> str:
     """Number of the pairs of lines in the statistics of a plane."""
     total = len(plane.pairs)
     if plane.pooled_from == "all pairs":
-        return gettext("all: {total:n}", total=total)
+        return grouped_number(total)
     reciprocal = sum(pair.reciprocal for pair in plane.pairs)
     return gettext("reciprocal: {count:n} of {total:n}", count=reciprocal, total=total)
 
@@ -575,15 +567,15 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
     N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
     (
         Column("name", N_("Plane")),
-        Column(_pooled_pairs_text, N_("Pairs\nof lines")),
+        Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
     ),
 )
 RECIPROCAL_PAIRS_TEXT = N_(
-    "Values of the reciprocal pairs (lines run in opposite directions, where a boresight error is "
-    "largest), or of all pairs if there are none."
+    "{planes:names}: values of the reciprocal pairs only (lines run in opposite directions), from "
+    "an earlier version of the program."
 )
-"""Note below tables of planes."""
+"""Note below tables of planes whose comparison does not use all pairs of lines."""
 
 
 def judged_distances_table(verdicts: Mapping[str, Verdict]) -> Table[ValidationPlane]:
@@ -611,7 +603,7 @@ PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     ),
 )
 PAIR_PLACES_TABLE = Table[PairOnPlane](
-    N_("Signed distances along the normal (mm); reciprocal pairs, or all pairs if there are none"),
+    N_("Signed distances along the normal (mm)"),
     (
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),
@@ -637,7 +629,7 @@ PAIR_PLACES_TABLE = Table[PairOnPlane](
     ),
 )  # fmt: skip
 PAIR_PLANES_TABLE = Table[PairOnPlane](
-    N_("Comparison of the planes fitted to two lines; reciprocal pairs, or all if there are none"),
+    N_("Comparison of the planes fitted to two lines"),
     (
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),
@@ -692,8 +684,8 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
         Column(
             _lines_text, N_("Lines"),
             tip=N_(
-                "The two lines. ⇄: reciprocal, run in opposite directions; only these pairs are in "
-                "n, RMS and histogram of the plane, if there are any. /: other pair"
+                "The two lines. ⇄: reciprocal, run in opposite directions, where an error of the "
+                "boresight is largest. /: other pair"
             ),
         ),
         Column(

@@ -24,7 +24,6 @@ from lispac.present.text_format import (
     sentence_text,
 )
 from lispac.present.validation import (
-    RECIPROCAL_PAIRS_TEXT,
     ValidationPlane,
     judged_distances_table,
 )
@@ -40,6 +39,7 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.validation_section import reciprocal_pairs_note
 
 SYSTEM_FIELDS = (
     "scanner", "scanner_serial", "pos", "pos_serial", "lever_arm_origin", "processing_software",
@@ -125,9 +125,7 @@ def validation_summary(content: ReportContent, planes: Sequence[ValidationPlane]
     """Blocks on the distances on ``planes``, the acceptance, and the check against a reference."""
     blocks: list[Block] = []
     if planes:
-        blocks += [
-            distances_table(content, planes), Paragraph(gettext(RECIPROCAL_PAIRS_TEXT)),
-        ]  # fmt: skip
+        blocks += [distances_table(content, planes), *reciprocal_pairs_note(planes)]
     if content.calibrated:
         blocks += acceptance_blocks(content.acceptance)
     against = content.absolute

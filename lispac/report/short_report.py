@@ -144,7 +144,7 @@ def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> li
             "report contains all {total:n} planes.",
             shown=len(planes), total=len(content.validation),
         )  # fmt: skip
-        blocks.insert(2, Paragraph(omitted))
+        blocks.insert(1, Paragraph(omitted))
     return blocks
 
 

@@ -1,6 +1,6 @@
 """The sections on validation: distances between lines, or from a reference, and standards."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -23,10 +23,10 @@ from lispac.present.validation import (
     PAIR_PLACES_TABLE,
     PAIR_PLANES_TABLE,
     POOLED_DISTANCES_TABLE,
+    RECIPROCAL_PAIRS_TEXT,
     SHIFTS_TABLE,
     ValidationPlane,
     pair_rows,
-    pairs_that_show_the_boresight,
     pooled_rows,
     shift_rows,
     swath_overlap_table,
@@ -41,19 +41,11 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 
-POOLED_TEXTS: Mapping[str, str] = {
-    "reciprocal pairs": N_(
-        "Histograms and totals of {planes:names}: reciprocal pairs of lines only."
-    ),
-    "all pairs": N_("Histograms and totals of {planes:names}: all pairs of lines."),
-}
-"""Texts on the pairs of lines in the statistics of a plane, by `ValidationPlane.pooled_from`."""
-
 DISTANCES_TEXT = N_(
-    "Distances from each point of one line to the surface of the other, in both directions, only "
-    "where both lines cover the plane. The points are the same before and after the calibration. "
-    "The distances that remain after the calibration are caused mainly by the POS error of each "
-    "line, which the boresight cannot correct."
+    "Distances from each point of one line to the surface of the other, in both directions and for "
+    "all pairs of lines, only where both lines cover the plane. The points are the same before and "
+    "after the calibration. The distances that remain after the calibration are caused mainly by "
+    "the POS error of each line, which the boresight cannot correct."
 )
 ROBUST_SIGMA_TEXT = N_(
     "Robust sigma: 1.4826 times the median absolute deviation from the median. Outliers: distances "
@@ -132,18 +124,11 @@ def validation_blocks(content: ReportContent) -> list[Block]:
     if not content.validation:
         return [Paragraph(gettext("The lines have not been compared on any validation plane."))]
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
-    pooled: dict[str, list[str]] = {}
-    for plane in content.validation:
-        pooled.setdefault(plane.pooled_from, []).append(plane.name)
     blocks: list[Block] = [
         Paragraph(gettext(DISTANCES_TEXT)),
-        Bullets(
-            (
-                gettext("Surface model of a line: {models:names}.", models=models),
-                *(gettext(POOLED_TEXTS[each], planes=names) for each, names in pooled.items()),
-            )
-        ),
+        Paragraph(gettext("Surface model of a line: {models:names}.", models=models)),
         report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
+        *reciprocal_pairs_note(content.validation),
         Paragraph(gettext(ROBUST_SIGMA_TEXT)),
         *_acceptance_blocks(content.acceptance),
     ]
@@ -162,6 +147,12 @@ def validation_blocks(content: ReportContent) -> list[Block]:
             Bullets(omitted),
         ]
     return blocks
+
+
+def reciprocal_pairs_note(planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Note on the planes of earlier versions whose statistics use the reciprocal pairs only."""
+    names = [plane.name for plane in planes if plane.pooled_from != "all pairs"]
+    return [Paragraph(gettext(RECIPROCAL_PAIRS_TEXT, planes=names))] if names else []
 
 
 def _acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
@@ -210,8 +201,8 @@ def _profile_caption(plane: ValidationPlane) -> str:
 
 
 def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Tables of signed distances, and of offsets and rotations, of the reciprocal pairs."""
-    rows = pairs_that_show_the_boresight(planes)
+    """Tables of signed distances, and of offsets and rotations, of all pairs of lines."""
+    rows = pair_rows(planes)
     blocks: list[Block] = []
     if any(row.pair.after.signed is not None for row in rows):
         blocks += [report_table(PAIR_PLACES_TABLE, rows), Paragraph(gettext(SIGNED_DISTANCES_TEXT))]

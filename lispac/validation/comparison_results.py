@@ -217,7 +217,8 @@ class PlaneComparison:
     not_compared : tuple of (str, str)
         Pairs of lines that both show the plane but have too few points in common.
     pooled_from : str
-        "reciprocal pairs" or "all pairs": the pairs used in the histograms and the statistics.
+        Pairs used in the histograms and the statistics: "all pairs", or "reciprocal pairs" in
+        comparisons of earlier versions.
     bin_edges : ndarray of shape (k + 1,), metres
     counts_before, counts_after : ndarray of shape (k,), int64
         The last bin includes the distances beyond it.
@@ -227,7 +228,7 @@ class PlaneComparison:
     by_height, by_range : DistanceProfile, optional
         Distances against height and against range from the scanner.
     maps : tuple of DistanceMap
-        Signed distances over the plane, for pooled pairs and the pair with the largest offset.
+        Signed distances over the plane, for the pair with the largest offset and reciprocal pairs.
     shifts : tuple of LineShift
         Of each line, and of groups of lines, after the calibration. Empty in comparisons of earlier
         versions.

@@ -59,6 +59,7 @@ def distance_map(
     lines: tuple[str, str],
     ours: tuple[Array, Array],
     theirs: tuple[Array, Array],
+    common: NDArray[np.bool_],
     *,
     facing: Array,
     spacing: float,
@@ -71,7 +72,9 @@ def distance_map(
     lines : pair of str
         Names of the lines.
     ours, theirs : pairs of ndarray of shape (n, 3), metres, local frame
-        Points of the first and of the second line in their common part, before and after.
+        All points of the first and of the second line on the plane, before and after.
+    common : ndarray of shape (n,), bool
+        Points of the second line in the common part.
     facing : ndarray of shape (3,)
         Direction towards the vessel.
     spacing : float, metres
@@ -83,7 +86,7 @@ def distance_map(
     -------
     DistanceMap, or None if no cell has enough points of both lines
     """
-    after = theirs[1]
+    after = theirs[1][common]
     axes = plane_axes(fit_plane(after).facing(facing).normal)
     flat = after @ axes.T
     corner = flat.min(axis=0)
@@ -97,18 +100,18 @@ def distance_map(
         for compared, reference, depth in zip(ours, theirs, reach, strict=True):
             found.append(
                 distances_along_normal(
-                    compared, reference, reference[chosen], facing=facing,
+                    compared, reference, reference[common][chosen], facing=facing,
                     normal_scale=NORMAL_SPHERE_FACTOR * cell, diameter=cell, depth=depth + cell,
                 )
             )  # fmt: skip
     except NotComparable:
         return None
-    common = np.intersect1d(found[0].at, found[1].at)
-    if not len(common):
+    measured = np.intersect1d(found[0].at, found[1].at)
+    if not len(measured):
         return None
     before, after = (
-        np.round(state.select_cores(common).distance, STORED_DECIMALS) for state in found
+        np.round(state.select_cores(measured).distance, STORED_DECIMALS) for state in found
     )
-    middles = cell * (np.floor(flat[chosen[common]] / cell) + 0.5)
+    middles = cell * (np.floor(flat[chosen[measured]] / cell) + 0.5)
     across, up = np.round(middles, STORED_DECIMALS).T
     return DistanceMap(*lines, round(cell, STORED_DECIMALS), across, up, before, after)

@@ -123,7 +123,7 @@ def compare_plane(
         the same points in the same order. If a line has more than 100 000, only every second,
         third, ... point is used, the same ones in both states.
     headings : mapping of line name to float, radians
-        Used to find lines in opposite directions, which are the most sensitive to the boresight.
+        Used to find reciprocal lines, which are the most sensitive to the boresight.
     model : LocalModel
         Model of the surface between the points of the other line.
     facing : ndarray of shape (3,), optional
@@ -139,7 +139,7 @@ def compare_plane(
     -------
     PlaneComparison
         Contains every pair of lines that overlaps, reciprocal pairs first. The pooled statistics
-        and the histograms use the reciprocal pairs, or all pairs if there are no reciprocal ones.
+        and the histograms use all of them.
         The histograms extend from zero to the 99.5th percentile of the state with larger distances;
         the last bin includes larger distances, so that the counts add up to n.
 
@@ -188,20 +188,13 @@ def compare_plane(
         raise NotComparable(error("validation.no_overlap", plane=name, needed=MIN_OVERLAP_POINTS))
     progress(1.0)
 
-    any_reciprocal = any(pair.reciprocal for pair in pairs)
-    pool = _MeasuredDistances.of(
-        [
-            one
-            for pair, one in zip(pairs, measured, strict=True)
-            if pair.reciprocal or not any_reciprocal
-        ]
-    )
+    pool = _MeasuredDistances.of(measured)
     edges = shared_bin_edges(pool.before, pool.after)
     return PlaneComparison(
         name=name,
         pairs=tuple(pairs),
         not_compared=tuple(not_compared),
-        pooled_from="reciprocal pairs" if any_reciprocal else "all pairs",
+        pooled_from="all pairs",
         bin_edges=edges,
         counts_before=histogram_counts(pool.before, edges),
         counts_after=histogram_counts(pool.after, edges),
@@ -269,12 +262,11 @@ class _ComparedLines:
         self, a: str, b: str
     ) -> tuple[list[Array], list[list[NormalDistances]], list[PairState]]:
         """Unsigned and signed distances and statistics of a pair, each before and after."""
-        a_in_b, b_in_a = self.common[a, b]
         with ThreadPoolExecutor(len(self.clouds)) as pool:
             tasks = [
                 pool.submit(
-                    _compare_state, (cloud[a][a_in_b], cloud[b][b_in_a]),
-                    (references[a], references[b]),
+                    _compare_state, (cloud[a], cloud[b]), (references[a], references[b]),
+                    self.common[a, b],
                     facing=self.facing, spacing=self.overlap.spacing(a, b),
                 )
                 for cloud, references in zip(self.clouds, self.references, strict=True)
@@ -307,12 +299,9 @@ class _ComparedLines:
         for k in _pairs_to_map(pairs):
             pair = pairs[k]
             a, b = pair.line_a, pair.line_b
-            a_in_b, b_in_a = self.common[a, b]
             before, after = self.clouds
             mapped = distance_map(
-                (a, b),
-                (before[a][a_in_b], after[a][a_in_b]),
-                (before[b][b_in_a], after[b][b_in_a]),
+                (a, b), (before[a], after[a]), (before[b], after[b]), self.common[a, b][1],
                 facing=self.facing, spacing=self.overlap.spacing(a, b),
                 reach=(pair.before.distances.maximum, pair.after.distances.maximum),
             )  # fmt: skip
@@ -349,22 +338,24 @@ def _references(cloud: Mapping[str, Array], model: LocalModel) -> dict[str, _Ref
 
 
 def _compare_state(
-    points: tuple[Array, Array], lines: tuple[_Reference, _Reference], *, facing: Array,
-    spacing: float,
+    lines: tuple[Array, Array], references: tuple[_Reference, _Reference],
+    common: tuple[Bools, Bools], *, facing: Array, spacing: float,
 ) -> tuple[Array, list[NormalDistances], PairState]:  # fmt: skip
     """Distances of two lines in one state: unsigned and along the normal, and their statistics.
 
     Parameters
     ----------
-    points : tuple of two ndarrays of shape (n, 3), metres, local frame
+    lines : tuple of two ndarrays of shape (n, 3), metres, local frame
+        All points of each line on the plane.
+    references : tuple of two _Reference
+        The same points, as references of the other line.
+    common : tuple of two ndarrays of shape (n,), bool
         Points of each line inside the footprint of the other.
-    lines : tuple of two _Reference
-        All points of each line.
     """
-    first, second = points
-    unsigned = np.concatenate((lines[1].distances(first), lines[0].distances(second)))
+    first, second = (line[mask] for line, mask in zip(lines, common, strict=True))
+    unsigned = np.concatenate((references[1].distances(first), references[0].distances(second)))
     along_normal = signed_distances(
-        first, second, facing=facing, spacing=spacing, reach=unsigned.max()
+        *lines, (first, second), facing=facing, spacing=spacing, reach=unsigned.max()
     )
     state = PairState(
         DistanceStatistics.of(unsigned),
@@ -396,8 +387,8 @@ def _pairs_to_map(pairs: Sequence[PairComparison]) -> list[int]:
         0.0 if pair.after.signed is None else abs(pair.after.signed.median) for pair in pairs
     ]
     by_offset = sorted(range(len(pairs)), key=lambda k: -offsets[k])
-    pooled = [k for k in by_offset[1:] if pairs[k].reciprocal or not any_reciprocal]
-    return sorted([by_offset[0], *pooled[: MAX_MAPS - 1]])
+    others = [k for k in by_offset[1:] if pairs[k].reciprocal or not any_reciprocal]
+    return sorted([by_offset[0], *others[: MAX_MAPS - 1]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -487,14 +478,16 @@ def _require_same_points(
 
 
 def signed_distances(
-    a: Array, b: Array, *, facing: Array, spacing: float, reach: float
+    a: Array, b: Array, common: tuple[Array, Array], *, facing: Array, spacing: float, reach: float
 ) -> list[NormalDistances]:
     """Distances from the second line to the first along the normal, measured at places of both.
 
     Parameters
     ----------
     a, b : ndarrays of shape (n, 3) and (m, 3), metres, local frame
-        Points of the two lines in their common part.
+        All points of the two lines on the plane.
+    common : tuple of two ndarrays of shape (k, 3) and (l, 3), metres, local frame
+        Points of each line in the common part, at some of which distances are measured.
     facing : ndarray of shape (3,)
         Direction towards the vessel.
     spacing : float, metres
@@ -509,11 +502,11 @@ def signed_distances(
     """
     diameter = CYLINDER_DIAMETER_PER_SPACING * spacing
     parts = []
-    for compared, reference, sign in ((a, b, 1.0), (b, a, -1.0)):
-        step = -(-len(reference) // MAX_CORES_PER_LINE)
+    for compared, reference, places, sign in ((a, b, common[1], 1.0), (b, a, common[0], -1.0)):
+        step = -(-len(places) // MAX_CORES_PER_LINE)
         try:
             found = distances_along_normal(
-                compared, reference, reference[::step], facing=facing,
+                compared, reference, places[::step], facing=facing,
                 normal_scale=NORMAL_SPHERE_FACTOR * diameter, diameter=diameter,
                 depth=reach + diameter,
             )  # fmt: skip

@@ -143,8 +143,7 @@ def _shown_numbers(data: dict) -> list[str]:
                 found = state["distances"]
                 numbers += [f"{1000 * found[f'{key}_m']:,.1f}" for key in ("median", "rms", "p95")]
                 numbers.append(f"{found['n']:,}")
-                if pair["reciprocal"]:
-                    numbers += _signed_numbers(state["signed"], state["planes"])
+                numbers += _signed_numbers(state["signed"], state["planes"])
     numbers += [f"{file['size_bytes']:,}" for file in data["files"]]
     # A zero has no minus sign.
     return [n if float(n.replace(",", "")) else n.replace("-", "+") for n in numbers]

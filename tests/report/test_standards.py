@@ -71,7 +71,7 @@ def test_rms_of_planes_of_known_distance(offset: float) -> None:
     a[:, 2] = offset + rng.normal(0, noise, len(a))
     b[:, 2] = rng.normal(0, noise, len(b))
     found = SignedStatistics.of(
-        signed_distances(a, b, facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05)
+        signed_distances(a, b, (a, b), facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05)
     )
     assert found.rms is not None
     assert found.rms**2 == pytest.approx(found.mean**2 + _variance(found, a, b), rel=0.2)

@@ -107,6 +107,19 @@ def test_a_shift_within_the_plane_before_does_not_count_as_distance() -> None:
     assert result.after.maximum == pytest.approx(0.002, abs=1e-6)
 
 
+def test_offsets_and_maps_use_the_whole_common_part_despite_a_shift_within_the_plane() -> None:
+    a, b = wall(1, n=20_000), wall(2, n=20_000)
+    before = {"L1": a + np.array([0.8, 0.0, 0.0]), "L2": b}
+    result = compare_plane("V1", before, {"L1": a, "L2": b}, OPPOSITE)
+    (pair,) = result.pairs
+    assert pair.before.signed is not None
+    assert pair.after.signed is not None
+    # Both lines cover 2.0 m after and 1.2 m before the calibration; L2 is compared from 0.8 to 2 m.
+    assert pair.after.signed.n == pair.before.signed.n
+    (mapped,) = result.maps
+    assert np.ptp(mapped.across) == pytest.approx(1.2, abs=2 * mapped.cell)
+
+
 def test_profiles_with_different_spacings_overlap_completely() -> None:
     along, height = np.meshgrid(np.arange(0, 2, 0.12), np.arange(0, 3, 0.008), indexing="ij")
     rng = np.random.default_rng(3)
@@ -126,7 +139,7 @@ def test_both_directions_are_pooled_symmetrically() -> None:
     assert one.after.rms == pytest.approx(other.after.rms, abs=1e-12)
 
 
-def test_reciprocal_pairs_come_first_and_make_the_pool() -> None:
+def test_all_pairs_make_the_pool_and_reciprocal_ones_come_first() -> None:
     headings = np.radians([0, 45, 180, 225]).tolist()
     lines = ["L1", "L2", "L3", "L4"]
     clouds = {line: wall(i, offset=0.01 * i) for i, line in enumerate(lines)}
@@ -134,16 +147,21 @@ def test_reciprocal_pairs_come_first_and_make_the_pool() -> None:
     names = [(pair.line_a, pair.line_b) for pair in result.pairs]
     assert names[:2] == [("L1", "L3"), ("L2", "L4")]
     assert [pair.reciprocal for pair in result.pairs] == [True, True, False, False, False, False]
-    assert result.pooled_from == "reciprocal pairs"
-    assert result.after.n == sum(pair.after.distances.n for pair in result.pairs[:2])
-    assert result.after.median == pytest.approx(0.02, abs=1e-9)
-
-
-def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
-    clouds = {line: wall(i, offset=0.01 * i) for i, line in enumerate(["L1", "L2", "L3"])}
-    result = compare_plane("V1", clouds, clouds, {"L1": 0.0, "L2": 1.0, "L3": 2.0})
     assert result.pooled_from == "all pairs"
     assert result.after.n == sum(pair.after.distances.n for pair in result.pairs)
+    # Offsets of the pairs: three times 10 mm, twice 20 mm, once 30 mm; all with equal weight
+    assert result.after.mean == pytest.approx(0.1 / 6, rel=0.01)
+    assert result.after.rms == pytest.approx(np.sqrt(2e-3 / 6), rel=0.01)
+
+
+def test_a_line_without_a_reciprocal_one_is_in_the_pool() -> None:
+    headings = {"L1": 0.0, "L2": np.pi, "L3": np.pi / 2}
+    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3, offset=0.03)}
+    result = compare_plane("V1", clouds, clouds, headings)
+    # L1 and L2 agree; L3 is 30 mm from both of them
+    assert result.after.rms == pytest.approx(0.03 * np.sqrt(2 / 3), rel=0.01)
+    assert result.after.p95 == pytest.approx(0.03, abs=1e-6)
+    assert result.counts_after.sum() == result.after.n
 
 
 @pytest.mark.parametrize(

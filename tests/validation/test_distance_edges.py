@@ -47,10 +47,11 @@ def test_a_map_needs_common_places_in_both_states() -> None:
     whole = wall(2)
     north, south = (wall(1)[side] for side in (wall(1)[:, 0] > 4.0, wall(1)[:, 0] < 2.0))
     how = {"facing": TO_VESSEL, "spacing": 0.1, "reach": (0.03, 0.03)}
-    assert distance_map(("L1", "L2"), (north, south), (whole, whole), **how) is None
-    assert distance_map(("L1", "L2"), (north, north), (whole, whole), **how) is not None
+    everywhere = np.ones(len(whole), dtype=bool)
+    assert distance_map(("L1", "L2"), (north, south), (whole, whole), everywhere, **how) is None
+    assert distance_map(("L1", "L2"), (north, north), (whole, whole), everywhere, **how) is not None
     far = whole + [0.0, 50.0, 0.0]
-    assert distance_map(("L1", "L2"), (far, far), (whole, whole), **how) is None
+    assert distance_map(("L1", "L2"), (far, far), (whole, whole), everywhere, **how) is None
 
 
 def test_an_unknown_local_model_is_refused() -> None:

@@ -43,8 +43,9 @@ def wall(seed: int, *, slope: float = 0.0, lift: float = 0.0, noise: float = 0.0
 def test_each_cell_has_the_distance_at_its_place() -> None:
     before = wall(1, slope=0.01), wall(1, lift=0.004)
     found = distance_map(
-        ("L1", "L2"), before, (wall(2), wall(2)), facing=TO_VESSEL, spacing=0.1, reach=(0.08, 0.03)
-    )
+        ("L1", "L2"), before, (wall(2), wall(2)), np.ones(len(wall(2)), dtype=bool),
+        facing=TO_VESSEL, spacing=0.1, reach=(0.08, 0.03),
+    )  # fmt: skip
     assert found is not None
     assert found.cell == pytest.approx(0.4)
     assert len(found.before) > 0.9 * (6 / 0.4) * (3 / 0.4)

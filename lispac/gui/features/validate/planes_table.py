@@ -24,6 +24,7 @@ from lispac.gui.appearance import theme, units
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
+from lispac.present.validation import pooled_pairs_text
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 
@@ -34,7 +35,7 @@ _COLUMNS = (
     # Units or limits in a second line, so that all columns fit on a small screen
     (
         N_("RMS\n({unit})"),
-        N_("Root mean square distance between the lines of reciprocal pairs, before → after"),
+        N_("Root mean square distance between the lines, all pairs together, before → after"),
     ),
     (
         N_("Offset\n({unit})"),
@@ -42,15 +43,11 @@ _COLUMNS = (
     ),
     (
         N_("95 %\n({unit})"),
-        N_("95 % of the distances of reciprocal pairs are smaller, before → after"),
+        N_("95 % of the distances between the lines are smaller, before → after"),
     ),
     (
-        N_("Reciprocal\npairs"),
-        N_(
-            "RMS, 95 % and histogram are computed from the pairs of lines run in opposite "
-            "directions (⇄), in which an error of the boresight is largest; from all pairs if "
-            "there are none. The offset is that of all pairs."
-        ),
+        N_("Pairs\nof lines"),
+        N_("Pairs of lines compared, which RMS, 95 % and histogram contain"),
     ),
 )
 """Heading and tooltip of each column."""
@@ -66,8 +63,8 @@ _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 ROW_HEIGHT_PX = 18
 POOLED_PLANE_TIPS = {
     "reciprocal pairs": N_(
-        "{plane}: distances of {pooled:n} of {total:n} pairs of lines, the reciprocal ones (⇄), "
-        "{model}"
+        "{plane}: RMS, 95 % and histogram of {pooled:n} of {total:n} pairs of lines only, the "
+        "reciprocal ones (⇄), from an earlier version of the program; {model}"
     ),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
@@ -223,12 +220,8 @@ def _plane_tip(each: PlaneComparison) -> str:
     model = message_text(each.model.name)
     return gettext(
         POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
-        pooled=_reciprocal_pairs(each), total=len(each.pairs),
+        pooled=sum(pair.reciprocal for pair in each.pairs), total=len(each.pairs),
     )  # fmt: skip
-
-
-def _reciprocal_pairs(each: PlaneComparison) -> int:
-    return sum(pair.reciprocal for pair in each.pairs)
 
 
 def _comparison_texts(each: PlaneComparison) -> list[str]:
@@ -244,5 +237,5 @@ def _comparison_texts(each: PlaneComparison) -> list[str]:
         change(each.before.rms, each.after.rms),
         "–" if offset is None else figure(offset[0]),
         change(each.before.p95, each.after.p95),
-        gettext("{pooled:n} of {total:n}", pooled=_reciprocal_pairs(each), total=len(each.pairs)),
+        pooled_pairs_text(each),
     ]
