@@ -21,7 +21,7 @@ from lispac.adjustment.result import (
     PossibleCause,
 )
 from lispac.adjustment.solve.determinability import have_one_orientation
-from lispac.language import N_, LazyText, gettext, gettext_lazy
+from lispac.language import N_, LazyText, gettext, gettext_lazy, join_sentences
 from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
@@ -92,7 +92,11 @@ def observability_values(observability: Observability | None) -> ObservabilityVa
 
 
 NOT_TESTED_TEXT = N_("Not tested: there are no more points than unknowns.")
-PASSED_TEXT = N_("Passed: the residuals agree with the given sigmas.")
+PASSED_TEXT = N_("Passed.")
+AGREE_TEXT = N_("The residuals agree with the given standard deviations.")
+AGREE_ESTIMATED_TEXT = N_(
+    "The residuals agree with the standard deviations used, which were partly estimated from them."
+)
 TOO_LARGE_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
     "LiDAR sigma is too small, a target is rough, or there are outliers."
@@ -140,12 +144,18 @@ class VarianceFactorTest:
     has_assumed_sigmas: bool = False
 
 
+def agreement_template(result: AdjustmentResult) -> str:
+    """Text of a passed chi-square test; estimated standard deviations agree by construction."""
+    return AGREE_ESTIMATED_TEXT if any(c.applied for c in result.components) else AGREE_TEXT
+
+
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
         return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
+    sentences = []
     if test.outcome == "passed":
-        finding = PASSED_TEXT
+        sentences, finding = [gettext_lazy(PASSED_TEXT)], agreement_template(result)
     elif test.outcome == "conservative":
         finding = TOO_SMALL_RAISED_TEXT if has_raised_sigmas(result) else TOO_SMALL_TEXT
     elif result.unestimated_sigmas:
@@ -157,7 +167,8 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     else:
         finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
-        test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding), test.outcome,
+        test.statistic, test.lower, test.upper, test.passed,
+        join_sentences([*sentences, gettext_lazy(finding)]), test.outcome,
         result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 

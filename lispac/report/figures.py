@@ -19,11 +19,12 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
 from matplotlib.ticker import ScalarFormatter
-from matplotlib.transforms import offset_copy
+from matplotlib.transforms import Transform, offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, degree_signs, gettext, in_language
+from lispac.present.line_colours import LINE_COLOURS
 from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
 from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.text_format import (
@@ -40,12 +41,8 @@ BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
 """Colours of values with the prior and with the estimated boresight."""
 INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
 """Colours of texts and curves, and of grid lines."""
-LINE_COLOURS = (
-    "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
-    "#332288", "#882255", "#44aa99",
-)  # fmt: skip
-"""Colours of the survey lines, distinguishable with any colour vision (Paul Tol); light colours
-are darkened for thin curves."""
+TRACK_OFFSET_PT = 1.4
+"""Offset of a drawn track to starboard, points, which separates lines in opposite directions."""
 
 TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
@@ -109,6 +106,11 @@ def correlation_figure_of(
     return figure
 
 
+def line_colour(place: int) -> tuple[float, ...]:
+    """Colour of a survey line by its place in the project, for matplotlib."""
+    return tuple(part / 255 for part in LINE_COLOURS[place % len(LINE_COLOURS)])
+
+
 def site_figure(
     tracks: Mapping[str, ArrayLike],
     targets: Mapping[str, Sequence[float]],
@@ -125,9 +127,7 @@ def site_figure(
     figure = blank_figure(figure, (6.3, 4.0))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
-        _draw_track(
-            axes, name, np.asarray(points, dtype=float), LINE_COLOURS[k % len(LINE_COLOURS)]
-        )
+        _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
     _draw_seeds(axes, targets, "s", "#bb2222", gettext("target"))
     _draw_seeds(axes, validation, "^", "#111111", gettext("validation plane"))
     marks = [
@@ -385,23 +385,38 @@ def _before_after_bars(
     return figure
 
 
-def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
+def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> None:
+    """Draw a track beside its true place, on the starboard side, with its name at its start."""
     north, west = points[:, 0], points[:, 1]
-    axes.plot(west, north, color=colour, linewidth=1.4, label=short_name(name))
+    course = np.array([west[0] - west[-1], north[-1] - north[0]])  # the west axis points left
+    course /= max(float(np.hypot(*course)), 1e-9)
+    starboard = TRACK_OFFSET_PT * np.array([course[1], -course[0]])
+    axes.update_datalim(np.column_stack([west, north]))
+    axes.plot(
+        west, north, color=colour, linewidth=1.6, label=short_name(name),
+        transform=_moved(axes, starboard),
+    )  # fmt: skip
     if len(points) < 2:
         return
+    # The arrow ends beyond the track, so that it covers no part of a line in opposite direction.
     axes.annotate(
-        "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
-        arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
+        "", (west[-1], north[-1]), xycoords=_moved(axes, starboard + 7 * course),
+        textcoords="offset points", xytext=(-9 * course[0], -9 * course[1]),
+        arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.6, "mutation_scale": 9},
     )  # fmt: skip
     # The name is before the start of the track, so that the arrow of a line that ends there does
-    # not cover it. The west axis points to the left.
-    back = np.array([west[1] - west[0], north[0] - north[1]])
-    back *= 9 / max(float(np.hypot(*back)), 1e-9)
+    # not cover it.
+    across, along = 6 * starboard - 12 * course
     axes.annotate(
-        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
-        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=colour,
+        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=(across, along),
+        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
     )  # fmt: skip
+
+
+def _moved(axes: Axes, offset: Array) -> Transform:
+    """Transformation of the data that moves them on paper; offset in points."""
+    figure = axes.get_figure(root=True)
+    return offset_copy(axes.transData, figure, float(offset[0]), float(offset[1]), units="points")
 
 
 def _draw_seeds(

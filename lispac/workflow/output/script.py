@@ -185,7 +185,8 @@ def _are_readings_detected(project: Project, survey: Survey) -> bool:
         )
     except LispacError:
         return False
-    return bool(notes) and tuple(found) == readings and set(notes) <= set(survey.notes)
+    known = {*survey.notes, *project.reading_warnings}
+    return bool(notes) and tuple(found) == readings and set(notes) <= known
 
 
 def _missing_file_notes(project: Project) -> list[Message]:
