@@ -374,6 +374,10 @@ def angle_values(
     )
 
 
+_ANGLE_SIGNS = {
+    "roll": N_("positive port side up"), "pitch": N_("positive bow down"),
+    "yaw": N_("positive clockwise seen from above"),
+}  # fmt: skip
 _NAME_COLUMN = Column[AngleValues]("name", N_("Angle"), texts=VALUE_TITLES)
 _PRIOR_COLUMN = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
 _ESTIMATED_COLUMNS = (
@@ -383,6 +387,7 @@ _ESTIMATED_COLUMNS = (
 )
 _TRUE_COLUMN = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
 _ERROR_COLUMN = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
+_SIGN_COLUMN = Column[AngleValues]("name", N_("Sign"), texts=_ANGLE_SIGNS)
 
 
 def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
@@ -392,4 +397,4 @@ def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
         columns += _ESTIMATED_COLUMNS
     if simulated:
         columns += [_TRUE_COLUMN, _ERROR_COLUMN] if calibrated else [_TRUE_COLUMN]
-    return Table(N_("Boresight"), tuple(columns))
+    return Table(N_("Boresight"), (*columns, _SIGN_COLUMN))

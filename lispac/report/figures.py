@@ -8,6 +8,7 @@ import pickle
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
 from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 
 import matplotlib
@@ -124,7 +125,7 @@ def site_figure(
     tracks : north and west, shape (k, 2), metres, by name of the line
     targets, validation : seeds (north, west, up), metres, by name; up is not drawn
     """
-    figure = blank_figure(figure, (6.3, 4.0))
+    figure = blank_figure(figure, (6.3, 3.6))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
         _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
@@ -173,28 +174,43 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 
 
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw `residual_figure` from the values of a report, divided into figures of half a page."""
+    """Draw `residual_figure` from the values of a report, in parts with one scale."""
+    largest = 1000 * max((max(s.rms_before_m, s.rms_after_m) for s in sightings), default=0.0)
     figures = []
-    for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
-        part = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
+    for part in _parts_of(sightings):
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
         before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
-        figures.append(_before_after_bars(None, labels, before, after))
+        figures.append(_before_after_bars(None, labels, before, after, largest_mm=largest))
     return figures
 
 
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw the estimated POS errors with their prior, divided into figures of half a page."""
-    return [
-        _pos_error_figure(sightings[start : start + MAX_SIGHTINGS_PER_FIGURE])
-        for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE)
-    ]
+    """Draw the estimated POS errors with their prior, in parts with one scale."""
+    found = [each.pos_error for each in sightings if each.pos_error is not None]
+    error, prior, after = (
+        np.abs(rows)
+        for rows in (
+            [(*e.error_m, *e.error_deg) for e in found],
+            [(*e.sigma_m, *e.sigma_deg) for e in found],
+            [(*e.sigma_after_m, *e.sigma_after_deg) for e in found],
+        )
+    )
+    widest = 1150 * np.maximum(2 * prior, error + 2 * after).max(axis=0)
+    return [_pos_error_figure(part, widest) for part in _parts_of(sightings)]
 
 
-def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
+def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
+    """Sightings divided evenly into parts for figures of at most half a page."""
+    count = -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE)
+    ends = [len(sightings) * k // count for k in range(count + 1)]
+    return [sightings[start:end] for start, end in pairwise(ends)]
+
+
+def _pos_error_figure(sightings: Sequence[SightingValues], widest: Array) -> Figure:
     """Draw the errors with their 2 sigma and prior 2 sigma intervals.
 
-    Each sighting has a row, and each component of the error a panel.
+    Each sighting has a row, and each component of the error a panel, with half the width
+    ``widest``, shape (6,), millimetres and thousandths of a degree.
     """
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
@@ -217,10 +233,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
                 color=colour, elinewidth=0.8,
             )  # fmt: skip
         axes.axvline(0, color="#999999", linewidth=0.6)
-        widest = 1.15 * max(
-            float(np.max(2 * prior[:, k])), float(np.max(np.abs(values[:, k]) + 2 * after[:, k]))
-        )
-        axes.set_xlim(-widest, widest)
+        axes.set_xlim(-widest[k], widest[k])
         axes.locator_params(axis="x", nbins=3)
         style_axes(
             axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
@@ -352,7 +365,10 @@ def _before_after_bars(
     labels: Sequence[str],
     before: Sequence[float],
     after: Sequence[float],
+    *,
+    largest_mm: float = 0.0,
 ) -> Figure:
+    """Bars of each label; the scale contains at least ``largest_mm``."""
     figure = blank_figure(figure, (6.3, 0.7 + 0.2 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
@@ -371,6 +387,7 @@ def _before_after_bars(
         )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
+    axes.update_datalim([(largest_mm, 0.0)])
     axes.margins(x=0.1)
     style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
