@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES_CODE, point_displacement
+from lispac.adjustment.diagnostics.sign_check import ASSUMED_SIGN_CODES, SIGNS_AGREE_CODE
 from lispac.adjustment.diagnostics.warnings import has_raised_sigmas, result_warnings
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
@@ -253,11 +254,15 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the imported files, which apply to every result computed from them.
 
     Warnings with the same code about several lines become one message, with the text of the first
-    and the names of the other lines.
+    and the names of the other lines. Warnings that a sign is assumed are omitted if the residuals
+    agree with this sign only, which a note about the result says.
     """
     groups: dict[str, list[Message]] = {}
+    result = project.result
+    confirmed = result is not None and any(m.code == SIGNS_AGREE_CODE for m in result.messages)
     for message in project.data_messages:
-        if message.level is not Level.NOTE:
+        is_answered = confirmed and message.code in ASSUMED_SIGN_CODES
+        if message.level is not Level.NOTE and not is_answered:
             groups.setdefault(message.code, []).append(message)
     found = []
     for first, *others in groups.values():

@@ -348,6 +348,8 @@ class Project:
     """Results of alternative methods for the same lines, at most one for each method."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, from the last time they were read."""
+    reading_warnings: tuple[Message, ...] = ()
+    """Warnings from the import about how the files are read, such as assumed signs."""
     prediction: ProposalPrediction | None = None
     """Predicted standard deviations, if the targets are accepted proposals without edits."""
     file_digest: str = field(default="", compare=False, repr=False)

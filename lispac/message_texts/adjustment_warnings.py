@@ -260,6 +260,11 @@ TEXTS: Mapping[str, Template] = {
         "given noise), so the errors of the angles may exceed their standard deviations. Add "
         "lines, or use flat targets.",
     ),
+    "adjustment.signs_agree": N_(
+        "The signs of roll and pitch are assumed. The residuals agree with these signs; with the "
+        "opposite sign of roll, pitch or both, the residuals are at least {ratio:x.1} times as "
+        "large or the adjustment does not converge, which confirms the signs."
+    ),
     "adjustment.radii_differ": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
         "{largest:mm.1} mm, and no single error explains it. Check the signs of the attitude, the "

@@ -21,7 +21,7 @@ from lispac.adjustment.result import (
     PossibleCause,
 )
 from lispac.adjustment.solve.determinability import have_one_orientation
-from lispac.language import N_, LazyText, gettext, gettext_lazy
+from lispac.language import N_, LazyText, gettext, gettext_lazy, join_sentences
 from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
@@ -92,7 +92,11 @@ def observability_values(observability: Observability | None) -> ObservabilityVa
 
 
 NOT_TESTED_TEXT = N_("Not tested: there are no more points than unknowns.")
-PASSED_TEXT = N_("Passed: the residuals agree with the given sigmas.")
+PASSED_TEXT = N_("Passed.")
+AGREE_TEXT = N_("The residuals agree with the given standard deviations.")
+AGREE_ESTIMATED_TEXT = N_(
+    "The residuals agree with the standard deviations used, which were partly estimated from them."
+)
 TOO_LARGE_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
     "LiDAR sigma is too small, a target is rough, or there are outliers."
@@ -140,12 +144,18 @@ class VarianceFactorTest:
     has_assumed_sigmas: bool = False
 
 
+def agreement_template(result: AdjustmentResult) -> str:
+    """Text of a passed chi-square test; estimated standard deviations agree by construction."""
+    return AGREE_ESTIMATED_TEXT if any(c.applied for c in result.components) else AGREE_TEXT
+
+
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
         return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
+    sentences = []
     if test.outcome == "passed":
-        finding = PASSED_TEXT
+        sentences, finding = [gettext_lazy(PASSED_TEXT)], agreement_template(result)
     elif test.outcome == "conservative":
         finding = TOO_SMALL_RAISED_TEXT if has_raised_sigmas(result) else TOO_SMALL_TEXT
     elif result.unestimated_sigmas:
@@ -157,7 +167,8 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     else:
         finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
-        test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding), test.outcome,
+        test.statistic, test.lower, test.upper, test.passed,
+        join_sentences([*sentences, gettext_lazy(finding)]), test.outcome,
         result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 
@@ -363,6 +374,10 @@ def angle_values(
     )
 
 
+_ANGLE_SIGNS = {
+    "roll": N_("positive port side up"), "pitch": N_("positive bow down"),
+    "yaw": N_("positive clockwise seen from above"),
+}  # fmt: skip
 _NAME_COLUMN = Column[AngleValues]("name", N_("Angle"), texts=VALUE_TITLES)
 _PRIOR_COLUMN = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
 _ESTIMATED_COLUMNS = (
@@ -372,6 +387,7 @@ _ESTIMATED_COLUMNS = (
 )
 _TRUE_COLUMN = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
 _ERROR_COLUMN = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
+_SIGN_COLUMN = Column[AngleValues]("name", N_("Sign"), texts=_ANGLE_SIGNS)
 
 
 def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
@@ -381,4 +397,4 @@ def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
         columns += _ESTIMATED_COLUMNS
     if simulated:
         columns += [_TRUE_COLUMN, _ERROR_COLUMN] if calibrated else [_TRUE_COLUMN]
-    return Table(N_("Boresight"), tuple(columns))
+    return Table(N_("Boresight"), (*columns, _SIGN_COLUMN))

@@ -305,10 +305,20 @@ POS_COMPONENT_TITLES = (
 """Titles of the components, in the order of `SightingReliability.pos_error`."""
 
 
+MAX_DETERMINED_SIGMA_RATIO = 0.995
+"""Largest ratio of the sigma of a component after the adjustment to the prior one with which the
+data determine the component at all."""
+
+
 def _pos_error_component(k: int) -> Callable[[SightingValues], float | None]:
     def component(sighting: SightingValues) -> float | None:
         error = sighting.pos_error
-        return None if error is None else (*error.error_m, *error.error_deg)[k]
+        if error is None:
+            return None
+        prior = (*error.sigma_m, *error.sigma_deg)[k]
+        after = (*error.sigma_after_m, *error.sigma_after_deg)[k]
+        is_determined = after < MAX_DETERMINED_SIGMA_RATIO * prior
+        return (*error.error_m, *error.error_deg)[k] if is_determined else None
 
     return component
 

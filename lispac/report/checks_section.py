@@ -14,7 +14,7 @@ from lispac.present.sightings import (
     SightingValues,
     mean_pos_sigmas,
 )
-from lispac.present.text_format import fixed_number, sentence_text
+from lispac.present.text_format import UNKNOWN_TEXT, fixed_number, sentence_text
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -44,6 +44,9 @@ POS_ERROR_CAPTION = N_(
     "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
     "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
     "given, or another error was attributed to it."
+)
+NOT_DETERMINED_TEXT = N_(
+    "–: not determined by the data, for instance a component that no surface of a target faces."
 )
 CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
@@ -123,13 +126,14 @@ def _sighting_notes(sightings: Sequence[SightingValues]) -> list[Block]:
 def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     from lispac.report.figures import pos_error_figures_of
 
-    return [
-        with_rows_below(
-            report_table(POS_ERRORS_TABLE, sightings),
-            report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]),
-        ),
-        UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),)),
+    table = report_table(POS_ERRORS_TABLE, sightings)
+    blocks: list[Block] = [
+        with_rows_below(table, report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]))
     ]
+    if any(UNKNOWN_TEXT in row for row in table.rows):
+        blocks.append(Paragraph(gettext(NOT_DETERMINED_TEXT)))
+    figures = UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),))
+    return [*blocks, figures]
 
 
 def cross_check_blocks(content: ReportContent) -> list[Block]:

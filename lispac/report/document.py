@@ -195,7 +195,19 @@ def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
 
     def drawn(block: UndrawnPictures) -> list[Picture]:
         svgs = svg_pictures(block.draw, *block.values)
-        return [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
+        captions = [block.caption] * len(svgs)
+        if len(svgs) > 1:
+            captions = [
+                gettext(
+                    "{caption} Part {part:n} of {count:n}.",
+                    caption=block.caption, part=k + 1, count=len(svgs),
+                )
+                for k in range(len(svgs))
+            ]  # fmt: skip
+        return [
+            Picture(caption, svg, ".svg", block.width)
+            for caption, svg in zip(captions, svgs, strict=True)
+        ]
 
     made: list[Block] = []
     for block in blocks:
@@ -237,9 +249,25 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)
 
 
+VIEW_HEIGHTS_MM = {3: 57.0, 4: 44.0, 5: 34.0}
+"""Largest height of a view by the number of rows of views that then fit on a page, millimetres."""
+
+
 def _view_pictures(views: Sequence[Picture]) -> list[Block]:
-    """Pictures of the 3D view with their captions: before and after side by side."""
-    return [PictureRows((tuple(views[k : k + 2]),)) for k in range(0, len(views), 2)]
+    """Pictures of the 3D view with their captions: before and after side by side.
+
+    The number of rows on a page is the first with which the last page is not nearly empty.
+    """
+    rows = [tuple(views[k : k + 2]) for k in range(0, len(views), 2)]
+    tallest = next(
+        (
+            height
+            for count, height in VIEW_HEIGHTS_MM.items()
+            if len(rows) % count == 0 or 2 * (len(rows) % count) >= count
+        ),
+        VIEW_HEIGHTS_MM[3],
+    )
+    return [PictureRows((row,), tallest=tallest) for row in rows]
 
 
 def _make_picture(caption: str | LazyText, path: Path) -> Picture:

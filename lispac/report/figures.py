@@ -8,6 +8,7 @@ import pickle
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
 from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 
 import matplotlib
@@ -19,11 +20,12 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
 from matplotlib.ticker import ScalarFormatter
-from matplotlib.transforms import offset_copy
+from matplotlib.transforms import Transform, offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, degree_signs, gettext, in_language
+from lispac.present.line_colours import LINE_COLOURS
 from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
 from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.text_format import (
@@ -40,12 +42,8 @@ BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
 """Colours of values with the prior and with the estimated boresight."""
 INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
 """Colours of texts and curves, and of grid lines."""
-LINE_COLOURS = (
-    "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
-    "#332288", "#882255", "#44aa99",
-)  # fmt: skip
-"""Colours of the survey lines, distinguishable with any colour vision (Paul Tol); light colours
-are darkened for thin curves."""
+TRACK_OFFSET_PT = 1.4
+"""Offset of a drawn track to starboard, points, which separates lines in opposite directions."""
 
 TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
@@ -109,6 +107,11 @@ def correlation_figure_of(
     return figure
 
 
+def line_colour(place: int) -> tuple[float, ...]:
+    """Colour of a survey line by its place in the project, for matplotlib."""
+    return tuple(part / 255 for part in LINE_COLOURS[place % len(LINE_COLOURS)])
+
+
 def site_figure(
     tracks: Mapping[str, ArrayLike],
     targets: Mapping[str, Sequence[float]],
@@ -122,12 +125,10 @@ def site_figure(
     tracks : north and west, shape (k, 2), metres, by name of the line
     targets, validation : seeds (north, west, up), metres, by name; up is not drawn
     """
-    figure = blank_figure(figure, (6.3, 4.0))
+    figure = blank_figure(figure, (6.3, 3.6))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
-        _draw_track(
-            axes, name, np.asarray(points, dtype=float), LINE_COLOURS[k % len(LINE_COLOURS)]
-        )
+        _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
     _draw_seeds(axes, targets, "s", "#bb2222", gettext("target"))
     _draw_seeds(axes, validation, "^", "#111111", gettext("validation plane"))
     marks = [
@@ -173,28 +174,43 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 
 
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw `residual_figure` from the values of a report, divided into figures of half a page."""
+    """Draw `residual_figure` from the values of a report, in parts with one scale."""
+    largest = 1000 * max((max(s.rms_before_m, s.rms_after_m) for s in sightings), default=0.0)
     figures = []
-    for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
-        part = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
+    for part in _parts_of(sightings):
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
         before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
-        figures.append(_before_after_bars(None, labels, before, after))
+        figures.append(_before_after_bars(None, labels, before, after, largest_mm=largest))
     return figures
 
 
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw the estimated POS errors with their prior, divided into figures of half a page."""
-    return [
-        _pos_error_figure(sightings[start : start + MAX_SIGHTINGS_PER_FIGURE])
-        for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE)
-    ]
+    """Draw the estimated POS errors with their prior, in parts with one scale."""
+    found = [each.pos_error for each in sightings if each.pos_error is not None]
+    error, prior, after = (
+        np.abs(rows)
+        for rows in (
+            [(*e.error_m, *e.error_deg) for e in found],
+            [(*e.sigma_m, *e.sigma_deg) for e in found],
+            [(*e.sigma_after_m, *e.sigma_after_deg) for e in found],
+        )
+    )
+    widest = 1150 * np.maximum(2 * prior, error + 2 * after).max(axis=0)
+    return [_pos_error_figure(part, widest) for part in _parts_of(sightings)]
 
 
-def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
+def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
+    """Sightings divided evenly into parts for figures of at most half a page."""
+    count = -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE)
+    ends = [len(sightings) * k // count for k in range(count + 1)]
+    return [sightings[start:end] for start, end in pairwise(ends)]
+
+
+def _pos_error_figure(sightings: Sequence[SightingValues], widest: Array) -> Figure:
     """Draw the errors with their 2 sigma and prior 2 sigma intervals.
 
-    Each sighting has a row, and each component of the error a panel.
+    Each sighting has a row, and each component of the error a panel, with half the width
+    ``widest``, shape (6,), millimetres and thousandths of a degree.
     """
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
@@ -217,10 +233,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
                 color=colour, elinewidth=0.8,
             )  # fmt: skip
         axes.axvline(0, color="#999999", linewidth=0.6)
-        widest = 1.15 * max(
-            float(np.max(2 * prior[:, k])), float(np.max(np.abs(values[:, k]) + 2 * after[:, k]))
-        )
-        axes.set_xlim(-widest, widest)
+        axes.set_xlim(-widest[k], widest[k])
         axes.locator_params(axis="x", nbins=3)
         style_axes(
             axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
@@ -352,7 +365,10 @@ def _before_after_bars(
     labels: Sequence[str],
     before: Sequence[float],
     after: Sequence[float],
+    *,
+    largest_mm: float = 0.0,
 ) -> Figure:
+    """Bars of each label; the scale contains at least ``largest_mm``."""
     figure = blank_figure(figure, (6.3, 0.7 + 0.2 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
@@ -371,6 +387,7 @@ def _before_after_bars(
         )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
+    axes.update_datalim([(largest_mm, 0.0)])
     axes.margins(x=0.1)
     style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
@@ -385,23 +402,38 @@ def _before_after_bars(
     return figure
 
 
-def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
+def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> None:
+    """Draw a track beside its true place, on the starboard side, with its name at its start."""
     north, west = points[:, 0], points[:, 1]
-    axes.plot(west, north, color=colour, linewidth=1.4, label=short_name(name))
+    course = np.array([west[0] - west[-1], north[-1] - north[0]])  # the west axis points left
+    course /= max(float(np.hypot(*course)), 1e-9)
+    starboard = TRACK_OFFSET_PT * np.array([course[1], -course[0]])
+    axes.update_datalim(np.column_stack([west, north]))
+    axes.plot(
+        west, north, color=colour, linewidth=1.6, label=short_name(name),
+        transform=_moved(axes, starboard),
+    )  # fmt: skip
     if len(points) < 2:
         return
+    # The arrow ends beyond the track, so that it covers no part of a line in opposite direction.
     axes.annotate(
-        "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
-        arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
+        "", (west[-1], north[-1]), xycoords=_moved(axes, starboard + 7 * course),
+        textcoords="offset points", xytext=(-9 * course[0], -9 * course[1]),
+        arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.6, "mutation_scale": 9},
     )  # fmt: skip
     # The name is before the start of the track, so that the arrow of a line that ends there does
-    # not cover it. The west axis points to the left.
-    back = np.array([west[1] - west[0], north[0] - north[1]])
-    back *= 9 / max(float(np.hypot(*back)), 1e-9)
+    # not cover it.
+    across, along = 6 * starboard - 12 * course
     axes.annotate(
-        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
-        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=colour,
+        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=(across, along),
+        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
     )  # fmt: skip
+
+
+def _moved(axes: Axes, offset: Array) -> Transform:
+    """Transformation of the data that moves them on paper; offset in points."""
+    figure = axes.get_figure(root=True)
+    return offset_copy(axes.transData, figure, float(offset[0]), float(offset[1]), units="points")
 
 
 def _draw_seeds(

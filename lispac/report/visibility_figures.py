@@ -11,10 +11,10 @@ from lispac.language import N_, gettext
 from lispac.present.visibility import CRITERIA, systematic_error_label
 from lispac.report.figures import (
     INK_COLOUR,
-    LINE_COLOURS,
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     blank_figure,
+    line_colour,
     style_axes,
 )
 from lispac.simulation.thesis_site import HEADINGS_DEG
@@ -73,7 +73,7 @@ def visibility_figure(
     values = shown.values(study)[study.site.errors.index(error)]
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
-            inclinations, values[k], color=LINE_COLOURS[k], linewidth=CURVE_WIDTHS[k],
+            inclinations, values[k], color=line_colour(k), linewidth=CURVE_WIDTHS[k],
             marker="o", markersize=CURVE_WIDTHS[k] + 1.5,
             label=gettext("{heading:n} deg", heading=heading),
         )  # fmt: skip

@@ -27,6 +27,7 @@ from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
+from lispac.present.adjustment import AGREE_ESTIMATED_TEXT, AGREE_TEXT
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
@@ -344,8 +345,11 @@ def test_a_good_result_has_no_warning(
     result, checks = project.result, project.cross_checks
     assert result is not None
     assert result_warnings(result, checks) == ()
-    sure, _ = result_texts.GOOD_FIT_TEXTS
+    sure = f"{AGREE_TEXT} {result_texts.REALISTIC_TEXT}"
     assert result_texts.fit_verdict(result, checks) == sure
+    lidar = VarianceComponent("LiDAR", 0.7, 0.65, 0.75, applied=True)
+    estimated = result_texts.fit_verdict(replace(result, components=(lidar,)), checks)
+    assert estimated == f"{AGREE_ESTIMATED_TEXT} {result_texts.REALISTIC_TEXT}"
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 

@@ -15,6 +15,7 @@ from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.scanner_frame_recovery import MAX_PLAUSIBLE_RANGE_M
+from lispac.warning_causes import Cause
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
@@ -119,11 +120,12 @@ def test_a_given_system_ends_the_request_for_one(track, tmp_path, capsys) -> Non
 
 def test_an_unused_system_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
-    _, survey = make_project(tmp_path / "p", track, line, options(crs=UTM))
+    project, survey = make_project(tmp_path / "p", track, line, options(crs=UTM))
     unused = warning(
         "points.unused_system", file="near.las", system=UTM, actions=(CHOOSE_FRAME_ACTION,)
     )
-    assert unused in survey.notes
+    assert unused in project.reading_warnings
+    assert replace(unused, subject=Cause.of_line("L")) in survey.messages
     input_files = import_files(
         import_files(InputFiles(), track, line).with_option(line, "crs", UTM)
     )

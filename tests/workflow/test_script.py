@@ -183,21 +183,20 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
     assert (tmp_path / "again" / "lines").is_dir()
 
 
-def test_notes_of_the_import_are_reported_where_the_project_has_them(
+def test_the_script_detects_the_reading_options_if_the_warnings_are_the_same(
     demo_project: Project, tmp_path: Path
 ) -> None:
-    """A new project has notes that it no longer has when it is opened."""
+    """An opened project still has the warnings of its import."""
     raw = demo_project.folder / "raw"
     quay = lispac.new(
         tmp_path / "quay", lines=[raw / "L1_000.laz"], trajectory=raw / "trajectory.sbet",
         lever_arm=(0, 0, 0),
     )  # fmt: skip
     again = lispac.open(quay.project.folder)
-    assert len(quay.notes) > len(again.notes)
-    assert "resolved=True" not in project_script(quay).text
-    same_numbers(quay, project_script(quay), tmp_path / "made")
-    assert "resolved=True" in project_script(again).text
-    same_numbers(again, project_script(again), tmp_path / "opened")
+    assert again.project.reading_warnings == quay.project.reading_warnings != ()
+    for k, each in enumerate((quay, again)):
+        assert "resolved=True" not in project_script(each).text
+        same_numbers(each, project_script(each), tmp_path / f"made{k}")
 
 
 def test_missing_raw_files_are_reported(demo_project: Project, tmp_path: Path) -> None:

@@ -69,7 +69,7 @@ def _candidates(
 ) -> Iterator[tuple[str, Observations, tuple[Parameter, ...]]]:
     """Code, corrected observations and additional parameters of each candidate."""
     for code, signs in WRONG_SIGN_CONVENTIONS.items():
-        yield code, _with_attitude_signs(observations, np.array(signs)), ()
+        yield code, with_attitude_signs(observations, np.array(signs)), ()
     for name in TESTED_PARAMETERS:
         if name == "latency" and observations.pose_rate is None:
             continue
@@ -77,7 +77,8 @@ def _candidates(
             yield "", observations, (Parameter(name),)
 
 
-def _with_attitude_signs(observations: Observations, signs: NDArray[np.float64]) -> Observations:
+def with_attitude_signs(observations: Observations, signs: NDArray[np.float64]) -> Observations:
+    """Observations with other signs of the attitude: factors on roll, pitch and heading."""
     rate = observations.pose_rate
     if rate is not None:
         rate = np.column_stack([rate[:, :3], rate[:, 3:] * signs])

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from lispac.present.line_colours import LINE_COLOURS
+
 Colour = tuple[int, int, int]
 Lines = tuple[Colour, ...]
 
@@ -176,20 +178,7 @@ LIGHT_SCHEME = ColourScheme(
     # Blue, vermilion and green of Okabe and Ito.
     series=("#0072b2", "#d55e00", "#009e73"),
     on_series="#ffffff",
-    # Okabe and Ito's colours without black and yellow, then dark ones of Tol's muted set: any two
-    # neighbours in the list can be distinguished with every common kind of colour blindness.
-    lines=(
-        (0, 114, 178),
-        (230, 159, 0),
-        (0, 158, 115),
-        (204, 121, 167),
-        (86, 180, 233),
-        (213, 94, 0),
-        (51, 34, 136),
-        (153, 153, 51),
-        (136, 34, 85),
-        (17, 119, 51),
-    ),
+    lines=LINE_COLOURS,
 )
 
 DARK_SCHEME = ColourScheme(

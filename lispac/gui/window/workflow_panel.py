@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -77,6 +78,26 @@ class WorkflowPanel(QWidget):
             header.show_status(status)
 
 
+class _ElidedLabel(QLabel):
+    """Label that shortens a text which is too wide in its middle, since a file name may end it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, super().minimumSizeHint().height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        text = self.fontMetrics().elidedText(
+            self.text(), Qt.TextElideMode.ElideMiddle, self.width()
+        )
+        self.style().drawItemText(
+            QPainter(self), self.rect(), self.alignment().value, self.palette(), self.isEnabled(),
+            text, self.foregroundRole(),
+        )  # fmt: skip
+
+
 class _StepHeader(QPushButton):
     """Header with number, name and status of a step; a click opens the step."""
 
@@ -94,7 +115,8 @@ class _StepHeader(QPushButton):
         self._glyph = QLabel()
         name = widgets.label("", "heading")
         name.setText(self._title)
-        self.sentence = widgets.label("", "muted")
+        self.sentence = _ElidedLabel()
+        self.sentence.setProperty("role", "muted")
         texts = QVBoxLayout()
         texts.setSpacing(0)
         texts.addWidget(name)

@@ -377,6 +377,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
         "absolute": encode_value(project.absolute),
         "alternative_results": [encode_value(each) for each in project.alternative_results],
         "data_messages": [encode_value(each) for each in project.data_messages],
+        "reading_warnings": [encode_value(each) for each in project.reading_warnings],
         "prediction": encode_value(project.prediction),
         "truth_deg": project.truth_deg,
     }
@@ -415,15 +416,18 @@ def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) 
         alternative_results=tuple(
             decode_value(each, AlternativeResult) for each in content["alternative_results"]
         ),
-        data_messages=tuple(
-            message
-            for each in decode_value(content.get("data_messages", []), list[dict[str, Any]])
-            if has_text(message := decode_value(each, Message))  # of another version: found again
-        ),
+        data_messages=_decode_messages(content.get("data_messages", [])),
+        reading_warnings=_decode_messages(content.get("reading_warnings", [])),
         prediction=decode_value(prediction, ProposalPrediction)
         if (prediction := content.get("prediction"))
         else None,
     )
+
+
+def _decode_messages(content: Any) -> tuple[Message, ...]:
+    """Decode messages; those of another version, which have no text in this one, are omitted."""
+    messages = (decode_value(each, Message) for each in decode_value(content, list[dict[str, Any]]))
+    return tuple(message for message in messages if has_text(message))
 
 
 def _decode_result(content: Any) -> AdjustmentResult:

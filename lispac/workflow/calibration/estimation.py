@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.sign_check import is_sign_assumed, sign_agreement
 from lispac.adjustment.least_squares import adjust_or_explain
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
@@ -397,11 +398,17 @@ def _selected_observations(
 
 
 def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
-    assert project.result is not None
+    """Project with cross-checks, and with a check of the signs of roll and pitch if assumed."""
+    result = project.result
+    assert result is not None
     # The parts are adjusted with the sigmas of the complete adjustment.
-    observations = observations.with_scaled_sigmas(*project.result.sigma_factors)
+    observations = observations.with_scaled_sigmas(*result.sigma_factors)
     prior, parameters = project.mounting("prior"), project.settings.parameters
-    checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
+    checks = cross_checks(observations, prior, result, parameters, progress=progress)
+    if is_sign_assumed(project.data_messages) and (
+        found := sign_agreement(observations, prior, result, parameters)
+    ):
+        project = replace(project, result=replace(result, messages=(*result.messages, found)))
     return project.with_cross_checks(checks)
 
 

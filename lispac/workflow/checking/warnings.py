@@ -17,11 +17,10 @@ from lispac.project import Project
 from lispac.report.content import report_content
 from lispac.report.report_warnings import report_warnings
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
-from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.warning_causes import Cause
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
-from lispac.workflow.project.survey import Survey
+from lispac.workflow.project.survey import Survey, file_cause
 
 DATA_STEP, ADJUST_STEP = Cause.of_step("Data"), Cause.of_step("Adjust")
 
@@ -97,19 +96,10 @@ def _reading_notes(project: Project, survey: Survey | None) -> Iterator[Message]
     if survey is None:
         return
     for each in survey.notes:
-        yield note("project.import_note", reason=each, subject=_file_cause(project, each))
+        yield note("project.import_note", reason=each, subject=file_cause(project, each))
     for message in survey.messages:  # warnings are listed with those about the result
         if message.level is Level.NOTE:
             yield message
-
-
-def _file_cause(project: Project, about: Message) -> Cause:
-    """Cause of a note about a file: the line of the file, else the data in general."""
-    lines = [
-        line for line in project.lines
-        if about.params.get("file") in (printable(line.path.name), str(line.path))
-    ]  # fmt: skip
-    return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA_STEP
 
 
 def _poor_sightings(

@@ -173,10 +173,10 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
 
 
 def _are_readings_detected(project: Project, survey: Survey) -> bool:
-    """True if the detection of reading options gives those of the project and notes of the survey.
+    """True if the detection of reading options gives those of the project, and the same messages.
 
-    Only the survey of a newly created project has notes of the detection. The script of an opened
-    project therefore contains the complete reading options.
+    Only the survey of a newly created project has the notes of the detection. The script of an
+    opened project with such notes therefore contains the complete reading options.
     """
     readings = project.lines, project.trajectory_reading, project.accuracy_reading
     try:
@@ -185,7 +185,8 @@ def _are_readings_detected(project: Project, survey: Survey) -> bool:
         )
     except LispacError:
         return False
-    return bool(notes) and tuple(found) == readings and set(notes) <= set(survey.notes)
+    known = {*survey.notes, *project.reading_warnings}
+    return bool(notes) and tuple(found) == readings and set(notes) <= known
 
 
 def _missing_file_notes(project: Project) -> list[Message]:

@@ -1,7 +1,7 @@
 """Creation, opening and saving of projects."""
 
 import shutil
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -46,6 +46,7 @@ def create_project(
     accuracy_reading: Reading = DEFAULT_READING,
     identity: Identity = EMPTY_IDENTITY,
     messages: tuple[Message, ...] = (),
+    reading_warnings: tuple[Message, ...] = (),
 ) -> Project:
     """Create a project folder that refers to the files of the survey.
 
@@ -75,6 +76,7 @@ def create_project(
         accuracy_reading=accuracy_reading,
         identity=identity,
         data_messages=messages,
+        reading_warnings=reading_warnings,
     )
     _require_new_folder(project)
     digest = write_project(project, expected="")
@@ -113,8 +115,8 @@ def new_project(
 ) -> tuple[Project, Survey]:
     """Read the survey to check its files, then create its project.
 
-    The reading options are completed here, from given and detected values;
-    the survey's notes list what was detected.
+    The reading options are completed here, from given and detected values; the survey's notes list
+    what was detected. The project keeps the warnings about it.
 
     Parameters
     ----------
@@ -145,7 +147,7 @@ def new_project(
         known = tuple(part for line in known for part in split_line(line, split_by))
     draft = replace(
         draft, lines=known, trajectory_reading=trajectory_reading,
-        accuracy_reading=accuracy_reading,
+        accuracy_reading=accuracy_reading, reading_warnings=_warnings_of(notes),
     )  # fmt: skip
     _require_line_names(draft)
     with removed_on_failure(draft):
@@ -154,8 +156,19 @@ def new_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
             truth_deg=truth_deg, trajectory_reading=trajectory_reading,
             accuracy_reading=accuracy_reading, identity=identity, messages=survey.messages,
+            reading_warnings=draft.reading_warnings,
         )  # fmt: skip
-    return project, replace(survey, notes=(*notes, *survey.notes))
+    return project, _with_notes(survey, notes)
+
+
+def _warnings_of(messages: Iterable[Message]) -> tuple[Message, ...]:
+    return tuple(each for each in messages if each.is_serious)
+
+
+def _with_notes(survey: Survey, messages: Iterable[Message]) -> Survey:
+    """Survey with the notes among the messages added; its own messages include the warnings."""
+    added = (each for each in messages if not each.is_serious)
+    return replace(survey, notes=(*added, *survey.notes))
 
 
 def complete_readings(
@@ -228,12 +241,13 @@ def with_lines_added(
         project,
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
         alternative_results=(),
+        reading_warnings=(*project.reading_warnings, *_warnings_of(notes)),
     )
     _require_line_names(edited)
     with removed_on_failure(edited):
         survey = load_survey(edited, progress=progress)
     edited = edited.with_data_messages(survey.messages)
-    return edited, replace(survey, notes=(*notes, *survey.notes))
+    return edited, _with_notes(survey, notes)
 
 
 def _lines_with_readings(

@@ -158,7 +158,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, assumed = local_trajectory(project)
     accuracy, of_accuracy = _trajectory_accuracy(project, trajectory)
-    notes = (*_with_shift_notes(project, assumed), *of_accuracy)
+    read = (*project.reading_warnings, *_with_shift_notes(project, assumed), *of_accuracy)
     messages = (*_file_messages(project), *trajectory.messages)
     messages += _accuracy_messages(project, accuracy)
     audits: dict[str, LineAudit] = {}
@@ -170,7 +170,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
         scan, cloud, of_line, found = _open_line(project, line, trajectory, step)
-        notes += of_line
+        read += of_line
         if found is None:
             messages += (_not_checked_note(line.name),)
         else:
@@ -192,10 +192,25 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     unused = {
         name: audit.read - audit.not_selected - len(scans[name]) for name, audit in audits.items()
     }
+    notes = tuple(each for each in dict.fromkeys(read) if not each.is_serious)
+    warnings = tuple(
+        replace(each, subject=each.subject or file_cause(project, each))
+        for each in dict.fromkeys(read)
+        if each.is_serious
+    )
     return Survey(
-        trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages,
+        trajectory, accuracy, scans, clouds, heading, notes, messages + warnings,
         {name: count for name, count in unused.items() if count > 0},
     )  # fmt: skip
+
+
+def file_cause(project: Project, about: Message) -> Cause:
+    """Cause of a message about a file: the line of the file, else the data in general."""
+    lines = [
+        line for line in project.lines
+        if about.params.get("file") in (printable(line.path.name), str(line.path))
+    ]  # fmt: skip
+    return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA_STEP
 
 
 def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:

@@ -10,7 +10,7 @@ from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, 
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.adjustment import TOO_LARGE_ASSUMED_TEXT
+from lispac.present.adjustment import TOO_LARGE_ASSUMED_TEXT, agreement_template
 from lispac.present.cross_checks import agreement_text, cross_check_values
 from lispac.present.parameters import (
     COMPONENT_TITLES,
@@ -63,20 +63,10 @@ def _form_error_value_text(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
 
 
-GOOD_FIT_TEXTS = (
-    N_("The residuals agree with the given standard deviations. The uncertainties are realistic."),
-    N_("The residuals agree with the given standard deviations."),
-)
-"""Text for a result without warnings, and text for one with warnings; likewise below."""
-GOOD_FIT_WITH_FORM_ERROR_TEXTS = (
-    N_(
-        "The residuals agree with the given standard deviations if the target surfaces vary by "
-        "{most:mm.1} mm from line to line. The uncertainties are realistic."
-    ),
-    N_(
-        "The residuals agree with the given standard deviations if the target surfaces vary by "
-        "{most:mm.1} mm from line to line."
-    ),
+REALISTIC_TEXT = N_("The uncertainties are realistic.")
+FORM_ERROR_TEXT = N_(
+    "The surfaces of the targets vary by {most:mm.1} mm from line to line, which is taken into "
+    "account."
 )
 SMALL_RESIDUALS_TEXTS = (
     N_(
@@ -88,6 +78,7 @@ SMALL_RESIDUALS_TEXTS = (
         "are too large."
     ),
 )
+"""Text for a result without warnings, and text for one with warnings."""
 
 
 def fit_verdict(
@@ -96,13 +87,15 @@ def fit_verdict(
     """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
     is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
+        sentences = [gettext(agreement_template(result))]
         if (
             result.model.surface is None
             and (most := float(result.surfaces.max())) > MAX_FLAT_FORM_SIGMA
         ):
-            sure, unsure = GOOD_FIT_WITH_FORM_ERROR_TEXTS
-            return gettext(sure if is_sure else unsure, most=most)
-        return gettext(GOOD_FIT_TEXTS[0] if is_sure else GOOD_FIT_TEXTS[1])
+            sentences.append(gettext(FORM_ERROR_TEXT, most=most))
+        if is_sure:
+            sentences.append(gettext(REALISTIC_TEXT))
+        return " ".join(sentences)
     if result.variance_factor > 1 and result.unestimated_sigmas:
         return gettext(TOO_LARGE_ASSUMED_TEXT)
     if result.variance_factor > 1:

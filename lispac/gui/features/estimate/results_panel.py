@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QFormLayout,
+    QGridLayout,
     QHeaderView,
     QScrollArea,
     QStackedLayout,
@@ -217,10 +217,12 @@ class ResultsPanel(QWidget):
 
     def _fit_form(self) -> QWidget:
         fit = QWidget()
-        form = QFormLayout(fit)
+        # A QFormLayout keeps the former height of a wrapped text after a change of the text.
+        form = QGridLayout(fit)
         form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(14)
         form.setVerticalSpacing(2)
+        form.setColumnStretch(1, 1)
         self._values = {}
         tips = {
             "factor": gettext(
@@ -251,9 +253,12 @@ class ResultsPanel(QWidget):
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
             for each in (label, value):
                 each.setToolTip(widgets.plain_tip(tips.get(key, "")))
-            form.addRow(label, value)
+            row = form.rowCount()
+            form.addWidget(label, row, 0)
+            form.addWidget(value, row, 1)
             if key == "chi":
-                form.addRow(widgets.label(gettext("Cross-checks"), "muted"), self._checks_link())
+                form.addWidget(widgets.label(gettext("Cross-checks"), "muted"), row + 1, 0)
+                form.addWidget(self._checks_link(), row + 1, 1)
         return fit
 
     def _checks_link(self) -> QWidget:

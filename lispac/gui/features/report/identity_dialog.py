@@ -57,6 +57,8 @@ SURVEY_FIELDS = ("client", "contract", "vessel", "site")
 """Fields of a survey whose texts in other reports complete what is typed."""
 LEFT_GROUPS = 3
 """Number of groups in the left column; the last group is below both columns."""
+MESSAGE_LINES = 2
+"""Number of lines of text reserved for a message."""
 
 
 class IdentityDialog(QDialog):
@@ -115,6 +117,9 @@ class IdentityDialog(QDialog):
         self._align_fields()
         self._complete_texts()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
+        # Space for a message is reserved, so that the buttons stay under the mouse.
+        self.message_label.setFixedHeight(MESSAGE_LINES * self.fontMetrics().lineSpacing())
+        self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.message_label)
         accept = gettext("Export") if missing else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)

@@ -87,20 +87,22 @@ class ReportPictures(QObject):
         steps of the event loop, so that the window stays responsive. An edit of the project or a
         cancellation ends the process.
         """
-        viewport = self._viewport = self._window_viewport.create_empty_viewport()
-        viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
-        viewport.widget.resize(*PICTURE_SIZE_PX)
-        viewport.widget.show()
         placed = self._clouds("estimated")
-        viewport.show_markers(
-            [Marker(each.name, _middle(each, placed), _colour(each)) for each in project.targets]
-        )
+        with theme.paper_colours():
+            viewport = self._viewport = self._window_viewport.create_empty_viewport()
+            viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
+            viewport.widget.resize(*PICTURE_SIZE_PX)
+            viewport.widget.show()
+            viewport.show_markers(
+                [Marker(x.name, _middle(x, placed), _colour(x)) for x in project.targets]
+            )
         views = list(_views(project, extent, self._clouds))
         taken: dict[tuple[PriorOrEstimated, int], QImage] = {}
         steps = list(self._steps(viewport, views, taken))
 
         def step(_nothing: None) -> None:
-            steps.pop(0)()
+            with theme.paper_colours():
+                steps.pop(0)()
             if self._document.project is not project:
                 self._close_viewport()
             elif steps:
