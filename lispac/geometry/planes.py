@@ -131,14 +131,16 @@ def rms_distance(plane: Plane, points: Array) -> float:
     return float(np.sqrt(np.mean(plane.distances(points) ** 2)))
 
 
-def plane_axes(normal: Array) -> Array:
+def plane_axes(normal: Array, level_limit: float = 1e-3) -> Array:
     """Two unit vectors in the plane: the horizontal one and the one up the slope.
 
-    If the plane is horizontal to a thousandth of a radian, the axes are west and north.
+    If the plane is horizontal, the axes are west and north.
 
     Parameters
     ----------
     normal : ndarray of shape (3,), unit vector in the local frame
+    level_limit : float, radians
+        Inclination below which a plane is horizontal.
 
     Returns
     -------
@@ -146,7 +148,7 @@ def plane_axes(normal: Array) -> Array:
         Rows: horizontal (direction of the width), and up the slope (direction of the height).
     """
     level = np.array([-normal[1], normal[0], 0.0])
-    flat = float(np.hypot(normal[0], normal[1])) < 1e-3
+    flat = float(np.hypot(normal[0], normal[1])) < np.sin(level_limit)
     if flat:
         level = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     level = level / np.linalg.norm(level)

@@ -111,9 +111,9 @@ TEXTS: Mapping[str, Template] = {
         "and trajectory."
     ),
     "validation.line_shifted": N_(
-        "On validation plane {target}, line {line} is shifted from {others:names} by {offset:mm.1} "
-        "mm, but the uncertainties of POS and boresight explain only {limit:mm.1} mm. Check the "
-        "trajectory during this line."
+        "On validation plane {target}, line {line} is shifted from the mean of {others:names} by "
+        "{offset:mm.1} mm, but the uncertainties of POS and boresight explain only {limit:mm.1} "
+        "mm. Check the trajectory during this line."
     ),
     "validation.two_modes": N_(
         "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
@@ -139,15 +139,15 @@ TEXTS: Mapping[str, Template] = {
         "Add targets in another orientation or farther away, or more lines."
     ),
     "acceptance.cause_pos": N_(
-        "Probable cause on {planes:names}: the POS, because the lines are shifted against each "
-        "other by {offset:mm.1} mm, the given uncertainties explain up to {limit:mm.1} mm, and no "
-        "error of the boresight is detected. Process the trajectory again with a more accurate "
-        "solution, or check the given POS accuracy."
+        "Probable cause on {planes:names}: the POS. On {plane}, the shift of {lines:names} from "
+        "the mean of {others:names} is {offset:mm.1} mm, the given uncertainties explain up to "
+        "{limit:mm.1} mm, and no error of the boresight is detected. Process the trajectory again "
+        "with a more accurate solution, or check the given POS accuracy."
     ),
     "acceptance.cause_scatter": N_(
-        "Probable cause on {target}: the scatter of the points, because the lines are offset by at "
-        "most {offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or curved: "
-        "pick a plane on a smooth surface."
+        "Probable cause on {target}: the scatter of the points, because the offset of two lines "
+        "is at most {offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or "
+        "curved: pick a plane on a smooth surface."
     ),
     "acceptance.cause_unknown": N_(
         "The cause on {planes:names} is not known, because an earlier version of LISPAC has "

@@ -4,6 +4,7 @@ from dataclasses import dataclass, fields
 from typing import Literal
 
 from lispac.acceptance import (
+    LIMIT_NAMES,
     Acceptance,
     AcceptanceCheck,
     AcceptanceCriteria,
@@ -174,5 +175,22 @@ def failed_texts(values: AcceptanceValues, plane: str) -> list[str]:
 
 
 def verdict_text(verdict: Verdict) -> str:
-    """Verdict in the language in use."""
+    """Verdict on a part of the calibration, in the language in use."""
     return gettext(VERDICT_TEXTS[verdict])
+
+
+def calibration_verdict_text(values: AcceptanceValues) -> str:
+    """Verdict on the calibration, with the number of the criteria if only some are given."""
+    verdict, given = verdict_text(values.verdict), given_criteria_text(values)
+    if values.checks and given:
+        return gettext("{verdict} ({given})", verdict=verdict, given=given)
+    return verdict
+
+
+def given_criteria_text(values: AcceptanceValues) -> str:
+    """Number of the criteria that are given; empty if all are."""
+    total = len(LIMIT_NAMES)
+    given = total - len(values.criteria.missing)
+    if given == total:
+        return ""
+    return gettext("{given:n} of {total:n} criteria given", given=given, total=total)

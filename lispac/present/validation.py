@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
-from operator import itemgetter
+from operator import attrgetter, itemgetter
 from typing import Any, Literal
 
 import numpy as np
@@ -183,6 +183,11 @@ class PairValues:
             None if pair.modes is None else TwoModesValues.of(pair.modes),
         )
 
+    @property
+    def absolute_offset_m(self) -> float | None:
+        """Absolute median signed distance after the calibration, metres."""
+        return None if self.after.signed is None else abs(self.after.signed.median_m)
+
 
 @dataclass(frozen=True)
 class DistancesBySteps:
@@ -222,14 +227,28 @@ class DistanceMapValues:
     up_m: tuple[float, ...]
     before_m: tuple[float, ...]
     after_m: tuple[float, ...]
+    is_horizontal: bool
 
     @classmethod
     def of(cls, values: DistanceMap) -> "DistanceMapValues":
         """Values of a map of distances."""
-        figures = (values.across, values.up, values.before, values.after)
-        return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
+        across, up, before, after = (
+            tuple(each.tolist()) for each in (values.across, values.up, values.before, values.after)
+        )
+        return cls(
+            values.line_a, values.line_b, values.cell, across, up, before, after,
+            values.is_horizontal,
+        )  # fmt: skip
+
+    @property
+    def axis_titles(self) -> tuple[str, str]:
+        """Titles of the axes of ``across_m`` and ``up_m``, in English."""
+        return HORIZONTAL_MAP_AXES if self.is_horizontal else MAP_AXES
 
 
+MAP_AXES = N_("Horizontal (m)"), N_("Up (m)")
+HORIZONTAL_MAP_AXES = N_("East (m)"), N_("North (m)")
+"""Titles of the axes of a map on a vertical or inclined plane, and on a horizontal one."""
 BIN_EDGE = Format("", 4, 1e3, is_grouped=False)
 STEP_EDGE = Format("", 3, is_grouped=False)
 STEP_DISTANCE = Format("", 3, 1e3, is_grouped=False)
@@ -318,16 +337,19 @@ BOTH_PROFILES_TABLE = replace(
     ),
 )  # fmt: skip
 
-MAP_CELLS_TABLE = Table[tuple[float, ...]](
-    "",
-    (
-        Column(itemgetter(0), N_("Horizontal (m)"), STEP_EDGE),
-        Column(itemgetter(1), N_("Up (m)"), STEP_EDGE),
-        Column(itemgetter(2), N_("Before (mm)"), CELL_DISTANCE),
-        Column(itemgetter(3), N_("After (mm)"), CELL_DISTANCE),
-    ),
-)
-"""Table of the cells of a map of distances, for spreadsheets."""
+
+def map_cells_table(values: DistanceMapValues) -> Table[tuple[float, ...]]:
+    """Table of the cells of a map of distances, for spreadsheets."""
+    across, up = values.axis_titles
+    return Table(
+        "",
+        (
+            Column(itemgetter(0), across, STEP_EDGE),
+            Column(itemgetter(1), up, STEP_EDGE),
+            Column(itemgetter(2), N_("Before (mm)"), CELL_DISTANCE),
+            Column(itemgetter(3), N_("After (mm)"), CELL_DISTANCE),
+        ),
+    )
 
 
 def map_cells(values: DistanceMapValues) -> list[tuple[float, ...]]:
@@ -392,6 +414,31 @@ class ValidationPlane:
             maps=tuple(map(DistanceMapValues.of, plane.maps)),
             shifts=tuple(map(LineShiftValues.of, plane.shifts)),
         )
+
+    @property
+    def largest_offset_m(self) -> float | None:
+        """Largest absolute offset of two lines after the calibration, metres."""
+        pair = self._pair_of_largest_offset
+        return None if pair is None else pair.absolute_offset_m
+
+    @property
+    def largest_offset_lines(self) -> str:
+        """Names of the two lines with the largest offset; empty if it is not known."""
+        pair = self._pair_of_largest_offset
+        return "" if pair is None else f"{pair.line_a} / {pair.line_b}"
+
+    @property
+    def _pair_of_largest_offset(self) -> PairValues | None:
+        known = [pair for pair in self.pairs if pair.after.signed is not None]
+        return max(known, key=attrgetter("absolute_offset_m"), default=None)
+
+    def offsets_m(self, line: str, other: str) -> tuple[float, float] | None:
+        """Offset of two lines before and after, metres; None if it is not known."""
+        for pair in self.pairs:
+            before, after = pair.before.signed, pair.after.signed
+            if (pair.line_a, pair.line_b) == (line, other) and before and after:
+                return before.median_m, after.median_m
+        return None
 
 
 @dataclass(frozen=True)
@@ -490,7 +537,7 @@ class ShiftOnPlane:
 
     @property
     def ratio(self) -> float | None:
-        """Offset divided by its sigma."""
+        """Shift divided by its sigma."""
         return self.shift.offset_m / self.shift.sigma_m if self.shift.sigma_m else None
 
 
@@ -569,6 +616,8 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column("name", N_("Plane")),
         Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
+        Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
+        Column("largest_offset_lines", N_("between")),
     ),
 )
 RECIPROCAL_PAIRS_TEXT = N_(
@@ -608,7 +657,7 @@ PAIR_PLACES_TABLE = Table[PairOnPlane](
         Column("plane.name", N_("Plane")),
         Column("lines", N_("Lines")),
         Column("pair.after.signed.places", N_("Compared\nplaces"), COUNT),
-        Column("pair.before.signed.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES.signed),
+        Column("pair.before.signed.median_m", N_("Offset\nbefore"), PLAIN_MILLIMETRES.signed),
         Column(
             "pair.before.signed.interval95_m", N_("95 % interval\nof a place\nbefore"),
             PLAIN_MILLIMETRES.half_interval,
@@ -617,7 +666,7 @@ PAIR_PLACES_TABLE = Table[PairOnPlane](
             "pair.before.signed.significant_share", N_("Significant\nplaces\nbefore"), PERCENT,
             has_unit_in_cells=True,
         ),
-        Column("pair.after.signed.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES.signed),
+        Column("pair.after.signed.median_m", N_("Offset\nafter"), PLAIN_MILLIMETRES.signed),
         Column(
             "pair.after.signed.interval95_m", N_("95 % interval\nof a place\nafter"),
             PLAIN_MILLIMETRES.half_interval,
@@ -640,12 +689,12 @@ PAIR_PLANES_TABLE = Table[PairOnPlane](
             )
             for state, titles in (
                 ("before", (
-                    N_("Offset\nbefore"), N_("Rotation about\nhoriz. axis\nbefore"),
-                    N_("Rotation about\nvert. axis\nbefore"),
+                    N_("Plane offset\nbefore"), N_("Rotation about\naxis u\nbefore"),
+                    N_("Rotation about\naxis v\nbefore"),
                 )),
                 ("after", (
-                    N_("Offset\nafter"), N_("Rotation about\nhoriz. axis\nafter"),
-                    N_("Rotation about\nvert. axis\nafter"),
+                    N_("Plane offset\nafter"), N_("Rotation about\naxis u\nafter"),
+                    N_("Rotation about\naxis v\nafter"),
                 )),
             )
             for (value, unit, form), title in zip(
@@ -667,9 +716,9 @@ SHIFTS_TABLE = Table[ShiftOnPlane](
         Column("plane", N_("Plane")),
         Column(lambda row: ", ".join(row.shift.lines), N_("Lines")),
         Column(lambda row: ", ".join(row.shift.others), N_("Other lines")),
-        Column("shift.offset_m", N_("Offset"), PLAIN_MILLIMETRES.signed),
+        Column("shift.offset_m", N_("Shift"), PLAIN_MILLIMETRES.signed),
         Column("shift.sigma_m", N_("Sigma"), PLAIN_MILLIMETRES),
-        Column("ratio", N_("Offset / sigma"), ratio(1).signed),
+        Column("ratio", N_("Shift / sigma"), ratio(1).signed),
     ),
 )
 
@@ -690,11 +739,18 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
         ),
         Column(
             "before.distances.rms_m", N_("RMS\nbefore"), MILLIMETRES,
-            N_("RMS of the distances between the lines before the calibration"),
+            N_(
+                "RMS of the distances of the points of each line from the surface of the other "
+                "before the calibration; it may be smaller than the offset if the lines are "
+                "farther apart than their points"
+            ),
         ),
         Column(
             "after.distances.rms_m", N_("RMS\nafter"), MILLIMETRES,
-            N_("RMS of the distances between the lines after the calibration"),
+            N_(
+                "RMS of the distances of the points of each line from the surface of the other "
+                "after the calibration; it contains the noise of the points"
+            ),
         ),
         Column(
             "before.signed.median_m", N_("Offset\nbefore"), MILLIMETRES.signed,

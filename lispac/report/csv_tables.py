@@ -17,10 +17,10 @@ from lispac.present.text_format import MINUS_SIGN
 from lispac.present.validation import (
     DISTANCE_STEPS_TABLE,
     HISTOGRAM_TABLE,
-    MAP_CELLS_TABLE,
     distance_steps,
     histogram_bins,
     map_cells,
+    map_cells_table,
 )
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Table, report_table
@@ -79,7 +79,7 @@ def map_tables(content: ReportContent) -> list[Table]:
                 "Map of {plane}: {line} relative to {other}",
                 plane=plane.name, line=each.line_a, other=each.line_b,
             )  # fmt: skip
-            made.append(replace(report_table(MAP_CELLS_TABLE, map_cells(each)), title=title))
+            made.append(replace(report_table(map_cells_table(each), map_cells(each)), title=title))
     return made
 
 

@@ -1,7 +1,7 @@
 """Maps of the distances between two lines on a plane, before and after the calibration.
 
-The colours show deviations from the median of each map, which is given above it: after the
-calibration most of a distance is the offset of a whole line, which would hide the pattern.
+The colours show deviations from the offset of the two lines, which is given above each map: after
+the calibration most of a distance is the offset of a whole line, which would hide the pattern.
 """
 
 from collections.abc import Sequence
@@ -31,16 +31,16 @@ from lispac.report.text_width import cut_to_width, largest_fitting_font_size, te
 
 Array = NDArray[np.float64]
 
-MAP_TITLES = N_("before\n{median} mm"), N_("after\n{median} mm")
-"""Titles of a map: its state and median."""
-BAR_TITLES = N_("Before: deviation from median (mm)"), N_("After: deviation from median (mm)")
+MAP_TITLES = N_("before\n{offset} mm"), N_("after\n{offset} mm")
+"""Titles of a map: its state and the offset of the lines."""
+BAR_TITLES = N_("Before: deviation from offset (mm)"), N_("After: deviation from offset (mm)")
 """Titles of the colour bars."""
 FINER_TEXT, COARSER_TEXT = N_("scale {factor} × finer"), N_("scale {factor} × coarser")
 """Second line of the title of the colour bar after, if the scales differ."""
 MAX_COMMON_RATIO = 2.0
 """Largest ratio of the two colour scales for which both states have the larger one."""
 COLOUR_MAP = "RdBu_r"
-"""Colour map: red where the first line is nearer to the vessel than by the median."""
+"""Colour map: red where the first line is nearer to the vessel than by the offset."""
 SCALE_PERCENTILE = 98.0
 """Percentile of the absolute deviations at the ends of the colour scale."""
 MIN_COLOUR_LIMIT_M = 1e-4
@@ -87,21 +87,23 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
     Both maps of a pair have the same axes, and all maps the same scale. A state with much smaller
     deviations has a finer colour scale; the title of its colour bar says so.
     """
-    return _draw_maps(plane.name, plane.maps, FULL_SIZE)
+    return _draw_maps(plane, plane.maps, FULL_SIZE)
 
 
 def small_map_figure_of(plane: ValidationPlane) -> Figure:
     """Maps of the pairs with the largest offset and distances after, half a page wide."""
-    return _draw_maps(plane.name, _largest_maps(plane), SMALL_SIZE)
+    return _draw_maps(plane, _largest_maps(plane), SMALL_SIZE)
 
 
 def map_row_figure_of(plane: ValidationPlane) -> Figure:
     """The maps of `small_map_figure_of`, lower and as wide as a page."""
-    return _draw_maps(plane.name, _largest_maps(plane), ROW_SIZE)
+    return _draw_maps(plane, _largest_maps(plane), ROW_SIZE)
 
 
 def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
-    farthest = max(plane.maps, key=_offset_after, default=None)
+    farthest = max(
+        plane.maps, key=lambda each: abs(_offsets_of(plane, each)[1]), default=None
+    )  # fmt: skip
     largest = sorted(
         plane.maps, key=lambda each: (each is farthest, _rms_after(each)), reverse=True
     )[:MAX_SMALL_MAPS]
@@ -112,19 +114,24 @@ def _rms_after(values: DistanceMapValues) -> float:
     return float(np.sqrt(np.mean(np.square(values.after_m))))
 
 
-def _offset_after(values: DistanceMapValues) -> float:
-    return float(abs(np.median(values.after_m)))
+def _offsets_of(plane: ValidationPlane, values: DistanceMapValues) -> tuple[float, float]:
+    """Offset of the two lines of a map before and after, metres, as in the tables.
+
+    The median of the map if its cells, which may be wider, are the only places with distances.
+    """
+    found = plane.offsets_m(values.line_a, values.line_b)
+    return found or (float(np.median(values.before_m)), float(np.median(values.after_m)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Map:
-    """Deviations of the distances from their median, in the smallest rectangle of cells.
+    """Deviations of the distances from the offset, in the smallest rectangle of cells.
 
     Attributes
     ----------
     grid : deviations (up, across), metres, NaN for cells without distance
     extent : left, right, lower and upper edge, metres
-    title : state and median
+    title : state and offset
     """
 
     grid: Array
@@ -138,7 +145,7 @@ class _Map:
         return np.array([right - left, high - low])
 
 
-def _maps_of(pair: DistanceMapValues) -> tuple[_Map, _Map]:
+def _maps_of(pair: DistanceMapValues, offsets_m: tuple[float, float]) -> tuple[_Map, _Map]:
     """Maps before and after; both have the same cells."""
     columns, rows = (
         np.floor(np.array(each) / pair.cell_m).astype(int) for each in (pair.across_m, pair.up_m)
@@ -147,14 +154,13 @@ def _maps_of(pair: DistanceMapValues) -> tuple[_Map, _Map]:
     right, high = columns.max() + 1, rows.max() + 1
     extent = (left * pair.cell_m, right * pair.cell_m, low * pair.cell_m, high * pair.cell_m)
 
-    def of_state(distances_m: Sequence[float], title: str) -> _Map:
-        median = float(np.median(distances_m))
+    def of_state(distances_m: Sequence[float], offset_m: float, title: str) -> _Map:
         grid = np.full((high - low, right - left), np.nan)
-        grid[rows - low, columns - left] = np.array(distances_m) - median
-        return _Map(grid, extent, gettext(title, median=signed_number(1000 * median, 1)))
+        grid[rows - low, columns - left] = np.array(distances_m) - offset_m
+        return _Map(grid, extent, gettext(title, offset=signed_number(1000 * offset_m, 1)))
 
-    before, after = MAP_TITLES
-    return of_state(pair.before_m, before), of_state(pair.after_m, after)
+    before, after = map(of_state, (pair.before_m, pair.after_m), offsets_m, MAP_TITLES)
+    return before, after
 
 
 @dataclass(frozen=True)
@@ -194,10 +200,10 @@ def _arrange(pairs: Sequence[tuple[_Map, _Map]], size: _Size) -> _Arrangement:
     return max(found, key=lambda each: each[:2])[-1]
 
 
-def _draw_maps(name: str, values: Sequence[DistanceMapValues], size: _Size) -> Figure:
+def _draw_maps(plane: ValidationPlane, values: Sequence[DistanceMapValues], size: _Size) -> Figure:
     if not values:
-        return _missing_maps(name, size)
-    pairs = [_maps_of(each) for each in values]
+        return _missing_maps(plane.name, size)
+    pairs = [_maps_of(each, _offsets_of(plane, each)) for each in values]
     arrangement = _arrange(pairs, size)
     figure, places = _map_axes(pairs, arrangement, size)
     limits = _colour_limits(pairs)
@@ -207,7 +213,7 @@ def _draw_maps(name: str, values: Sequence[DistanceMapValues], size: _Size) -> F
             _draw_map(axes, drawn, limit)
             is_left = axes is row[0]
             is_outer = is_left and k % arrangement.columns == 0
-            style_axes(axes, "", gettext("Up (m)") if is_outer else "")
+            style_axes(axes, "", gettext(each.axis_titles[1]) if is_outer else "")
             axes.yaxis.label.set_fontsize(size.text)
             axes.grid(False)
             _set_ticks(axes.xaxis, drawn.extent[:2], arrangement.scale)
@@ -308,7 +314,7 @@ def _draw_pair_texts(
     # The labels of two narrow maps would overlap; they have one in common.
     figure.text(
         (left.x0 + right.x1) / 2, left.y0 - form.inches(2.4) / figure.get_size_inches()[1],
-        gettext("Horizontal (m)"), ha="center", va="top", color=INK_COLOUR, fontsize=form.text,
+        gettext(values.axis_titles[0]), ha="center", va="top", color=INK_COLOUR, fontsize=form.text,
     )  # fmt: skip
 
 

@@ -54,15 +54,18 @@ ROBUST_SIGMA_TEXT = N_(
 SIGNED_DISTANCES_TEXT = N_(
     "Distance of the first line from the second, positive towards the vessel, between means "
     "within cylinders along the local normal (M3C2); averaging reduces the noise of single "
-    "points. The 95 % interval is that of one place, from the scatter of its points. The last "
-    "column of each state gives the percentage of places whose distance exceeds this interval."
+    "points. Offset: median of the places. The 95 % interval is that of one place, from the "
+    "scatter of its points. The last column of each state gives the percentage of places whose "
+    "distance exceeds this interval."
 )
 PLANE_OFFSETS_TEXT = N_(
     "The plane fitted to the points of the first line is compared with that of the second, with "
-    "95 % intervals from the scatter of the points. An offset is positive if the first plane is "
-    "nearer to the vessel. A rotation is positive if the upper edge of the first plane "
-    "(horizontal axis), or its right edge as seen from the vessel (vertical axis), is turned "
-    "towards the vessel."
+    "95 % intervals from the scatter of the points. A plane offset, the distance of the planes in "
+    "the middle of the points, is positive if the first plane is nearer to the vessel. Axis u is "
+    "the horizontal axis in the plane, to the right as seen from the vessel, and axis v points up "
+    "its slope; on a horizontal plane, u points west and v north. A rotation about u is positive "
+    "if the edge of the first plane in direction v is turned towards the vessel, a rotation about "
+    "v if the edge in direction u is."
 )
 ACCEPTANCE_TEXT = N_(
     "RMS: of the distances between the lines after the calibration, as in the table above. Offset: "
@@ -78,9 +81,9 @@ SHIFTS_TEXT = N_(
 )
 MAP_LEGEND_TEXT = N_(
     "Maps: distance of the first line from the second along the normal of the plane, seen from the "
-    "vessel. The number above a map is the median, positive where the first line is nearer to the "
-    "vessel; colours show the deviation from it (red: nearer, blue: farther away, grey: too few "
-    "points)."
+    "vessel, or from above if the plane is horizontal. The number above a map is the offset of the "
+    "two lines, positive where the first line is nearer to the vessel; colours show the deviation "
+    "from it (red: nearer, blue: farther away, grey: too few points)."
 )
 MAPPED_PAIRS_TEXT = N_(
     "Mapped: the pair of lines with the largest offset after the calibration, and reciprocal pairs."
@@ -98,8 +101,8 @@ S44_TEXT = N_(
 OVERLAP_TEXT = N_(
     "The swath overlap difference of the USGS Lidar Base Specification (2024 rev. A) is the root "
     "mean square of the height differences of overlapping swaths (RMSDz) on open ground. The "
-    "validation planes are vertical or inclined, so the differences are computed along their "
-    "normal, between the means of both lines within cylinders, for every pair of overlapping "
+    "differences given here are those along the normal of each validation plane, whatever its "
+    "orientation, between the means of both lines within cylinders, for every pair of overlapping "
     "lines. Averaging reduces the noise of single points; after the calibration, the POS error of "
     "each line remains. The quality levels of the specification apply to heights on the ground; "
     "the differences are not compared with them."

@@ -80,10 +80,14 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
     known = [plane for plane in others if plane.shifts]
     if known:
         limit = shift_limit(planes)
-        shift = max((each for plane in known for each in plane.shifts), key=_significance)
+        where, shift = max(
+            ((plane.name, each) for plane in known for each in plane.shifts),
+            key=lambda found: _significance(found[1]),
+        )
         yield note(
             "acceptance.cause_pos",
             planes=tuple(plane.name for plane in known),
+            plane=where, lines=shift.lines, others=shift.others,
             offset=abs(shift.offset_m), limit=limit * shift.sigma_m,
             subject=Cause.of_field("position_sigma"),
         )  # fmt: skip

@@ -17,6 +17,7 @@ from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.targets.thinning import thin_points
 from lispac.untrusted_values import ArrayShape
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
+from lispac.validation.plane_offset import LEVEL_LIMIT_RAD
 
 Array = NDArray[np.float64]
 
@@ -41,9 +42,12 @@ class DistanceMap:
         Side of the square cells.
     across, up : ndarrays of shape (n,), metres
         Centres of the cells that have a distance, relative to the lower left corner as seen from
-        the vessel: along the horizontal direction in the plane, and up its slope.
+        the vessel: along the horizontal direction in the plane, and up its slope. On a horizontal
+        plane, towards east and towards north.
     before, after : ndarrays of shape (n,), metres
         Positive where the first line lies nearer to the vessel.
+    is_horizontal : bool
+        Whether the plane is horizontal. False in comparisons of earlier versions.
     """
 
     line_a: str
@@ -53,6 +57,7 @@ class DistanceMap:
     up: Annotated[Array, ArrayShape("n")]
     before: Annotated[Array, ArrayShape("n")]
     after: Annotated[Array, ArrayShape("n")]
+    is_horizontal: bool = False
 
 
 def distance_map(
@@ -87,7 +92,11 @@ def distance_map(
     DistanceMap, or None if no cell has enough points of both lines
     """
     after = theirs[1][common]
-    axes = plane_axes(fit_plane(after).facing(facing).normal)
+    normal = fit_plane(after).facing(facing).normal
+    axes = plane_axes(normal, LEVEL_LIMIT_RAD)
+    is_horizontal = bool(np.hypot(normal[0], normal[1]) < np.sin(LEVEL_LIMIT_RAD))
+    if is_horizontal:
+        axes[0] *= -1.0  # east, which is to the right on a map
     flat = after @ axes.T
     corner = flat.min(axis=0)
     flat = flat - corner
@@ -114,4 +123,6 @@ def distance_map(
     )
     middles = cell * (np.floor(flat[chosen[measured]] / cell) + 0.5)
     across, up = np.round(middles, STORED_DECIMALS).T
-    return DistanceMap(*lines, round(cell, STORED_DECIMALS), across, up, before, after)
+    return DistanceMap(
+        *lines, round(cell, STORED_DECIMALS), across, up, before, after, is_horizontal
+    )

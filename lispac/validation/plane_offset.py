@@ -16,6 +16,8 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
+LEVEL_LIMIT_RAD = np.radians(10.0)
+"""Inclination below which a plane is horizontal and its axes are west and north."""
 UNKNOWN_COUNT, MAX_FIT_ITERATIONS = 3, 4
 """Number of parameters of a plane, and largest number of fits without outliers."""
 SIGMA_PER_MAD = 1.4826
@@ -37,7 +39,8 @@ class PlaneOffset:
     offset, offset_95 : float, metres
         Offset, positive towards ``facing``, and half its 95 % interval.
     rotation_horizontal_axis, rotation_slope_axis : float, radians
-        Rotations about the horizontal axis in the plane and about the axis up its slope.
+        Rotations about the horizontal axis in the plane and about the axis up its slope; on a
+        horizontal plane, about west and north.
     rotation_horizontal_axis_95, rotation_slope_axis_95 : float, radians
         Half their 95 % intervals.
     outliers : int
@@ -84,7 +87,7 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
         [points - middle for points, middle in zip(both, middles, strict=True)]
     )
     normal = fit_plane_robustly(centred, EQUAL_WEIGHT_DISTANCE_M).facing(facing).normal
-    frame = np.vstack((plane_axes(normal), normal))
+    frame = np.vstack((plane_axes(normal, LEVEL_LIMIT_RAD), normal))
     middle = np.mean(middles, axis=0)
     fits = [_fit_plane_robustly((points - middle) @ frame.T) for points in both]
     difference = fits[0].values - fits[1].values

@@ -98,6 +98,7 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert judged.project.judgement.verdict == "pass"
     assert state_of(judged) == "done"
     assert marks(judged) == [(True, "V1. Acceptance: pass")]
+    assert "pass (1 of 5 criteria given)" in outcome.verdict.text()
     assert outcome.verdict.property("role") == "success"
     assert outcome.icon.pixmap().toImage() != failed, "not the colour alone"
     field.selectAll()
@@ -184,4 +185,8 @@ def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
     judged.rest()
     status = step_statuses(document.project, document.survey)[VALIDATE]
     assert status.state == "done"
-    assert status.sentence == "acceptance criteria met"
+    assert status.sentence == "acceptance: pass (3 of 5 criteria given)"
+    every = limits.changed(rms=1.0, offset=1.0)
+    document.edit("limits", judged.project.with_acceptance(every))
+    judged.rest()
+    assert "criteria given" not in judged.window.validate.outcome.verdict.text()

@@ -11,11 +11,17 @@ from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_t
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.messages import note
-from lispac.present.acceptance import AcceptanceValues, decisive_checks, failed_texts
+from lispac.present.acceptance import (
+    AcceptanceValues,
+    calibration_verdict_text,
+    decisive_checks,
+    failed_texts,
+)
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
+from lispac.report.document_blocks import Table
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.validation_warnings import probable_causes
@@ -174,6 +180,12 @@ def test_the_probable_cause_of_a_failure_depends_on_the_shifts_of_the_lines(
     assert causes_of(project, (within,), **limit) == {
         "acceptance.cause_pos": Cause.of_field("position_sigma")
     }
+    judged = replace(project, validation=(replace(plane, shifts=(within,)),))
+    values = AcceptanceValues.of(judged.with_acceptance(AcceptanceCriteria(**limit)).judgement)
+    (cause,) = probable_causes(values, [ValidationPlane.of(judged.validation[0])])
+    assert cause.params["plane"] == plane.name
+    assert cause.params["lines"] == lines[:1]
+    assert cause.params["others"] == lines[1:]
     assert causes_of(project, (within, beyond), **limit) == {
         "validation.line_shifted": Cause.of_line(lines[0])
     }
@@ -227,6 +239,36 @@ def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Proj
     assert values["criteria"]["source"] == "Contract 4.2"
     assert {each["unit"] for each in values["checks"]} == {"deg", "m"}
     assert len(values["planes"]) == len(project.validation)
+
+
+def test_the_table_of_planes_gives_the_largest_offset_and_its_lines(project: Project) -> None:
+    plane = project.validation[0]
+    first, *others = plane.pairs
+    assert first.after.signed is not None
+    lines = f"{first.line_a} / {first.line_b}"
+    signed = replace(first.after.signed, median=-0.04321)
+    far = replace(first, after=replace(first.after, signed=signed))
+    judged = replace(project, validation=(replace(plane, pairs=(far, *others)),)).with_acceptance(
+        AcceptanceCriteria(offset=0.01)
+    )
+    for options in (FULL_REPORT, ReportOptions()):
+        summary = undrawn_document(sample_content(judged), {}, options).summary
+        (table,) = (
+            each for each in summary if isinstance(each, Table) and "Validation:" in each.title
+        )
+        (row,) = table.rows
+        assert {"43.2", lines, "fail"} <= set(row)
+
+
+def test_a_pass_by_some_criteria_says_how_many_are_given(project: Project) -> None:
+    some = project.with_acceptance(AcceptanceCriteria(rms=1.0, offset=1.0))
+    every = AcceptanceCriteria(1.0, 1.0, 1.0, 1.0, 1.0)
+    assert "2 OF 5" in undrawn_document(sample_content(some), {}, FULL_REPORT).verdict
+    full = undrawn_document(sample_content(project.with_acceptance(every)), {}, FULL_REPORT)
+    assert "OF 5" not in full.verdict
+    assert calibration_verdict_text(AcceptanceValues.of(some.judgement)).startswith("pass (2 of 5")
+    passed = AcceptanceValues.of(project.with_acceptance(every).judgement)
+    assert calibration_verdict_text(passed) == "pass"
 
 
 def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project) -> None:

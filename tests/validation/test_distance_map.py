@@ -58,6 +58,35 @@ def test_each_cell_has_the_distance_at_its_place() -> None:
         np.testing.assert_array_equal(getattr(again, name), values)
 
 
+def test_the_map_of_a_horizontal_plane_has_north_up_and_east_to_the_right() -> None:
+    """A deck, 6 m by 3 m, that rises by 10 mm a metre to the east and is seen from below."""
+    rng = np.random.default_rng(4)
+    north, west = rng.uniform(0, 3, 6000), rng.uniform(0, 6, 6000)
+    flat = np.column_stack([north, west, np.full(6000, 20.0)])
+    risen = flat + np.outer(0.01 * (6 - west), [0, 0, -1.0])
+    found = compare_plane(
+        "V1", {"L1": risen, "L2": flat}, {"L1": risen, "L2": flat}, OPPOSITE,
+        facing=np.array([0.0, 0.0, -1.0]),
+    )  # fmt: skip
+    (mapped,) = found.maps
+    assert mapped.is_horizontal
+    assert np.ptp(mapped.across) > 2 * np.ptp(mapped.up)
+    np.testing.assert_allclose(mapped.after, 0.01 * mapped.across, atol=0.004)
+    planes = found.pairs[0].after.planes
+    assert planes is not None
+    # The eastern edge of the first plane is turned towards the vessel: about north, west negative
+    assert np.tan(planes.rotation_slope_axis) == pytest.approx(-0.01, abs=1e-6)
+    assert planes.rotation_horizontal_axis == pytest.approx(0.0, abs=1e-6)
+    labels = {text.get_text() for text in map_figure_of(ValidationPlane.of(found)).texts}
+    assert "East (m)" in labels
+
+
+def test_the_map_of_a_wall_is_not_horizontal() -> None:
+    clouds = {"L1": wall(1), "L2": wall(2)}
+    (mapped,) = compare_plane("V1", clouds, clouds, OPPOSITE, facing=TO_VESSEL).maps
+    assert not mapped.is_horizontal
+
+
 def mapped_pairs(plane: PlaneComparison) -> set[tuple[str, str]]:
     return {(each.line_a, each.line_b) for each in plane.maps}
 
@@ -99,7 +128,12 @@ def test_each_state_has_a_scale_that_its_values_fill(
     tmp_path: Path, tall: bool, draw: Callable[[ValidationPlane], Figure]
 ) -> None:
     plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
-    maps = [replace(m, after_m=tuple(0.05 * d for d in m.before_m)) for m in plane.maps]
+    maps = []
+    for m in plane.maps:
+        offsets = plane.offsets_m(m.line_a, m.line_b)
+        assert offsets is not None
+        deviations = [0.05 * (d - offsets[0]) for d in m.before_m]
+        maps.append(replace(m, after_m=tuple(offsets[1] + d for d in deviations)))
     if tall:
         maps = [replace(m, across_m=m.up_m, up_m=m.across_m) for m in maps]
     plane = replace(plane, maps=tuple(maps))
@@ -109,9 +143,13 @@ def test_each_state_has_a_scale_that_its_values_fill(
     assert len(found) == 2 * len(plane.maps)
     for k, pair in enumerate(plane.maps):
         for (title, *_), state in zip(found[2 * k :], ("before", "after"), strict=False):
-            median = 1000 * np.median(getattr(pair, f"{state}_m"))
+            (compared,) = (
+                each for each in plane.pairs
+                if (each.line_a, each.line_b) == (pair.line_a, pair.line_b)
+            )  # fmt: skip
             assert title.startswith(state)
-            assert f"{abs(median):.1f}" in title
+            offset = 1000 * getattr(compared, state).signed.median_m
+            assert f"{abs(offset):.1f}" in title, "as in the tables"
     limits = {clim for *_, clim in found}
     assert all(low == -high for low, high in limits)
     wide, narrow = sorted((high for _, high in limits), reverse=True)
@@ -120,8 +158,11 @@ def test_each_state_has_a_scale_that_its_values_fill(
     assert "20 ×" in bars[1].get_xlabel()
     assert [bar.get_xlim()[1] for bar in bars] == pytest.approx([wide, narrow])
     cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
-    distances = 1000 * np.array(plane.maps[0].before_m)
-    np.testing.assert_allclose(cells, np.unique(distances - np.median(distances)), atol=1e-9)
+    first = plane.maps[0]
+    offsets = plane.offsets_m(first.line_a, first.line_b)
+    assert offsets is not None
+    deviations = 1000 * (np.array(first.before_m) - offsets[0])
+    np.testing.assert_allclose(cells, np.unique(deviations), atol=1e-9)
 
 
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])

@@ -80,12 +80,16 @@ def run(arguments: Namespace) -> None:
 
 def print_acceptance(project: Project) -> None:
     """Print all checks and the verdict."""
-    from lispac.present.acceptance import AcceptanceValues, acceptance_table, verdict_text
+    from lispac.present.acceptance import (
+        AcceptanceValues,
+        acceptance_table,
+        calibration_verdict_text,
+    )
 
     values = AcceptanceValues.of(project.judgement)
     if values.checks:
         print_table(acceptance_table(values.criteria.source), values.checks)
-    verdict = verdict_text(values.verdict)
+    verdict = calibration_verdict_text(values)
     reason = "" if values.checks else " (no acceptance criteria are given)"
     print(f"Acceptance: {verdict}{reason}")
 

@@ -10,6 +10,7 @@ from lispac.gui.project.document import ExportedReport
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
+from lispac.present.acceptance import AcceptanceValues, calibration_verdict_text
 from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.project.survey import Survey
@@ -330,7 +331,8 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
             gettext("The calibration is not accepted. The reasons and probable causes are below.")
         ]
     elif judgement.verdict == "pass":
-        state, sentence = "done", gettext("acceptance criteria met")
+        verdict = calibration_verdict_text(AcceptanceValues.of(judgement))
+        state, sentence = "done", gettext("acceptance: {verdict}", verdict=verdict)
         if passed:  # else there are only criteria for the angles
             sentence = gettext(
                 Plural(

@@ -10,7 +10,11 @@ from lispac.gui.appearance import theme
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues, verdict_text
+from lispac.present.acceptance import (
+    AcceptanceCheckValues,
+    AcceptanceValues,
+    calibration_verdict_text,
+)
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import acceptance_notes, probable_causes
@@ -73,7 +77,9 @@ class AcceptanceOutcome(QWidget):
             return
         self._shown = source
         values = AcceptanceValues.of(project.judgement)
-        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict_text(values.verdict)))
+        self.verdict.setText(
+            gettext("Acceptance: {verdict}", verdict=calibration_verdict_text(values))
+        )
         reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
         notes = map(message_text, acceptance_notes(values)) if values.checks else ()
         for label, texts in ((self.reasons, reasons), (self.notes, notes)):

@@ -39,7 +39,10 @@ _COLUMNS = (
     ),
     (
         N_("Offset\n({unit})"),
-        N_("Largest median distance of all pairs of lines after the calibration"),
+        N_(
+            "Largest offset of two lines after the calibration: the absolute value of the median "
+            "distance along the normal"
+        ),
     ),
     (
         N_("95 %\n({unit})"),
