@@ -324,8 +324,13 @@ class Viewport(Protocol):
     def prepare(self) -> None:
         """Load all detail of a picture, so that it only needs to be drawn."""
 
-    def picture(self) -> QImage:
-        """Picture of the view with all detail and labels, without the help text."""
+    def picture(self, label_scale: float = 1.0) -> QImage:
+        """Picture of the view with all detail and labels, without the help text.
+
+        Parameters
+        ----------
+        label_scale : size of labels, axes and scale bar relative to that on the screen
+        """
 
     def clear(self) -> None:
         """Remove all content."""

@@ -153,10 +153,14 @@ class Overlay(QWidget):
             self._paint_help(painter)
         painter.end()
 
-    def paint(self, painter: QPainter) -> None:
+    def paint(self, painter: QPainter, scale: float = 1.0) -> None:
         """Paint on any device of the size of this widget, such as a picture to save.
 
         The help text on the mouse is painted on the screen only.
+
+        Parameters
+        ----------
+        scale : size of labels, axes and scale bar relative to that on the screen
         """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
@@ -168,16 +172,19 @@ class Overlay(QWidget):
             if len(self.pictures) > 1:
                 painter.setClipRect(picture.rect)
                 painter.translate(picture.rect.topLeft())
-            self._paint_picture(painter, picture)
+            painter.scale(scale, scale)
+            size = ViewportSize(picture.rect.width() / scale, picture.rect.height() / scale)
+            self._paint_picture(painter, picture, size)
             if picture.title:
                 self._paint_title(painter, picture.rect, picture.title)
             painter.restore()
         if self.shading is not None:
             self._paint_legend(painter, self.shading)
 
-    def _paint_picture(self, painter: QPainter, picture: OverlaidPicture) -> None:
+    def _paint_picture(
+        self, painter: QPainter, picture: OverlaidPicture, size: ViewportSize
+    ) -> None:
         camera = picture.camera
-        size = ViewportSize(picture.rect.width(), picture.rect.height())
         self._paint_markers(painter, camera, size, picture.box)
         painter.setFont(self.font())
         for paint in self.paint_hooks:

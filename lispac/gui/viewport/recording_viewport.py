@@ -218,7 +218,7 @@ class RecordingViewport:
     def prepare(self) -> None:
         """Do nothing, as there is no detail."""
 
-    def picture(self) -> QImage:
+    def picture(self, label_scale: float = 1.0) -> QImage:
         """Picture of the plain widget."""
         self._record("picture")
         return self._widget.grab().toImage()

@@ -382,12 +382,12 @@ class VtkViewport:
         """Load all detail of a picture, so that it only needs to be drawn."""
         self._view_detail.compute_now(self._refinement_steps(self._times.picture_points))
 
-    def picture(self) -> QImage:
+    def picture(self, label_scale: float = 1.0) -> QImage:
         """Picture of the view with all detail and labels, without the help text."""
         self.prepare()
         image: QImage = self.canvas.grabFramebuffer()
         painter = QPainter(image)
-        self._overlay.paint(painter)
+        self._overlay.paint(painter, label_scale)
         painter.end()
         self._view_detail.schedule()  # back to the number of points for the screen
         return image

@@ -23,6 +23,9 @@ from lispac.survey.cloud import Cloud
 from lispac.targets.cross_section import common_normal
 
 PICTURE_SIZE_PX = (1000, 700)
+LABEL_SCALE = 2.2
+"""Size of the labels relative to that on the screen; the smallest pictures of a report are 54 mm
+wide, and their labels are then 6.5 points high."""
 BOX_MARGIN_M = 0.3
 """Distance of the clip box from the points of a target, metres."""
 OBLIQUE_ANGLE_DEG = 60.0
@@ -133,7 +136,7 @@ class ReportPictures(QObject):
 
         def take(which: PriorOrEstimated, k: int) -> None:
             with units.standard_units():
-                taken[which, k] = viewport.picture()
+                taken[which, k] = viewport.picture(LABEL_SCALE)
 
         order: tuple[PriorOrEstimated, ...] = ("prior", "estimated")
         for which in order:
@@ -168,8 +171,8 @@ def _views(
     A short report has only some of the validation planes; see `planes_to_show`.
     """
     yield _View({
-        "prior": gettext_lazy("Overview, prior boresight"),
-        "estimated": gettext_lazy("Overview, estimated boresight"),
+        "prior": gettext_lazy("Overview, before the calibration"),
+        "estimated": gettext_lazy("Overview, after the calibration"),
     })  # fmt: skip
     rms = {plane.name: plane.after.rms for plane in project.validation}
     failed = {name for name in rms if project.judgement.verdict_on(name) == "fail"}
@@ -183,10 +186,10 @@ def _views(
         yield _View(
             {
                 "prior": gettext_lazy(
-                    "{name} at 60° to its normal, prior boresight", name=target.name
+                    "{name} seen from the side, before the calibration", name=target.name
                 ),
                 "estimated": gettext_lazy(
-                    "{name} at 60° to its normal, estimated boresight", name=target.name
+                    "{name} seen from the side, after the calibration", name=target.name
                 ),
             },
             np.concatenate([points for groups in placed for points in groups]),
