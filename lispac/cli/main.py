@@ -4,6 +4,7 @@ Exit codes: 0 success; 1 error, with one line on stderr; 2 wrong usage. The exit
 no target was found for some seeds of a list; the targets of the other seeds are saved.
 """
 
+import gc
 import os
 import re
 import sys
@@ -22,6 +23,10 @@ CONTROL_CHARACTERS = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]"
 )
 """Control characters other than tab and end of line, and those that set the writing direction."""
+
+NEW_OBJECTS_BEFORE_COLLECTION = 20_000
+"""Number of new objects at which garbage is collected. With the number of Python, 700, the
+collections while libraries are imported take 0.2 s."""
 
 
 def run(argv: Sequence[str] | None = None) -> None:
@@ -54,6 +59,7 @@ def _escape_match(match: re.Match[str]) -> str:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; an expected error is one line on stderr."""
+    gc.set_threshold(NEW_OBJECTS_BEFORE_COLLECTION)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):  # the encoding may lack some characters
             stream.reconfigure(errors="backslashreplace")

@@ -133,6 +133,9 @@ class FileFormat:
     read_from : callable or None
         Function of path, options and point index that returns the chunks from that point on without
         reading all points before it; None if the format does not allow this.
+    read_messages : callable or None
+        Function of path and options that returns the messages of the preview without its values;
+        None if this takes as long.
     has_time_base : bool
         Whether the files of a format of trajectories specify their time base. Otherwise it is
         inferred. LAS and other files of points may specify it.
@@ -147,12 +150,25 @@ class FileFormat:
     preview: Callable[[Path, Choice], FilePreview]
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
+    read_messages: Callable[[Path, Choice], tuple[Message, ...]] | None = None
     has_time_base: bool = False
 
     @property
     def infers_time_base(self) -> bool:
         """Whether the time base of its trajectories is inferred."""
         return self.kind == "trajectory" and not self.has_time_base
+
+    def messages(self, path: Path, choice: Choice) -> tuple[Message, ...]:
+        """Messages of the preview of a file.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be read.
+        """
+        if self.read_messages is not None:
+            return self.read_messages(path, choice)
+        return self.preview(path, choice).messages
 
     def complete_options(self, choice: Choice) -> dict[str, str]:
         """Complete options: those of ``choice``, and defaults for the others.

@@ -126,6 +126,8 @@ def test_the_preview_of_a_line_reports_the_contradiction(tmp_path: Path, ending:
     assert [message.code for message in found.messages] == ["file.two_systems"]
     with_option = LAS.preview(path, {"crs": ZONE_18})
     assert [message.code for message in with_option.messages] == []
+    for choice, preview in (({}, found), ({"crs": ZONE_18}, with_option)):
+        assert LAS.messages(path, choice) == preview.messages
 
 
 def test_a_reference_reports_the_contradiction(tmp_path: Path) -> None:

@@ -71,7 +71,10 @@ def read(path: Path, key: str = "las") -> tuple[np.ndarray, np.ndarray]:
 
 
 def messages(path: Path, key: str = "las") -> list[Message]:
-    return list(format_of(key).preview(path, {}).messages)
+    """Messages of the preview; a format may read them without the preview."""
+    found = format_of(key).preview(path, {}).messages
+    assert format_of(key).messages(path, {}) == found
+    return list(found)
 
 
 def require_all_read(path: Path, count: int) -> None:

@@ -172,11 +172,29 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
             *_header_warnings(header, header_crs.text, xyz, file),
         ),
         (SAME_TIME_BASE_NOTE, *_waveform_notes(header)),
-        (
-            # A project stores the system that is used; the conflict is reported only with that one.
-            *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
-            *require_sound_header(path).messages(path),
-        ),
+        _header_messages(header_crs, choice, path),
+    )
+
+
+def read_messages(path: Path, choice: Choice) -> tuple[Message, ...]:
+    """Messages of `preview_file`, from the header alone.
+
+    Raises
+    ------
+    InputError
+        If the header cannot be read or has no time.
+    """
+    path = require_not_empty(path, "LAS")
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
+        header_crs = read_header_crs(reader.header, printable(path.name))
+    return _header_messages(header_crs, choice, path)
+
+
+def _header_messages(header_crs: HeaderCrs, choice: Choice, path: Path) -> tuple[Message, ...]:
+    return (
+        # A project stores the system that is used; the conflict is reported only with that one.
+        *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
+        *require_sound_header(path).messages(path),
     )
 
 
@@ -369,4 +387,5 @@ LAS_FORMAT = FileFormat(
     preview_file,
     read,
     read_from_point,
+    read_messages,
 )

@@ -242,7 +242,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     for kind, path, reading, subject in files:
         format = format_of(reading.format or DEFAULT_FORMATS[kind])
         try:
-            messages = format.preview(path, dict(reading.options)).messages
+            messages = format.messages(path, dict(reading.options))
         except InputError:  # the reader reports this error if the file is needed
             continue
         found += [replace(each, subject=each.subject or subject) for each in messages]
