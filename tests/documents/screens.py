@@ -153,6 +153,7 @@ class Photographer:
             own = window.panel_windows[DIAGNOSTICS]
             own.bring_to_front()
             self.take(own, f"dock-diagnostics-{row + 1}")
+        window.panel_windows[DIAGNOSTICS].close()
         project = window.document.project
         window.scene.select(project.targets[0].name)
         for name in (SECTION, CLIPPING):
