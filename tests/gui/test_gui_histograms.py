@@ -11,7 +11,7 @@ from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.acceptance import largest_offset
@@ -26,6 +26,7 @@ from lispac.gui.features.validate.histograms_panel import (
 from lispac.gui.features.validate.planes_table import OFFSET, PAIRS, RMS
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.widgets import TIP_LENGTH
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, show_panel
@@ -135,6 +136,51 @@ def test_the_wheel_zooms_to_finer_bars_and_a_double_click_resets(
     assert fine.values.sum() == coarse.values.sum()
     driver.bot.mouseDClick(panel.canvas, Left, pos=bottom)
     assert axes.get_xlim() == whole
+
+
+def colours_of(widget: QWidget) -> set[int]:
+    image = widget.grab().toImage()
+    return {
+        image.pixel(x, y)
+        for x in range(0, image.width(), 3)
+        for y in range(0, image.height(), 3)
+    }  # fmt: skip
+
+
+def test_no_picture_of_another_plane_or_plot_is_shown(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    panel.canvas.draw()
+    assert len(colours_of(panel.canvas)) > 2
+    panel.plot.setCurrentIndex(PROFILE_PLOT)
+    assert len(colours_of(panel.canvas)) == 1
+    panel.canvas.draw()
+    (plane,) = driver.project.validation
+    two = replace(plane), replace(plane, name="V9")
+    driver.window.document.edit("again", driver.project.with_validation(two, {}))
+    assert len(colours_of(panel.canvas)) == 1
+    driver.rest()
+    panel.canvas.draw()
+    panel.select("V9")
+    assert len(colours_of(panel.canvas)) == 1
+
+
+def test_choice_and_buttons_stay_at_their_place(panel: HistogramsPanel) -> None:
+    places = set()
+    for index in range(panel.plot.count()):
+        panel.plot.setCurrentIndex(index)
+        QApplication.processEvents()
+        assert not panel.plot.is_cut
+        controls = (panel.plot, panel.copy_picture, panel.copy_numbers, panel.enlarge)
+        places.add(tuple(each.mapTo(panel, QPoint()).toTuple() for each in controls))
+    assert len(places) == 1
+
+
+def test_no_tip_is_one_long_line(panel: HistogramsPanel) -> None:
+    heads = [panel.table.horizontalHeaderItem(k) for k in range(panel.table.columnCount())]
+    heads += [panel.pairs.horizontalHeaderItem(k) for k in range(panel.pairs.columnCount())]
+    for each in (*heads, panel.table.item(0, 0), panel.plot):
+        assert 0 < max(map(len, each.toolTip().split("\n"))) <= TIP_LENGTH
 
 
 def test_the_shares_of_all_bars_sum_to_one(panel: HistogramsPanel) -> None:

@@ -122,7 +122,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     )  # after
     panel.orientation.setCurrentIndex(1)
     adjusted.rest()
-    assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
+    assert panel.canvas.figure.axes[0].get_xlabel() == "From the middle to the right (m)"
     panel.size.setValue(5.0)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlim() == (-2.5, 2.5)
@@ -181,7 +181,8 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     exaggerate(adjusted, "50")
     assert all(axes.get_aspect() == 1 / 50 for axes in panel.canvas.figure.axes)
     exaggerate(adjusted, "1")
-    assert panel.canvas.figure.axes[0].get_xlabel() == "Distance from the vessel (m)"
+    label = panel.canvas.figure.axes[0].get_xlabel()
+    assert label == "From the middle, away from the vessel (m)"
     far = replace(cuts[0], separation=10.0)
     assert far.automatic_exaggeration == 1
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
@@ -191,6 +192,11 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     assert before.get_xlabel() == "Across the surface (m)"
     assert after.get_xlabel().startswith("Across the surface, enlarged")
     assert before.get_ylabel() == after.get_ylabel()
+    near, nearer = replace(cuts[1], separation=0.09), replace(cuts[1], separation=0.03)
+    assert near.automatic_exaggeration < nearer.automatic_exaggeration
+    draw_section([near, nearer], colours, ("Distance", "Height"), figure)
+    before, after = figure.axes
+    assert before.get_aspect() == after.get_aspect() == 1 / near.automatic_exaggeration
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:
@@ -231,7 +237,12 @@ def test_a_section_is_cut_between_two_points(picked: Driver) -> None:
     assert not panel.orientation.isEnabled()
     (axes,) = panel.canvas.figure.axes
     length = np.hypot(*(second - first)[:2])
-    assert np.ptp(axes.get_xlim()) == pytest.approx(length)
+    assert axes.get_xlim() == pytest.approx((0.0, length))
+    cut = window.tools.sections._cuts[0]
+    drawn = {each.get_gid(): each.get_xdata() for each in axes.lines}
+    line = max(cut.points, key=lambda each: len(cut.points[each]))
+    assert drawn[line] == pytest.approx(cut.points[line][:, 0] + length / 2)
+    assert -0.01 <= drawn["bar"].min() < drawn["bar"].max() <= length
     assert np.ptp(axes.get_ylim()) == pytest.approx(panel.size.value())
     window._select("T1", "")
     picked.rest()

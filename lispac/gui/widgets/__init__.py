@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from html import escape
+from textwrap import fill
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
@@ -29,6 +30,9 @@ from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX, NumberField
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, gettext
+
+TIP_LENGTH = 90
+"""Length of the lines of a tooltip, characters."""
 
 
 def label(
@@ -68,6 +72,11 @@ class MessageBox(QMessageBox):
 def plain_tip(text: str) -> str:
     """Tooltip as plain text, even if it looks like HTML."""
     return f"<p>{escape(text)}</p>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
+
+
+def wrapped_tip(text: str) -> str:
+    """Tooltip in lines of readable length; Qt shows plain text of any length in one line."""
+    return plain_tip("\n".join(fill(line, TIP_LENGTH) for line in text.split("\n")))
 
 
 class Button(QPushButton):
@@ -210,7 +219,7 @@ class ChoiceBox(QComboBox):
         super().__init__()
         self.setObjectName(name)
         self.addItems(list(items))
-        self.setToolTip(tip)
+        self.setToolTip(wrapped_tip(tip))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # Long items are cut off, so that they do not widen the panel.
         if max(len(item) for item in items) > 12:

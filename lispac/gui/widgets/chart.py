@@ -168,6 +168,11 @@ class Chart(FigureCanvasQTAgg):
         self._outdated = True
         self.update()
 
+    def blank(self) -> None:
+        """Show an empty picture until the next one is complete."""
+        self._last_image = None
+        self.draw_idle()
+
     def draw(self) -> None:
         """Draw immediately."""
         self._abandon_drawing()

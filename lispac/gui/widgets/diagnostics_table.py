@@ -101,7 +101,7 @@ class DiagnosticsTable(QTableWidget):
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
             tip = _convert_units(column.tip, column)
-            head.setToolTip(f"{tip}\n{sorting}")
+            head.setToolTip(widgets.wrapped_tip(f"{tip}\n{sorting}"))
             head.setTextAlignment(_ALIGNED_LEFT if column.is_text else _ALIGNED_RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
@@ -141,7 +141,7 @@ class DiagnosticsTable(QTableWidget):
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
                 if row.tip:
-                    item.setToolTip(widgets.plain_tip(row.tip))
+                    item.setToolTip(widgets.wrapped_tip(row.tip))
                 self.setItem(number, column, item)
         header.setSortIndicatorShown(False)  # the arrow does not widen the columns
         header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)

@@ -30,6 +30,10 @@ ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface 
 """Titles of the axes of an exaggerated picture of a plane."""
 LOW_TITLE_LENGTH = 14
 """Length after which the title of the vertical axis is wrapped in a low picture, characters."""
+MAX_COMMON_RATIO = 2.5
+"""Largest ratio of the automatic factors of two cuts for which both have the smaller one."""
+INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
+"""Approximate width of a character of a title."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
 SHORT_EXAGGERATION_TEXT = N_("{title}; {factor:n} ×")
 SHORT_TITLES_WITH_DISTANCE = {
@@ -45,6 +49,7 @@ def draw_section(
     figure: Figure,
     *,
     exaggeration: float | None = None,
+    starts_at_left: bool = False,
     labelled: bool = True,
     has_long_titles: bool = True,
 ) -> None:
@@ -55,19 +60,25 @@ def draw_section(
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
-        that of each cut
+        that of each cut, or the smaller one if they differ little
+    starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
     labelled : whether there is space for titles of the horizontal axes
     has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
     ratio = _plot_ratio(figure, len(cuts))
-    factors = [cut.automatic_exaggeration if exaggeration is None else exaggeration for cut in cuts]
+    factors = _exaggerations(cuts) if exaggeration is None else [exaggeration] * len(cuts)
     # The same axes in all cuts, also where one of them needs no exaggeration
     is_natural = all(factor == 1 for factor in factors)
+    start = 0.5 * cuts[0].section.width if starts_at_left else 0.0
     views = [
-        _CutView.of(cut, factor, is_natural=is_natural).widened(ratio)
+        _CutView.of(cut, factor, start, is_natural=is_natural).widened(ratio)
         for cut, factor in zip(cuts, factors, strict=True)
     ]
+    title_length = LOW_TITLE_LENGTH
+    if labelled:
+        space = float(figure.get_size_inches()[1]) - AXIS_INCHES
+        title_length = max(title_length, int(space / INCHES_PER_CHARACTER))
     is_shared = len({(view.factor, view.crop) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
@@ -79,8 +90,7 @@ def draw_section(
         if labelled:
             axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1 or not is_shared:
-            title = upward if labelled else fill(upward, LOW_TITLE_LENGTH)
-            axes.set_ylabel(title, fontsize=FONT_SIZE, color=theme.TEXT)
+            axes.set_ylabel(fill(upward, title_length), fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
@@ -97,6 +107,13 @@ def draw_section(
         )  # fmt: skip
         for text in legend.get_texts():
             text.set_parse_math(False)
+
+
+def _exaggerations(cuts: Sequence[SectionPoints]) -> list[float]:
+    """Automatic factor of each cut; the smallest for all if the others are one step larger."""
+    factors = [cut.automatic_exaggeration for cut in cuts]
+    least = min(factors)
+    return [least] * len(cuts) if max(factors) <= MAX_COMMON_RATIO * least else factors
 
 
 def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
@@ -118,6 +135,7 @@ class _CutView:
         Axes of the drawn picture in that of the cut, as columns.
     vertical : whether the vertical axis is exaggerated, instead of the horizontal one
     is_natural : whether the axes are those of the section, instead of along and across a plane
+    start : coordinate of the middle of the horizontal axis, metres
     crop : ratio of the height of the section to that of the picture, at least 1
     """
 
@@ -126,12 +144,13 @@ class _CutView:
     rotation: Array
     vertical: bool
     is_natural: bool
+    start: float = 0.0
     crop: float = 1.0
 
     @classmethod
-    def of(cls, cut: SectionPoints, factor: float, *, is_natural: bool) -> "_CutView":
+    def of(cls, cut: SectionPoints, factor: float, start: float, *, is_natural: bool) -> "_CutView":
         if cut.normal is None or is_natural:
-            return cls(cut, factor, np.eye(2), True, True)
+            return cls(cut, factor, np.eye(2), True, True, start)
         vertical = bool(abs(cut.normal[1]) > abs(cut.normal[0]))
         across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
         along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
@@ -197,13 +216,13 @@ def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: 
     total = sum(len(points) for points in view.cut.points.values())
     step = -(-total // MAX_POINTS) or 1
     for line, points in view.cut.points.items():
-        shown = points[::step] @ view.rotation
+        shown = points[::step] @ view.rotation + [view.start, 0.0]
         axes.plot(
             shown[:, 0], shown[:, 1], marker="o", linestyle="none", markersize=1.7,
             markeredgewidth=0, color=_unit_rgb(colours[line]), label=line, gid=line,
         )  # fmt: skip
     half = view.half_extent
-    axes.set_xlim(-half[0], half[0])
+    axes.set_xlim(view.start - half[0], view.start + half[0])
     axes.set_ylim(-half[1], half[1])
     axes.set_aspect(view.aspect, adjustable="box")
     axes.grid(color=theme.GRID, linewidth=0.6)
@@ -214,14 +233,14 @@ def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: 
     if not total:
         axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
                   ha="center", color=theme.MUTED, fontsize=FONT_SIZE)  # fmt: skip
-    _draw_scale_bar(axes, 2 * half)
+    _draw_scale_bar(axes, 2 * half, view.start)
 
 
-def _draw_scale_bar(axes: Axes, extent: Array) -> None:
+def _draw_scale_bar(axes: Axes, extent: Array, middle: float) -> None:
     """Draw a scale bar of the horizontal axis in the lower left corner."""
     metres = scale_bar_length(1.0, 0.3 * float(extent[0]))
     length = length_text(metres)
-    left, low = -0.46 * extent[0], -0.45 * extent[1]
+    left, low = middle - 0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip
     axes.annotate(

@@ -25,8 +25,10 @@ EMPTY_TEXT = N_(
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-AHEAD_LABEL, HEIGHT_LABEL = N_("Distance from the vessel (m)"), N_("Height (m)")
-RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
+AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
+RIGHT_LABEL = N_("From the middle to the right (m)")
+HEIGHT_LABEL = N_("Height above the middle (m)")
+ALONG_LABEL = N_("Distance from the first point (m)")
 """Titles of the axes."""
 PRINT_DPI = 200
 
@@ -203,6 +205,7 @@ class SectionPanel(QWidget):
         self.text_label.show()
         self._allow_pictures(False)
         if self.canvas is not None:
+            self.canvas.blank()
             self.canvas.hide()
 
     def show_cuts(
@@ -229,6 +232,7 @@ class SectionPanel(QWidget):
         upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
         axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
+        self._starts_at_left = not target
         self._redraw()
         self.canvas.show()
         self._allow_pictures(True)
@@ -248,8 +252,8 @@ class SectionPanel(QWidget):
         from lispac.gui.features.inspect.section_figure import draw_section
 
         draw_section(
-            *self._shown, figure, exaggeration=self.exaggeration, labelled=labelled,
-            has_long_titles=has_long_titles,
+            *self._shown, figure, exaggeration=self.exaggeration,
+            starts_at_left=self._starts_at_left, labelled=labelled, has_long_titles=has_long_titles,
         )  # fmt: skip
 
     def _make_canvas(self) -> None:

@@ -67,6 +67,10 @@ class SectionTool(QObject):
         self._is_linked = is_linked
         self.panel = SectionPanel()
         self._ends: list[Array] = []
+        self._clicked = 0
+        """Number of sections between two points that were begun."""
+        self._subject: str | int | None = None
+        """Target, or number of the two points, of the picture."""
         self._outdated = self._panel_visible = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
         self._cuts: Sequence[SectionPoints] = ()
@@ -111,6 +115,7 @@ class SectionTool(QObject):
             self._mouse_tool.end()
             return
         self._ends = []
+        self._clicked += 1
         self._draw_sketch(None)
         hint = gettext(HINTS[0])
         self._mouse_tool.begin(
@@ -165,6 +170,10 @@ class SectionTool(QObject):
             self._draw_frame()
             return
         self._outdated = True
+        subject = name if ends is None else self._clicked
+        if subject != self._subject:
+            panel.show_nothing(gettext("Computing the section"))
+        self._subject = subject
 
         def work(progress: Progress) -> Sequence[SectionPoints] | str:
             preload_matplotlib()
@@ -201,7 +210,7 @@ class SectionTool(QObject):
         self._runner.run(title, work, done, quiet=True, key="section")
 
     def _show_nothing(self, text: str) -> None:
-        self._outdated, self._shown = False, None
+        self._outdated, self._shown, self._subject = False, None, None
         self.panel.show_nothing(text)
         self._draw_sketch(None)
 

@@ -7,7 +7,6 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication, QPaintEvent
 from PySide6.QtWidgets import (
-    QBoxLayout,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
@@ -128,8 +127,8 @@ MIN_TABLE_WIDTH_PX = 250
 """Width of the table of planes with the names, RMS and offsets, pixels."""
 PLOT_TITLES = (
     N_("Histogram"),
-    N_("Histogram, percent"),
-    N_("Distance by height, range"),
+    N_("Histogram (%)"),
+    N_("By height, range"),
     N_("Pairs of lines"),
 )
 PERCENT_PLOT, PROFILE_PLOT, PAIRS_VIEW = 1, 2, 3
@@ -184,6 +183,8 @@ class HistogramsPanel(QWidget):
         self._values: AcceptanceValues | None = None
         self._fitted_width = 0
         self.canvas: QWidget | None = None
+        self._drawn: tuple[PlaneComparison | None, int] = None, 0
+        """Plane and index of the plot of the picture."""
         self._drawing = IdleTask(self._redraw_selected, self)
         # The other panels show the new validation first
         self._announcing = IdleTask(self._announce_plane, self)
@@ -238,16 +239,15 @@ class HistogramsPanel(QWidget):
         self._views.addWidget(plots)
         self._views.addWidget(self.pairs)
         details = QWidget()
-        self._details = QBoxLayout(QBoxLayout.Direction.RightToLeft, details)
-        self._details.setContentsMargins(0, 0, 0, 0)
-        self._details.setSpacing(4)
-        self._tools = self._create_tools()
-        self._details.addLayout(self._tools)
-        self._details.addWidget(self._views, 1)
+        row = QHBoxLayout(details)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        row.addWidget(self._views, 1)
+        row.addLayout(self._create_tools())
         return details
 
-    def _create_tools(self) -> QBoxLayout:
-        """Choice and buttons: beside a plot because the panel is low, above the wide table."""
+    def _create_tools(self) -> QVBoxLayout:
+        """Choice and buttons: beside the plots and the table because the panel is low."""
         self.plot = widgets.ChoiceBox(
             "comparison_plot", [gettext(plot) for plot in PLOT_TITLES],
             gettext(
@@ -256,6 +256,7 @@ class HistogramsPanel(QWidget):
                 "distances should not grow with height or range."
             ),
         )  # fmt: skip
+        self.plot.setSizeAdjustPolicy(self.plot.SizeAdjustPolicy.AdjustToContents)
         self.plot.currentIndexChanged.connect(self._show_chosen_view)
         self.copy_picture = widgets.button(
             gettext("Copy picture"), "copy_plot",
@@ -275,7 +276,7 @@ class HistogramsPanel(QWidget):
         self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         last.addWidget(self._colours, 1)
         last.addWidget(self.enlarge)
-        tools = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        tools = QVBoxLayout()
         tools.setSpacing(2)
         for each in (self.plot, self.copy_picture, self.copy_numbers):
             tools.addWidget(each)
@@ -321,6 +322,7 @@ class HistogramsPanel(QWidget):
         if is_new or fails_now:
             self.table.select(self.table.worst_plane())
             self._announcing.start()
+            self._blank_other_picture()
             self._drawing.start()
         elif self._current_comparison is not None:
             self.reading.setText(self._plane_text())
@@ -355,9 +357,7 @@ class HistogramsPanel(QWidget):
             self.plane_selected.emit(self.current)
 
     def _show_chosen_view(self, index: int) -> None:
-        directions, is_table = QBoxLayout.Direction, index == PAIRS_VIEW
-        self._details.setDirection(directions.TopToBottom if is_table else directions.RightToLeft)
-        self._tools.setDirection(directions.RightToLeft if is_table else directions.TopToBottom)
+        is_table = index == PAIRS_VIEW
         self._views.setCurrentIndex(int(is_table))
         no_plot = first_reason((is_table, Unavailable.NO_PLOT))
         self.copy_picture.set_reason(reason_text(no_plot))
@@ -366,6 +366,13 @@ class HistogramsPanel(QWidget):
     def _redraw_selected(self) -> None:
         if self._current_comparison is not None:
             self._draw(self._current_comparison)
+
+    def _blank_other_picture(self) -> None:
+        """Show no picture instead of one that is not of the selected plane and plot."""
+        drawn = self._current_comparison, self.plot.currentIndex()
+        if self.canvas is not None and drawn != self._drawn:
+            self.canvas.blank()
+        self._drawn = drawn
 
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
@@ -377,6 +384,7 @@ class HistogramsPanel(QWidget):
         if self.plot.currentIndex() == PAIRS_VIEW:
             return
         canvas = self._plot_canvas()
+        self._blank_other_picture()
         self._colours.setText(
             "&nbsp; ".join(
                 f"<span style='color:{colour}'>■</span> {escape(state)}"

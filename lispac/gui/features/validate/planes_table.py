@@ -134,7 +134,7 @@ class PlanesTable(QTableWidget):
                 item.setFont(font)
                 if column:
                     item.setTextAlignment(_ALIGN_RIGHT)
-                item.setToolTip(widgets.plain_tip(_plane_tip(each)))
+                item.setToolTip(widgets.wrapped_tip(_plane_tip(each)))
                 self.setItem(row, column, item)
         self.clearSelection()
         self.blockSignals(False)
@@ -185,7 +185,7 @@ class PlanesTable(QTableWidget):
             item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
             text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
             lines = [_plane_tip(each), text, *failed_texts(values, each.name)]
-            item.setToolTip(widgets.plain_tip("\n".join(lines)))
+            item.setToolTip(widgets.wrapped_tip("\n".join(lines)))
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def _show_heads(self, criteria: AcceptanceCriteria) -> None:
@@ -202,7 +202,7 @@ class PlanesTable(QTableWidget):
         self.setHorizontalHeaderLabels(heads)
         for column, (_, tip) in enumerate(_COLUMNS):
             head = self.horizontalHeaderItem(column)
-            head.setToolTip(gettext(tip))
+            head.setToolTip(widgets.wrapped_tip(gettext(tip)))
             if column:
                 head.setTextAlignment(_ALIGN_RIGHT)
         self.updateGeometry()
