@@ -201,7 +201,7 @@ def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 
 def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
     """Sightings divided evenly into parts for figures of at most half a page."""
-    count = -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE)
+    count = max(1, -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE))
     ends = [len(sightings) * k // count for k in range(count + 1)]
     return [sightings[start:end] for start, end in pairwise(ends)]
 

@@ -23,6 +23,7 @@ from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.project import status
 from lispac.gui.widgets.error_box import error_box, error_text_and_details
 from lispac.language import gettext_lazy
+from lispac.messages import warning
 from lispac.progress import PointProgress, Progress
 from lispac.project import Project
 from lispac.workflow.calibration import edits
@@ -251,6 +252,9 @@ def test_steps_show_their_status_and_advice(demo: Demo):
     start = status.step_statuses(demo.project, demo.survey)
     assert [s.state for s in start] == ["done", "todo", "empty", "empty", "empty"]
     assert "Ctrl" in start[1].advice
+    assumed = warning("sbet.zero_rates", file="trajectory.sbet")
+    warned = replace(demo.survey, messages=(*demo.survey.messages, assumed))
+    assert status.step_statuses(demo.project, warned)[0].state == "warning"
     ready = status.step_statuses(demo.picked, demo.survey)
     assert ready[1].sentence == "2 targets, 1 validation plane"
     assert ready[2].ready

@@ -123,8 +123,12 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         type_into(opened, field(dialog, "vessel"), "V")
         assert label.text() == ""
         assert keep.isEnabled()
+        buttons_at = keep.mapToGlobal(QPoint())
         opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
         assert "Survey dates" in label.text()
+        opened.bot.wait(50)
+        assert keep.mapToGlobal(QPoint()) == buttons_at
+        assert label.height() >= label.heightForWidth(label.width())
         assert dialog.focusWidget() is dates
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)

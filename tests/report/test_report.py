@@ -20,6 +20,7 @@ from matplotlib.text import Text
 
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError, LispacError
+from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.present.adjustment import TOO_SMALL_RAISED_TEXT, adjustment_values
@@ -462,6 +463,16 @@ def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)
     left, right = site.axes[0].get_xlim()
     assert left > right  # west is positive and lies on the left
+
+
+def test_reciprocal_lines_have_the_colours_of_the_window_side_by_side() -> None:
+    there = [(0.0, 0.0), (100.0, 0.0)]
+    figure = figures.site_figure({"L1": there, "L2": there[::-1]}, {}, {})
+    one, two = figure.axes[0].lines
+    colours = [tuple(round(255 * part) for part in line.get_color()) for line in (one, two)]
+    assert colours == list(LIGHT_SCHEME.lines[:2])
+    places = [line.get_transform().transform((0.0, 50.0)) for line in (one, two)]
+    assert np.hypot(*(places[0] - places[1])) * 72 / figure.dpi > 2.0
 
 
 def test_names_of_near_planes_do_not_overlap_on_the_plan() -> None:

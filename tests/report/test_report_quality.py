@@ -14,11 +14,13 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, VarianceComponent
 from lispac.message_texts import message_text
 from lispac.messages import Level, error, note
+from lispac.present.sightings import POS_ERRORS_TABLE
+from lispac.present.text_format import UNKNOWN_TEXT
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document import report_document
-from lispac.report.document_blocks import Bullets, Document, Paragraph, Table
+from lispac.report.document_blocks import Bullets, Document, Paragraph, Table, report_table
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
@@ -353,7 +355,22 @@ def test_pos_error_figure_marks_errors_beyond_the_prior(changed: Changed, projec
     assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENT_TITLES)
     red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
     assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
-    assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
+    many = checks.sightings * 5
+    for draw in (figures.pos_error_figures_of, figures.residual_figures_of):
+        parts = draw(many)
+        assert len(parts) == 3
+        assert len({tuple(np.round(part.axes[0].get_xlim(), 9)) for part in parts}) == 1
+
+
+def test_a_component_of_the_pos_error_without_information_is_not_determined(
+    changed: Changed, project: Project
+) -> None:
+    first, *rest = _result(project).reliability
+    after = first.pos_sigma * [1.0, 0.9, 0.9, 0.9, 0.9, 0.9]
+    checks = changed(reliability=(replace(first, pos_sigma_after=after), *rest)).adjustment
+    assert checks is not None
+    row = report_table(POS_ERRORS_TABLE, checks.sightings[:1]).rows[0]
+    assert [cell == UNKNOWN_TEXT for cell in row[2:]] == [True, *[False] * 5]
 
 
 def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed: Changed) -> None:

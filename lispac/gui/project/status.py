@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from lispac.duplicate_targets import all_warnings
+from lispac.duplicate_targets import all_warnings, data_warnings
 from lispac.gui.app.language import local_datetime
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
 from lispac.gui.project.document import ExportedReport
@@ -166,9 +166,16 @@ def _data_status(project: Project, survey: Survey | None) -> StepStatus:
             Unavailable.READING,
         )
     points = sum(len(scan) for scan in survey.scans.values())
+    sentence = gettext("{lines}, {points}", lines=line_count(lines), points=point_count(points))
+    if data_warnings(project.with_data_messages(survey.messages)):
+        return StepStatus(
+            "warning",
+            sentence,
+            gettext("The files have warnings; see the panel Messages (F12)."),
+        )
     return StepStatus(
         "done",
-        gettext("{lines}, {points}", lines=line_count(lines), points=point_count(points)),
+        sentence,
         gettext("Check the lever arm and its signs, then continue with the targets."),
     )
 
