@@ -216,6 +216,7 @@ WITHOUT_SOURCE = {
         "sphere_radii",
         "solution",
         "determinability",
+        "sign_check",
     },
     "design": {"further_line_advice", "monte_carlo", "prediction", "site"},
     "geometry": {"radius_search"},
