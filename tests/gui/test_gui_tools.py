@@ -2,9 +2,11 @@
 
 import re
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -16,6 +18,7 @@ from lispac.gui.features.inspect.sections import DRAG_UPDATE_MS, section_box_ske
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.window.main_window import MainWindow
+from lispac.language import LANGUAGES, in_language
 from lispac.warning_causes import Cause
 from tests.gui.support import (
     Demo,
@@ -197,6 +200,15 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     draw_section([near, nearer], colours, ("Distance", "Height"), figure)
     before, after = figure.axes
     assert before.get_aspect() == after.get_aspect() == 1 / near.automatic_exaggeration
+    flat = replace(near, normal=np.array([0.0, 1.0]))
+    for language, height in product(LANGUAGES, (2.4, 3.0)):
+        figure = Figure(figsize=(8.0, height), layout="constrained")
+        FigureCanvasAgg(figure)
+        with in_language(language):
+            draw_section([flat, flat], colours, ("Distance", "Height"), figure)
+        figure.canvas.draw()
+        label = figure.axes[0].yaxis.label.get_window_extent()
+        assert 0 <= label.y0 < label.y1 <= figure.bbox.height, "not cut off"
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:
@@ -245,7 +257,9 @@ def test_a_section_is_cut_between_two_points(picked: Driver) -> None:
     assert -0.01 <= drawn["bar"].min() < drawn["bar"].max() <= length
     assert np.ptp(axes.get_ylim()) == pytest.approx(panel.size.value())
     window._select("T1", "")
+    assert not panel.canvas.isVisible(), "not the former section below the new selection"
     picked.rest()
+    assert panel.canvas.isVisible()
     assert panel.through.text() == "Across T1"
     press(picked, Key.Key_S, SHIFT)
     points(picked, 5)

@@ -90,7 +90,11 @@ def draw_section(
         if labelled:
             axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1 or not is_shared:
-            axes.set_ylabel(fill(upward, title_length), fontsize=FONT_SIZE, color=theme.TEXT)
+            axes.set_ylabel(
+                fill(upward, title_length, break_long_words=False),
+                fontsize=FONT_SIZE,
+                color=theme.TEXT,
+            )
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]

@@ -272,8 +272,6 @@ class HistogramsPanel(QWidget):
         self.enlarge = widgets.enlarge_button("enlarge_histograms")
         self.enlarge.toggled.connect(self.enlarged)
         last = QHBoxLayout()
-        # The names of the colours do not make the column wider
-        self._colours.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         last.addWidget(self._colours, 1)
         last.addWidget(self.enlarge)
         tools = QVBoxLayout()
