@@ -33,7 +33,7 @@ from lispac.report.validation_section import MAP_LEGEND_TEXT
 
 MAX_PLANES = 12
 """Largest number of validation planes in the table."""
-MAX_MAPPED_PLANES = 6
+MAX_MAPPED_PLANES = 4
 """Largest number of validation planes with maps."""
 MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures."""

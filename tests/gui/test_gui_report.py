@@ -415,7 +415,7 @@ def test_an_edit_while_pictures_are_taken_cancels_the_report(
     adjusted.dialogs.path = tmp_path / "r.html"
     taken: list[QImage] = []
 
-    def edited_meanwhile(_self: RecordingViewport) -> QImage:
+    def edited_meanwhile(_self: RecordingViewport, _label_scale: float) -> QImage:
         edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
         adjusted.window.document.edit("change of report details", edited)
         taken.append(QImage(8, 8, QImage.Format.Format_RGB32))
@@ -439,7 +439,7 @@ def test_cancelling_the_pictures_closes_their_viewport(
     adjusted.dialogs.path = tmp_path / "r.html"
     taken: list[QImage] = []
 
-    def cancelled_meanwhile(_self: RecordingViewport) -> QImage:
+    def cancelled_meanwhile(_self: RecordingViewport, _label_scale: float) -> QImage:
         QTimer.singleShot(0, adjusted.window.runner.cancel)
         taken.append(QImage(8, 8, QImage.Format.Format_RGB32))
         return taken[-1]

@@ -117,10 +117,12 @@ class IdentityDialog(QDialog):
         self._align_fields()
         self._complete_texts()
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
-        # Space for a message is reserved, so that the buttons stay under the mouse.
-        self.message_label.setFixedHeight(MESSAGE_LINES * self.fontMetrics().lineSpacing())
         self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.message_label)
+        # Space for a message is reserved, so that the buttons stay under the mouse.
+        self.message_label.setText("\n".join("X" * MESSAGE_LINES))
+        self.message_label.setFixedHeight(self.message_label.sizeHint().height())
+        self.message_label.clear()
         accept = gettext("Export") if missing else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
