@@ -239,7 +239,8 @@ class CloudOnDisk:
             centre, radius, self.place, margin=margin, limit=limit or MAX_REGION_POINTS
         )
         numbers = self.stored.numbers(rows)
-        order = np.argsort(numbers)
+        # Within a cell, numbers increase: sorting in runs takes a third of the time.
+        order = np.argsort(numbers, kind="stable")
         return SphereRegion(numbers[order], points[order], 2**halvings)
 
     @cached_property

@@ -46,8 +46,9 @@ Array = NDArray[np.float64]
 MAX_CANDIDATE_RATIO = 4
 """Largest ratio of the points in the cells around a sphere to the limit of points in the sphere.
 Above it, the sphere is assumed to have more points than the limit."""
-PLACED_POINTS_PER_STEP = 1 << 20
-"""Largest number of points that are georeferenced at once, which limits the memory required."""
+PLACED_POINTS_PER_STEP = 1 << 16
+"""Largest number of points that are georeferenced at once. The arrays of so many points are reused
+from the memory of the process; larger ones are new pages, which take a fifth of the time."""
 MAX_LOCAL_COORDINATE_M = 1e8
 """Largest possible coordinate in a local frame."""
 RANGE_TOLERANCE_M = 1e-6
@@ -306,9 +307,14 @@ class StoredLine:
         rows, points = self._placed_within(centre, radius, place, margin, halvings)
         if limit is None:
             return rows, points, halvings
-        while len(rows) > limit and halvings < MAX_HALVINGS:
-            halvings += 1
-            rows, points = self._placed_within(centre, radius, place, margin, halvings)
+        if len(rows) > limit:
+            octave = np.searchsorted(self._starts, rows.astype(np.uint64), side="right") - 1
+            octaves = self._octaves[octave]
+            while len(rows) > limit and halvings < MAX_HALVINGS:
+                halvings += 1
+                kept = is_octave_in_sample(octaves, halvings)
+                rows, points, octaves = rows[kept], points[kept], octaves[kept]
+            return rows, points, halvings
         while halvings > 0:
             finer = self._placed_within(centre, radius, place, margin, halvings - 1)
             if len(finer[0]) > limit:
