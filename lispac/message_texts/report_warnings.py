@@ -139,8 +139,8 @@ TEXTS: Mapping[str, Template] = {
         "Add targets in another orientation or farther away, or more lines."
     ),
     "acceptance.cause_pos": N_(
-        "Probable cause on {planes:names}: the POS, because the shift of {lines:names} from the "
-        "mean of {others:names} on {plane} is {offset:mm.1} mm, the given uncertainties explain up "
+        "Probable cause on {planes:names}: the POS, because on {plane} the shift of {lines:names} "
+        "from the mean of {others:names} is {offset:mm.1} mm, the given uncertainties explain up "
         "to {limit:mm.1} mm, and no error of the boresight is detected. Process the trajectory "
         "again with a more accurate solution, or check the given POS accuracy."
     ),
