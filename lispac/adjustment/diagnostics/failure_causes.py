@@ -78,7 +78,13 @@ def _candidates(
 
 
 def with_attitude_signs(observations: Observations, signs: NDArray[np.float64]) -> Observations:
-    """Observations with other signs of the attitude: factors on roll, pitch and heading."""
+    """Observations with other signs of the attitude.
+
+    Parameters
+    ----------
+    signs : ndarray of shape (3,)
+        Factors on roll, pitch and heading, 1 or -1.
+    """
     rate = observations.pose_rate
     if rate is not None:
         rate = np.column_stack([rate[:, :3], rate[:, 3:] * signs])
