@@ -191,7 +191,7 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     out, _ = printed_by(capsys, "demo", "--output", project.folder)
     assert started == [[*window_command(), str(project.folder)]]
     rows = [line.split() for line in out.splitlines()[2:5]]
-    assert [row[-2] for row in rows] == ["+0.2700", "-1.1400", "+0.3600"]
+    assert [row[6] for row in rows] == ["+0.2700", "-1.1400", "+0.3600"]
     printed_by(capsys, "demo", "--output", project.folder, "--no-window")
     monkeypatch.setattr(demo, "has_display", lambda: False)
     numbers = run_json(capsys, "demo", "--output", project.folder)

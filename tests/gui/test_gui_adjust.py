@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtWidgets import QLabel, QWidget
 
 from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.result import VarianceComponent
 from lispac.errors import InputError
 from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
@@ -475,3 +476,20 @@ def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(picked:
     assert picked.project.result is not None
     assert picked.project.result.chi_square.outcome == "passed"
     assert not results.use_noise.isVisible()
+
+
+def test_the_values_of_the_fit_are_not_cut_after_a_change(adjusted: Driver) -> None:
+    result = adjusted.project.result
+    assert result is not None
+    lidar = VarianceComponent("LiDAR", 0.7, 0.65, 0.75, applied=True)
+    labels = [
+        each
+        for each in adjusted.window.results.findChildren(QLabel)
+        if each.objectName().startswith("result_")
+    ]
+    assert labels
+    for components in ((lidar,), (), (lidar,)):
+        changed = replace(adjusted.project, result=replace(result, components=components))
+        adjusted.window.document.edit("components", changed)
+        adjusted.rest()
+        assert [x.objectName() for x in labels if x.height() < x.heightForWidth(x.width())] == []

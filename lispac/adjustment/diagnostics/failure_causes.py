@@ -83,7 +83,7 @@ def with_attitude_signs(observations: Observations, signs: NDArray[np.float64]) 
     Parameters
     ----------
     signs : ndarray of shape (3,)
-        Factors on roll, pitch and heading.
+        Factors on roll, pitch and heading, 1 or -1.
     """
     rate = observations.pose_rate
     if rate is not None:

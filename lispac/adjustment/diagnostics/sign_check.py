@@ -1,4 +1,8 @@
-"""Check of assumed signs of roll and pitch by the residuals of the adjustment."""
+"""Check of assumed signs of roll and pitch by the residuals of the adjustment.
+
+The global chi-square test (Baarda 1968) must accept the assumed signs, and the residuals with each
+opposite sign must be much larger.
+"""
 
 from collections.abc import Iterable
 from dataclasses import replace

@@ -58,8 +58,12 @@ class ColumnFlow(QWidget):
             return
         self._arrangement = arrangement
         for column in self._columns:
+            # `takeAt` would keep the item of a block alive, and the next one a height that is not
+            # updated when a text in the block changes.
+            for block in self._blocks.values():
+                column.removeWidget(block)
             while column.count():
-                column.takeAt(0)
+                column.takeAt(0)  # the stretch
         for k, column in enumerate(self._columns):
             names = arrangement[k] if k < len(arrangement) else ()
             self.layout().setStretch(k, 1 if names else 0)
