@@ -121,7 +121,7 @@ def test_sums_equal_dense_matrix_products(model: StochasticModel) -> None:
     observations, here = planar_survey(mounting(), points=6), mounting(0.1, 0.2, 0.3)
     knots = PosErrorKnots.of(observations, model) if model is CORRELATED else None
     effects = np.random.default_rng(0).normal(0, 0.01, (len(knots.time) if knots else 0, 6))
-    observations, groups, _ = group_points(observations, knots)
+    observations, groups = group_points(observations, knots)
     rows, variance = dense_rows(observations, here, groups.knots, effects)
     state = AdjustmentState(here, PLANES, np.zeros((12, 4)), effects)
     weights = PointWeights(Loss("none"), np.ones(2), np.ones(2))

@@ -204,14 +204,15 @@ def _point_reliability(
 def _point_tests_kernel(  # type: ignore[no-untyped-def]
     first, last, points, placing, effects, weights, active, local, found
 ):
-    start, fraction, target = effects.start, effects.fraction, points.target
+    start, fraction = effects.start, effects.fraction
+    sighting, target_of_sighting = points.sighting, points.target_of_sighting
     loss, tuning, _, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = local.shape[1]
     group_row = np.empty((1, width))
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
-            t = target[i]
+            t = target_of_sighting[sighting[i]]
             pose = point_pose(i, points)
             misclosure, variance = point_misclosure(
                 i, g, pose, points, placing, effects, out, lidar

@@ -127,8 +127,8 @@ class PointArrays(NamedTuple):
     position: Array
     turns: Array  # cosines and sines of roll, pitch, heading
     rate: Array  # without rows if unknown
-    target: NDArray[np.int64]
     sighting: NDArray[np.int64]
+    target_of_sighting: NDArray[np.int64]
     spheres: NDArray[np.bool_]  # whether each target is a sphere
     sigma_lidar: Array
     beam_sigmas: bool
@@ -150,8 +150,8 @@ class PointArrays(NamedTuple):
             position,
             turns,
             rate,
-            observations.target_of_sighting[observations.sighting],
             observations.sighting,
+            observations.target_of_sighting,
             observations.is_sphere,
             observations.sigma_lidar,
             observations.beam_sigmas,
@@ -208,7 +208,8 @@ def condition_row(  # type: ignore[no-untyped-def]
     rx, ry, rz = xyz
     px, py, pz, cr, sr, cp, sp, ch, sh = pose
     values, rotation, derivatives = placing.values, placing.rotation, placing.derivatives
-    turn, shapes, t, rate = placing.turn, placing.shapes, points.target[i], points.rate
+    turn, shapes, rate = placing.turn, placing.shapes, points.rate
+    t = points.target_of_sighting[points.sighting[i]]
     # Read before anything is written, so that the compiler need not read them again
     s0, s1, s2, s3 = shapes[t, 0], shapes[t, 1], shapes[t, 2], shapes[t, 3]
     sphere = points.spheres[t]

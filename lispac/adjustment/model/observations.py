@@ -123,6 +123,8 @@ class Observations:
         lidar, position, attitude : float
             Factors, no unit.
         """
+        if lidar == position == attitude == 1.0:
+            return self
         return replace(
             self,
             sigma_lidar=lidar * self.sigma_lidar,

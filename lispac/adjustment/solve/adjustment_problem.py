@@ -65,8 +65,6 @@ class AdjustmentProblem:
     observations : Observations
         Observations sorted by group.
     groups : PointGroups
-    order : ndarray of shape (n,), int
-        Indices of the sorted points in the given observations.
     model : StochasticModel
     prior : Mounting
     parameters : tuple of Parameter
@@ -95,7 +93,6 @@ class AdjustmentProblem:
 
     observations: Observations
     groups: PointGroups
-    order: NDArray[np.int64]
     model: StochasticModel
     prior: Mounting
     parameters: tuple[Parameter, ...]
@@ -127,14 +124,14 @@ class AdjustmentProblem:
         if moments is None:
             moments = moments_by_sighting(observations, prior)
         knots = PosErrorKnots.of(observations, model) if model.correlated else None
-        ordered, groups, order = group_points(observations, knots)
+        ordered, groups = group_points(observations, knots)
         surface = INITIAL_SURFACE_SIGMA if model.surface is None else model.surface
         sigma = np.full((len(observations.sightings), 3), surface)
         if model.offset is not None:
             sigma[:, 2] = model.offset
         ones = np.ones(len(observations.targets))
         return cls(
-            ordered, groups, order, model, prior, parameters, sigma,
+            ordered, groups, model, prior, parameters, sigma,
             rejected=np.zeros(sigma.shape, dtype=bool), scale=ones, noise=ones,
             blocks=np.zeros(0, dtype=np.int64), moments=moments,
         )  # fmt: skip

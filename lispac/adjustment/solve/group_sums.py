@@ -57,32 +57,21 @@ class PointGroups:
 
 def group_points(
     observations: Observations, knots: PosErrorKnots | None
-) -> tuple[Observations, PointGroups, NDArray[np.int64]]:
-    """Sort the points by group.
-
-    Returns
-    -------
-    observations, groups : Observations, PointGroups
-    order : ndarray of shape (n,), int
-        Indices of the sorted points in the given observations.
-    """
-    left = np.zeros(len(observations), dtype=np.int64) if knots is None else knots.left
-    count = len(observations.sightings)
-    key = left * count + observations.sighting
-    # NumPy uses a radix sort for short integers, which is four times faster
-    order = np.argsort(key.astype(np.min_scalar_type(key.max())), kind="stable")
-    key = key[order]
-    start = np.flatnonzero(np.diff(key, prepend=-1))
-    found = key[start]
-    groups = PointGroups(
-        np.append(start, len(key)).astype(np.int64),
-        found % count,
-        found // count,
-        None if knots is None else knots.reordered(order),
-    )
-    if (order[1:] > order[:-1]).all():
-        return observations, groups, order
-    return observations.reordered(order), groups, order
+) -> tuple[Observations, PointGroups]:
+    """Sort the points by group; sightings whose points are in order of time are not copied."""
+    count = 1 if knots is None else len(knots.time)
+    key = observations.sighting * count
+    if knots is not None:
+        key += knots.left
+    if (key[1:] < key[:-1]).any():
+        # NumPy uses a radix sort for short integers, which is four times faster
+        order = np.argsort(key.astype(np.min_scalar_type(key.max())), kind="stable")
+        observations, key = observations.reordered(order), key[order]
+        knots = None if knots is None else knots.reordered(order)
+    start = np.flatnonzero(key[1:] != key[:-1]) + 1
+    start = np.concatenate([[0], start, [len(key)]]).astype(np.int64)
+    found = key[start[:-1]]
+    return observations, PointGroups(start, found // count, found % count, knots)
 
 
 @dataclass(frozen=True, eq=False)
@@ -271,7 +260,8 @@ POINTS_PER_BLOCK = 64
 def _accumulate_sums(  # type: ignore[no-untyped-def]
     first, last, points, placing, effects, weights, active, sums
 ):
-    start, fraction, target = effects.start, effects.fraction, points.target
+    start, fraction = effects.start, effects.fraction
+    sighting, target_of_sighting = points.sighting, points.target_of_sighting
     xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
     loss, tuning, tangent, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
@@ -283,7 +273,7 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
             count = min(POINTS_PER_BLOCK, start[g + 1] - begin)
             for place in range(count):
                 i = begin + place
-                t = target[i]
+                t = target_of_sighting[sighting[i]]
                 pose = point_pose(i, points)
                 misclosure, variance = point_misclosure(
                     i, g, pose, points, placing, effects, out, lidar

@@ -180,8 +180,9 @@ def _residual_statistics(
     noise: Array,
     of_form: Array,
 ) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
-    squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
-    means = observations.mean_by_sighting(np.stack([after, incidence], axis=1))
+    mean = observations.mean_by_sighting
+    squares = np.stack([mean(before**2), mean(after**2)], axis=1)
+    means = np.stack([mean(after), mean(incidence)], axis=1)
     sightings = tuple(
         SightingResidual(sighting, int(count), float(b), float(a), float(mean), float(angle))
         for sighting, count, (b, a), (mean, angle) in zip(
