@@ -11,7 +11,7 @@ from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.acceptance import largest_offset
@@ -295,6 +295,8 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
         assert table.item(row, OFFSET).font().bold()
         assert not table.item(row, RMS).font().bold()
     assert f"{offset:.1f}" in panel.reading.text()
+    colours = panel.findChild(QLabel, "comparison_colours")
+    assert colours.width() >= colours.sizeHint().width()
     assert panel.canvas.width() >= 0.3 * size[0]
     assert panel.canvas.height() >= (130 if size[1] >= 1000 else 100)
 

@@ -391,6 +391,7 @@ class HistogramsPanel(QWidget):
                 )
             )
         )
+        self._colours.setMinimumWidth(self._colours.sizeHint().width())  # rich text is cut
         if self.plot.currentIndex() == PROFILE_PLOT:
             profile_figure(comparison, canvas.figure)
             if self._plot_form[0]:
