@@ -264,7 +264,7 @@ class OpenProject(LoadedProject):
         distance_to : {"point", "plane", "quadric"}
             Local model of the surface to which distances are measured.
         neighbours : int, optional
-            Number of points to which the plane (default 6) or quadric (12) is fitted.
+            Number of points to which the plane (default 40) or quadric (60) is fitted.
         radius : metres, optional
             Radius within which all points are used instead of ``neighbours``.
         """

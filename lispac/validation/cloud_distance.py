@@ -3,9 +3,9 @@
 The distance to the nearest point of the other cloud depends on the point spacing of that cloud as
 much as on the surface. CloudCompare's "local modelling" (Girardeau-Montaut, the tool of thesis
 section 4.5.4) fits a plane or a quadric by least squares to the nearest reference point and its
-neighbours, and measures the distance to this surface instead. The smaller of the two distances is
-used, so that a poorly shaped neighbourhood, or a point beyond the edge of the reference, never
-increases the result.
+neighbours, and measures the distance to this surface instead. CloudCompare uses the smaller of the
+two distances, so that a poorly shaped neighbourhood, or a point beyond the edge of the reference,
+never increases the result. A validation uses the distance to the surface where there is one.
 """
 
 import os
@@ -35,6 +35,7 @@ def cloud_to_cloud(
     *,
     model: LocalModel = SIX_POINT_PLANE,
     surfaces: LocalSurfaces | None = None,
+    up_to_nearest: bool = True,
     max_distance: float | None = None,
     progress: Progress = no_progress,
 ) -> NDArray[np.float64]:
@@ -51,6 +52,10 @@ def cloud_to_cloud(
         Model of the surface between the reference points.
     surfaces : LocalSurfaces, optional
         Surfaces of this model at all points of the tree, if several clouds are compared with it.
+    up_to_nearest : bool
+        If true, a distance is at most that to the nearest point, as in CloudCompare. Where the
+        points are closer together than their noise, such distances are too small, because the
+        nearest point is one with a large error.
     max_distance : float, metres, optional
         Compared points without a reference point within this distance get NaN.
 
@@ -86,7 +91,7 @@ def cloud_to_cloud(
     starts = range(0, len(compared), _CHUNK_POINTS)
     if len(starts) == 1:
         tree = reference if isinstance(reference, PointTree) else PointTree(reference)
-        found = _chunk_distances(compared, tree, model, surfaces, limit)
+        found = _chunk_distances(compared, tree, model, surfaces, up_to_nearest, limit)
         progress(1.0, gettext_lazy("Computing distances"))
         return found
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
@@ -100,7 +105,7 @@ def cloud_to_cloud(
         def measure(start: int) -> None:
             chunk = slice(start, start + _CHUNK_POINTS)
             distances[places.order[chunk]] = _chunk_distances(
-                places.points[chunk], tree, model, surfaces, limit
+                places.points[chunk], tree, model, surfaces, up_to_nearest, limit
             )
 
         tasks = [pool.submit(measure, start) for start in starts]
@@ -115,7 +120,7 @@ def cloud_to_cloud(
 
 def _chunk_distances(
     compared: NDArray[np.float64], reference: PointTree, model: LocalModel,
-    surfaces: LocalSurfaces | None, limit: float,
+    surfaces: LocalSurfaces | None, up_to_nearest: bool, limit: float,
 ) -> NDArray[np.float64]:  # fmt: skip
     """Distances (n,) of one spatially coherent chunk."""
     distances, nearest = reference.nearest(compared, limit)
@@ -126,7 +131,9 @@ def _chunk_distances(
             to_surface = model.distances(compared[found], nearest[found], reference)
         else:
             to_surface = surfaces.distances(compared[found], nearest[found])
-        distances[found] = np.fmin(distances[found], to_surface)  # fmin: NaN is "no surface"
+        if up_to_nearest:
+            to_surface = np.fmin(distances[found], to_surface)  # fmin: NaN is "no surface"
+        distances[found] = np.where(np.isfinite(to_surface), to_surface, distances[found])
     return distances
 
 

@@ -22,8 +22,14 @@ Kind = Literal["point", "plane", "quadric"]
 
 MIN_POINTS_BY_KIND = {"point": 1, "plane": 3, "quadric": 6}
 """Smallest number of points that determine each model."""
-DEFAULT_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 6, "quadric": 12}
-"""Default number of points for each model; six for a plane, as in CloudCompare."""
+DEFAULT_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 40, "quadric": 60}
+"""Default number of points for each model.
+
+The default of CloudCompare, six, is too small for lines: the nearest points lie along one profile,
+or are closer together than the noise, and the plane through them is inclined at random. In
+simulations with 500 to 40,000 points per square metre, noise of 2 and 5 mm and profiles up to 20
+times as far apart as their points, the RMS for an offset of 21 mm is 0.53 to 1.33 times the true
+one with 6 points and 0.94 to 1.03 times with 40."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +53,7 @@ class LocalModel:
     """
 
     kind: Kind = "plane"
-    neighbours: int = 6
+    neighbours: int = DEFAULT_NEIGHBOURS["plane"]
     radius: float | None = None
 
     def __post_init__(self) -> None:
@@ -188,4 +194,6 @@ def _number_surfaces(
 NEAREST_POINT_MODEL = LocalModel("point", 1)
 """Nearest point only; distances then depend on the point spacing as well."""
 SIX_POINT_PLANE = LocalModel("plane", 6)
-"""Default model of CloudCompare and of this program."""
+"""Default model of CloudCompare, and of the first versions of this program."""
+DEFAULT_MODEL = LocalModel()
+"""Default model of validations."""

@@ -38,7 +38,7 @@ from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.line_overlap import Bools, LineOverlap
 from lispac.validation.line_shifts import PlaneErrors, line_shifts
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel, LocalSurfaces
+from lispac.validation.local_models import DEFAULT_MODEL, LocalModel, LocalSurfaces
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from lispac.validation.two_modes import find_two_modes
@@ -106,7 +106,7 @@ def compare_plane(
     after: Mapping[str, Array],
     headings: Mapping[str, float],
     *,
-    model: LocalModel = SIX_POINT_PLANE,
+    model: LocalModel = DEFAULT_MODEL,
     facing: Array | None = None,
     ranges: Mapping[str, Array] | None = None,
     errors: PlaneErrors | None = None,
@@ -323,7 +323,9 @@ class _Reference:
 
     def distances(self, points: Array) -> Array:
         """Unsigned distances of points (n, 3), metres, local frame."""
-        return cloud_to_cloud(points, self.tree, model=self.model, surfaces=self.surfaces)
+        return cloud_to_cloud(
+            points, self.tree, model=self.model, surfaces=self.surfaces, up_to_nearest=False
+        )
 
 
 def _references(cloud: Mapping[str, Array], model: LocalModel) -> dict[str, _Reference]:

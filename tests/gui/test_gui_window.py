@@ -15,7 +15,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.validate.planes_table import RMS
 from lispac.gui.viewport.base import PickedPoint
 from lispac.messages import note
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from tests.gui.support import (
     Control,
     Demo,
@@ -329,19 +329,19 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     assert picked.window.validate.neighbours.value() == 12
     click(picked, picked.window.validate.run)
     picked.rest()
-    assert picked.project.validation[0].model == LocalModel("quadric", 12)
+    assert picked.project.validation[0].model == LocalModel("quadric", 60)
     assert "local quadric through 12 points" in panel.table.item(0, 0).toolTip()
     assert picked.window.document.undo_stack.undoText() == (
-        "validation with local quadrics through 12 points"
+        "validation with local quadrics through 60 points"
     )
     # The fields are those of the shown plots.
     picked.window.document.undo_stack.undo()
     picked.rest()
-    assert picked.window.validate.model == SIX_POINT_PLANE
-    assert picked.window.computations.distance_to == SIX_POINT_PLANE
+    assert picked.window.validate.model == DEFAULT_MODEL
+    assert picked.window.computations.distance_to == DEFAULT_MODEL
     picked.window.document.undo_stack.redo()
     picked.rest()
-    assert picked.window.validate.model == LocalModel("quadric", 12)
+    assert picked.window.validate.model == LocalModel("quadric", 60)
 
     open_step(picked, 4)
     for name in ("calibration.json", "calibration.html"):

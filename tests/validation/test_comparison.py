@@ -57,6 +57,31 @@ def test_a_known_offset_is_measured_despite_noise(offset: float) -> None:
     assert result.after.rms == pytest.approx(offset, abs=0.0006)
 
 
+@pytest.mark.parametrize(
+    ("spacing", "profile_ratio"),
+    [(0.005, 1.0), (0.005, 5.0), (0.005, 20.0), (0.02, 1.0), (0.02, 5.0)],
+)
+def test_the_rms_is_that_of_the_offset_on_dense_noisy_lines(
+    spacing: float, profile_ratio: float
+) -> None:
+    """Points nearer to each other than the noise, and profiles far apart, do not reduce it."""
+    offset, noise = 0.021, 0.004
+    rng = np.random.default_rng(5)
+    along, across = spacing / np.sqrt(profile_ratio), spacing * np.sqrt(profile_ratio)
+
+    def line(depth: float) -> np.ndarray:
+        shift = rng.uniform(0.0, across)
+        grid = np.meshgrid(np.arange(0.0, 1.0, along), np.arange(shift, 1.0, across))
+        points = np.column_stack([grid[0].ravel(), np.full(grid[0].size, depth), grid[1].ravel()])
+        return points + noise * rng.standard_normal(points.shape)
+
+    clouds = {"L1": line(0.0), "L2": line(offset)}
+    result = compare_plane("V1", clouds, clouds, OPPOSITE)
+    assert result.after.rms == pytest.approx(np.hypot(offset, noise), rel=0.05)
+    assert result.pairs[0].after.signed is not None
+    assert abs(result.pairs[0].after.signed.median) == pytest.approx(offset, rel=0.05)
+
+
 def test_distances_without_offset_have_the_size_of_the_noise() -> None:
     clouds = {"L1": wall(1, noise=0.003), "L2": wall(2, noise=0.003)}
     result = compare_plane("V1", clouds, clouds, OPPOSITE)

@@ -29,7 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--neighbours", type=int, default=None, metavar="N",
-        help="number of points to which the plane or quadric is fitted (default 6 for a plane, 12 "
+        help="number of points to which the plane or quadric is fitted (default 40 for a plane, 60 "
              "for a quadric)",
     )  # fmt: skip
     parser.add_argument(

@@ -15,7 +15,7 @@ from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from lispac.workflow.project.survey import Survey
 
 VALIDATION_KEY = "validate"
@@ -74,7 +74,7 @@ class Computations(QObject):
         self._subsample = 0.0
         self._outdated_count = False
         self._counting: Task | None = None
-        self.distance_to = SIX_POINT_PLANE
+        self.distance_to = DEFAULT_MODEL
         runner.idle.connect(self._count_again)
 
     def count(self, subsample: float) -> None:

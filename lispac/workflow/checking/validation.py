@@ -14,7 +14,7 @@ from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.validation.line_shifts import LineErrors, PlaneErrors
-from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from lispac.validation.plane_comparison import MIN_OVERLAP_POINTS, PlaneComparison, compare_plane
 from lispac.workflow.project.survey import Survey
 
@@ -28,7 +28,7 @@ def validate(
     project: Project,
     survey: Survey,
     *,
-    model: LocalModel = SIX_POINT_PLANE,
+    model: LocalModel = DEFAULT_MODEL,
     progress: Progress = no_progress,
 ) -> Project:
     """Compare the lines on every used validation plane, before and after the calibration.

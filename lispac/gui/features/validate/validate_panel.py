@@ -12,9 +12,9 @@ from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.local_models import (
+    DEFAULT_MODEL,
     DEFAULT_NEIGHBOURS,
     MIN_POINTS_BY_KIND,
-    SIX_POINT_PLANE,
     Kind,
     LocalModel,
 )
@@ -67,7 +67,7 @@ class ValidatePanel(QWidget):
                 "More points reduce the noise, fewer points follow the surface more closely."
             ),
         )  # fmt: skip
-        self.neighbours.setValue(SIX_POINT_PLANE.neighbours)
+        self.neighbours.setValue(DEFAULT_MODEL.neighbours)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
