@@ -141,13 +141,18 @@ class LocalSurfaces:
     quadrics: Quadrics | None
 
     def distances(self, compared: Array, surface_of: Indices) -> Array:
-        """Unsigned distance of each point (n, 3) to its surface, shape (n,), metres.
+        """Unsigned distance of each compared point to its surface.
 
         Parameters
         ----------
         compared : ndarray of shape (n, 3), metres, local frame
         surface_of : ndarray of shape (n,)
             Index of the surface of each point.
+
+        Returns
+        -------
+        ndarray of shape (n,), metres
+            NaN where there is no surface.
         """
         offsets = compared - self.centroids[surface_of]
         if self.quadrics is None:
