@@ -147,7 +147,7 @@ class LocalSurfaces:
     quadrics: Quadrics | None
 
     def distances(self, compared: Array, surface_of: Indices) -> Array:
-        """Unsigned distance of each point to its surface.
+        """Unsigned distance of each compared point to its surface.
 
         Parameters
         ----------
@@ -158,6 +158,7 @@ class LocalSurfaces:
         Returns
         -------
         ndarray of shape (n,), metres
+            NaN where there is no surface.
         """
         offsets = compared - self.centroids[surface_of]
         if self.quadrics is None:
