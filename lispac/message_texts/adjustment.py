@@ -138,8 +138,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- observability -----------------------------------------------------------------------------
     "observability.directions": N_(
-        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.3}°"
-        ". Most precisely determined: {strongest}, with {strongest_sigma:deg.3}°."
+        "Least precisely determined: {weakest}, with a standard deviation of {weakest_sigma:deg.4}°"
+        ". Most precisely determined: {strongest}, with {strongest_sigma:deg.4}°."
     ),
     "observability.main_lines": Plural(
         "Line {lines:names} contributes most to the determination of {angle}. Without line "

@@ -261,9 +261,9 @@ TEXTS: Mapping[str, Template] = {
         "lines, or use flat targets.",
     ),
     "adjustment.signs_agree": N_(
-        "The signs of roll and pitch are assumed. The residuals agree with these signs; with the "
+        "The residuals confirm the signs of roll and pitch that the import assumed. With the "
         "opposite sign of roll, pitch or both, the residuals are at least {ratio:x.1} times as "
-        "large or the adjustment does not converge, which confirms the signs."
+        "large, or the adjustment does not converge."
     ),
     "adjustment.radii_differ": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "

@@ -66,8 +66,8 @@ def report_warnings(
             ),
             *warnings_found,
             *_parameter_warnings(content),
-            *_target_warnings(content),
             *_sighting_warnings(content),
+            *_target_warnings(content),
             *_validation_warnings(content),
             *(
                 acceptance_warnings(content.acceptance, content.validation)

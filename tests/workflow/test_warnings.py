@@ -143,6 +143,11 @@ def test_doubtful_sightings_of_a_target_are_one_note(tmp_path: Path) -> None:
         target=target.name, lines=(first, last), line=last, reasons=worse.reasons,
         subject=Cause.of_sighting(target.name, last),
     )  # fmt: skip
+    sparse = replace(rated, reasons=(note("quality.sparse", share=0.5),), coverage=0.5)
+    fuller = replace(sparse, coverage=0.6, incidence=0.8)
+    qualities = {(target.name, first): sparse, (target.name, last): fuller}
+    (found,) = [each for each in warnings_of(project, None, qualities) if "doubtful" in each.code]
+    assert found.params["line"] == first, "the incidence is no reason here"
 
 
 def test_duplicate_points_have_the_place_as_cause(tmp_path: Path) -> None:

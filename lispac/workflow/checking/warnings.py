@@ -136,9 +136,11 @@ def _poor_sightings(
             )  # fmt: skip
 
 
-def _severity(quality: SightingQuality) -> tuple[int, float]:
+def _severity(quality: SightingQuality) -> tuple[int, float, float]:
     """Rank of a doubtful quality; the larger one is worse."""
-    return len(quality.reasons), quality.incidence or 0.0
+    is_oblique = any(each.code == "quality.oblique" for each in quality.reasons)
+    incidence = quality.incidence or 0.0
+    return len(quality.reasons), incidence if is_oblique else 0.0, -quality.coverage
 
 
 def _targets_not_found(project: Project) -> Iterator[Message]:

@@ -33,7 +33,7 @@ from lispac.gui.widgets.column_flow import ColumnFlow
 from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.messages import Message, note
+from lispac.messages import Level, Message, note
 from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
 from lispac.present.tables import cell_text
 from lispac.project import Project, Settings, Triple
@@ -204,6 +204,10 @@ class ResultsPanel(QWidget):
             further.insert(0, outdated_result_warning(refused_since))
         warnings = result_warnings(result, project.cross_checks, further)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
+        is_note = all(each.level is Level.NOTE for each in warnings)
+        self.warnings.setProperty("role", "hint" if is_note else "warning")
+        self.warnings.style().unpolish(self.warnings)
+        self.warnings.style().polish(self.warnings)
         self.warnings.parentWidget().setVisible(bool(warnings))
         rows = result_texts.parameters_html(result)
         self.parameters.setText(rows)

@@ -187,6 +187,8 @@ class DetectedTargetPanel(QFrame):
             sentences.append(_comparison_text(candidate, survey))
         if candidate.missing:
             sentences.append(gettext("Not found in {lines:names}.", lines=list(candidate.missing)))
+            if len(reasons := set(candidate.missing.values())) == 1:
+                sentences.append(message_text(*reasons))
         self.detail.setText(" ".join(sentences))
         self.detail.setToolTip(
             widgets.plain_tip(
