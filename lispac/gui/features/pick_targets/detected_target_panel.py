@@ -117,11 +117,11 @@ TARGET_TITLES: dict[Role, tuple[str, str]] = {
 FOUND_TEXTS: dict[Shape, str] = {
     "plane": N_(
         "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
-        "at most {rms}."
+        "of each line at most {rms}."
     ),
     "sphere": N_(
         "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the sphere "
-        "at most {rms}."
+        "of each line at most {rms}."
     ),
 }
 
