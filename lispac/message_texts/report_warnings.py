@@ -115,6 +115,11 @@ TEXTS: Mapping[str, Template] = {
         "{offset:mm.1} mm, but the uncertainties of POS and boresight explain only {limit:mm.1} "
         "mm. Check the trajectory during this line."
     ),
+    "validation.rms_below_offset": N_(
+        "On validation plane {target}, the RMS of the distances between {line} and {other} after "
+        "the calibration ({rms:mm.1} mm) is too small, because their offset is {offset:mm.1} mm. "
+        "Increase the points per fit and validate again."
+    ),
     "validation.two_modes": N_(
         "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
         "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), "

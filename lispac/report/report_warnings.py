@@ -22,7 +22,11 @@ from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.present.survey_data import PickedPlane
 from lispac.report.report_values import ReportContent
-from lispac.report.validation_warnings import acceptance_warnings, distribution_warnings
+from lispac.report.validation_warnings import (
+    acceptance_warnings,
+    distribution_warnings,
+    surface_model_warnings,
+)
 from lispac.validation.absolute_messages import NamedMean, list_items_with_means
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
@@ -75,6 +79,7 @@ def report_warnings(
                 else ()
             ),
             *distribution_warnings(content.validation),
+            *surface_model_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),
             *_file_warnings(content),

@@ -13,6 +13,9 @@ VALIDATE_STEP, TARGETS_STEP = Cause.of_step("Validate"), Cause.of_step("Targets"
 MAX_OFFSET_SHARE = 0.5
 """Largest ratio of the offset of two lines to the RMS on a plane for which the scatter of the
 points causes at least three quarters of the mean square."""
+MIN_RMS_PER_OFFSET, MIN_OFFSET_M = 0.9, 0.005
+"""Smallest plausible ratio of the RMS of the distances between two lines to their offset, and the
+smallest offset, metres, for which it is checked. The RMS contains the offset and the scatter."""
 FALSE_WARNING_LEVEL = 0.01
 """Probability of any warning about the distances on the planes of a project without errors."""
 
@@ -161,6 +164,27 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
                     distance=modes.distance_m, share=modes.share, limit=limit * modes.sigma_m,
                     subject=where,
                 )  # fmt: skip
+
+
+def surface_model_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+    """Warning on each plane on which the RMS of two lines is too small for their offset.
+
+    This happens if the local surfaces are fitted to too few points (see `DEFAULT_NEIGHBOURS`).
+    """
+    for plane in planes:
+        low = [
+            (pair.after.distances.rms_m / abs(pair.after.signed.median_m), pair)
+            for pair in plane.pairs
+            if pair.after.signed is not None and abs(pair.after.signed.median_m) > MIN_OFFSET_M
+        ]
+        ratio, pair = min(low, key=lambda each: each[0], default=(1.0, None))
+        if pair is None or pair.after.signed is None or ratio >= MIN_RMS_PER_OFFSET:
+            continue
+        yield warning(
+            "validation.rms_below_offset",
+            target=plane.name, line=pair.line_a, other=pair.line_b, rms=pair.after.distances.rms_m,
+            offset=abs(pair.after.signed.median_m), subject=VALIDATE_STEP,
+        )  # fmt: skip
 
 
 def shift_limit(planes: Sequence[ValidationPlane]) -> float:

@@ -7,7 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
-from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE
+from lispac.present.validation import ValidationPlane
+from lispac.report.validation_warnings import surface_model_warnings
+from lispac.validation.local_models import DEFAULT_MODEL, NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
@@ -80,6 +82,24 @@ def test_the_rms_is_that_of_the_offset_on_dense_noisy_lines(
     assert result.after.rms == pytest.approx(np.hypot(offset, noise), rel=0.05)
     assert result.pairs[0].after.signed is not None
     assert abs(result.pairs[0].after.signed.median) == pytest.approx(offset, rel=0.05)
+    assert list(surface_model_warnings([ValidationPlane.of(result)])) == []
+
+
+def test_an_rms_that_is_too_small_for_the_offset_gives_a_warning() -> None:
+    """Six points that are closer together than their noise."""
+    rng = np.random.default_rng(6)
+    places = rng.uniform(0.0, 1.0, (2, 40_000, 3)) * [1.0, 0.0, 1.0]
+    clouds = {
+        f"L{k + 1}": points + [0.0, 0.02 * k, 0.0] + 0.005 * rng.standard_normal(points.shape)
+        for k, points in enumerate(places)
+    }
+    for model, expected in (
+        (SIX_POINT_PLANE, ["validation.rms_below_offset"]),
+        (DEFAULT_MODEL, []),
+    ):
+        result = compare_plane("V1", clouds, clouds, OPPOSITE, model=model)
+        found = list(surface_model_warnings([ValidationPlane.of(result)]))
+        assert [each.code for each in found] == expected
 
 
 def test_distances_without_offset_have_the_size_of_the_noise() -> None:

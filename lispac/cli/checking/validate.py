@@ -125,11 +125,16 @@ def _warnings(project: Project) -> tuple[Message, ...]:
     from lispac.duplicate_targets import project_warnings
     from lispac.present.acceptance import AcceptanceValues
     from lispac.present.validation import ValidationPlane
-    from lispac.report.validation_warnings import acceptance_warnings, distribution_warnings
+    from lispac.report.validation_warnings import (
+        acceptance_warnings,
+        distribution_warnings,
+        surface_model_warnings,
+    )
 
     planes = [ValidationPlane.of(each) for each in project.validation]
     return (
         *project_warnings(project),
         *acceptance_warnings(AcceptanceValues.of(project.judgement), planes),
         *distribution_warnings(planes),
+        *surface_model_warnings(planes),
     )
