@@ -216,7 +216,6 @@ WITHOUT_SOURCE = {
         "sphere_radii",
         "solution",
         "determinability",
-        "sign_check",
     },
     "design": {"further_line_advice", "monte_carlo", "prediction", "site"},
     "geometry": {"radius_search"},

@@ -57,8 +57,6 @@ larger sigma, so that its difference, in radians, says little about the whole re
 """
 MIN_VARIANCE_RATIO = 1e-3
 """Smallest ratio, as above, of a part whose difference is divided by its predicted sigma."""
-SIMULATION_COUNT = 500
-"""Number of simulated sets of differences; the expected excess has an error of a few percent."""
 FREE_SHAPE_SIGMA = 10.0
 """Prior sigma of the shapes, metres and radians.
 
@@ -138,36 +136,6 @@ def leave_out_sigma_factors(linearised: LinearisedProblem) -> Array:
         for parts in _line_and_target_groups(linearised):
             differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
             added += _significant_excess(differences, predicted, whole[1])
-    return np.asarray(np.sqrt(1.0 + added / whole[1]))
-
-
-def expected_sigma_factors(linearised: LinearisedProblem, omitted: Flags) -> Array:
-    """Expected factors of `leave_out_sigma_factors` if the model is correct, shape (3,), no unit.
-
-    Even then the sigmas of some surveys are raised by chance, by more if there are few parts. The
-    expected excess variance is computed from simulated normal differences with the predicted
-    variances.
-
-    Parameters
-    ----------
-    linearised : LinearisedProblem
-        As in `leave_out_sigma_factors`.
-    omitted : ndarray of shape (groups,), bool
-        Groups of points that are not used.
-    """
-    rng = np.random.default_rng(0)
-    added = np.zeros(3)
-    with single_blas_thread():
-        try:
-            whole = _change_without_groups(linearised, omitted)
-        except (AdjustmentError, np.linalg.LinAlgError):
-            return np.ones(3)
-        for parts in _line_and_target_groups(linearised):
-            left = [part | omitted for part in parts if (part & ~omitted).any()]
-            _, predicted = _leave_out_differences(linearised, whole, left, no_progress)
-            drawn = rng.normal(size=(SIMULATION_COUNT, *predicted.shape)) * np.sqrt(predicted)
-            excess = [_significant_excess(each, predicted, whole[1]) for each in drawn]
-            added += np.mean(excess, axis=0)
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 

@@ -12,7 +12,6 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
 from lispac.adjustment.diagnostics.observability import MAX_CLUSTER_RATIO, MAX_SIGMA_RATIO
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
@@ -71,15 +70,11 @@ class CandidatePlanes:
     def predicted_sigma(self, names: Iterable[str]) -> Array:
         """Predicted sigmas of an adjustment of some of the planes, as in `sigma`.
 
-        Includes the factor by which the scatter of parts of the data is expected to increase them.
+        The adjustment may raise its sigmas if parts of the data scatter more than predicted; this
+        is not predicted.
         """
-        kept, problem = set(names), self.predicted.problem
         with single_blas_thread():
-            sigma = _sigma_of_targets(self.predicted, kept)
-        if not problem.model.correlated or not np.isfinite(sigma).all():
-            return sigma
-        removed = np.array([s.target not in kept for s in problem.observations.sightings])
-        return sigma * expected_sigma_factors(self.predicted, removed[problem.groups.sighting])
+            return _sigma_of_targets(self.predicted, names)
 
     def largest_sigma_without_one_plane(self, names: Sequence[str]) -> Array:
         """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
