@@ -326,7 +326,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
 
     picked.window.validate.kind.setFocus()
     QTest.keyClick(picked.window.validate.kind, Qt.Key.Key_Down)
-    assert picked.window.validate.neighbours.value() == 12
+    assert picked.window.validate.neighbours.value() == 60
     click(picked, picked.window.validate.run)
     picked.rest()
     assert picked.project.validation[0].model == LocalModel("quadric", 60)

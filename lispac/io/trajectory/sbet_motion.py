@@ -196,7 +196,7 @@ def detect_signs(
         if pitch is None or heading is None:
             unknown.append(note("quantity.pitch"))
         file_warnings.append(
-            warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check)
+            warning("sbet.signs_not_checked", file=file, angles=tuple(unknown), actions=check)
         )
     if signs and (options.roll == "port-down" or options.pitch == "bow-down"):
         file_warnings.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
