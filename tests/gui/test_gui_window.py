@@ -330,7 +330,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     click(picked, picked.window.validate.run)
     picked.rest()
     assert picked.project.validation[0].model == LocalModel("quadric", 60)
-    assert "local quadric through 12 points" in panel.table.item(0, 0).toolTip()
+    assert "local quadric through 60 points" in panel.table.item(0, 0).toolTip()
     assert picked.window.document.undo_stack.undoText() == (
         "validation with local quadrics through 60 points"
     )
