@@ -352,7 +352,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     content = json.loads((tmp_path / "calibration.json").read_text())
     assert "boresight" in json.dumps(content)
     page = (tmp_path / "calibration.html").read_text()
-    assert "prior boresight" in page
+    assert "before the calibration" in page
     assert "picture" not in {name for name, _ in picked.viewport.calls}, "they have own views"
     assert picked.window.scene.which == "estimated"
 
