@@ -28,8 +28,8 @@ DEFAULT_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 40, "quadric": 60}
 The default of CloudCompare, six, is too small for lines: the nearest points lie along one profile,
 or are closer together than the noise, and the plane through them is inclined at random. In
 simulations with 500 to 40,000 points per square metre, noise of 2 and 5 mm and profiles up to 20
-times as far apart as their points, the RMS for an offset of 21 mm is 0.53 to 1.33 times the true
-one with 6 points and 0.94 to 1.03 times with 40."""
+times as far apart as their points, the RMS for an offset of 21 mm is 0.54 to 1.09 times the true
+one with 6 points and 0.94 to 1.03 times with 40 (`tests.studies.surface_models`)."""
 
 
 @dataclass(frozen=True)
