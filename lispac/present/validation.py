@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
-from operator import attrgetter, itemgetter
+from operator import attrgetter
 from typing import Any, Literal
 
 import numpy as np
@@ -12,6 +12,7 @@ from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.present.acceptance import VERDICT_TEXTS
+from lispac.present.distance_maps import DistanceMapValues
 from lispac.present.tables import (
     COUNT,
     MILLIMETRES,
@@ -33,7 +34,6 @@ from lispac.validation.comparison_results import (
     SignedStatistics,
     TwoModes,
 )
-from lispac.validation.distance_map import DistanceMap
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.plane_offset import PlaneOffset
 
@@ -216,43 +216,9 @@ class DistancesBySteps:
         )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class DistanceMapValues:
-    """Distances of the first line from the second in each cell, as in `DistanceMap`."""
-
-    line_a: str
-    line_b: str
-    cell_m: float
-    across_m: tuple[float, ...]
-    up_m: tuple[float, ...]
-    before_m: tuple[float, ...]
-    after_m: tuple[float, ...]
-    is_horizontal: bool
-
-    @classmethod
-    def of(cls, values: DistanceMap) -> "DistanceMapValues":
-        """Values of a map of distances."""
-        across, up, before, after = (
-            tuple(each.tolist()) for each in (values.across, values.up, values.before, values.after)
-        )
-        return cls(
-            values.line_a, values.line_b, values.cell, across, up, before, after,
-            values.is_horizontal,
-        )  # fmt: skip
-
-    @property
-    def axis_titles(self) -> tuple[str, str]:
-        """Titles of the axes of ``across_m`` and ``up_m``, in English."""
-        return HORIZONTAL_MAP_AXES if self.is_horizontal else MAP_AXES
-
-
-MAP_AXES = N_("Horizontal (m)"), N_("Up (m)")
-HORIZONTAL_MAP_AXES = N_("East (m)"), N_("North (m)")
-"""Titles of the axes of a map on a vertical or inclined plane, and on a horizontal one."""
 BIN_EDGE = Format("", 4, 1e3, is_grouped=False)
 STEP_EDGE = Format("", 3, is_grouped=False)
 STEP_DISTANCE = Format("", 3, 1e3, is_grouped=False)
-CELL_DISTANCE = Format("", 2, 1e3, is_grouped=False)
 
 
 @dataclass(frozen=True)
@@ -336,27 +302,6 @@ BOTH_PROFILES_TABLE = replace(
         *DISTANCE_STEPS_TABLE.columns,
     ),
 )  # fmt: skip
-
-
-def map_cells_table(values: DistanceMapValues) -> Table[tuple[float, ...]]:
-    """Table of the cells of a map of distances, for spreadsheets."""
-    across, up = values.axis_titles
-    return Table(
-        "",
-        (
-            Column(itemgetter(0), across, STEP_EDGE),
-            Column(itemgetter(1), up, STEP_EDGE),
-            Column(itemgetter(2), N_("Before (mm)"), CELL_DISTANCE),
-            Column(itemgetter(3), N_("After (mm)"), CELL_DISTANCE),
-        ),
-    )
-
-
-def map_cells(values: DistanceMapValues) -> list[tuple[float, ...]]:
-    """Place and distances of each cell of a map."""
-    return list(
-        zip(values.across_m, values.up_m, values.before_m, values.after_m, strict=True)
-    )  # fmt: skip
 
 
 @dataclass(frozen=True)
