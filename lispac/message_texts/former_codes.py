@@ -35,8 +35,6 @@ FORMER_CODES: Mapping[str, str] = {
     "plane_on_one_line": "few_lines",
     "target_on_few_lines": "few_lines",
     "plane_on_few_lines": "few_lines",
-    "not_found_target": "not_found",
-    "not_found_plane": "not_found",
     "absolute_nearer": "absolute_off",
     "absolute_farther": "absolute_off",
     "absolute_line_off_by_chance": "absolute_line_off",

@@ -75,14 +75,8 @@ TEXTS: Mapping[str, Template] = {
     "report.plane_on_few_lines": N_(
         "Validation plane {target} is used on only {count:n} of {total:n} lines ({lines:names})."
     ),
-    "report.not_found_target": Plural(
-        "Target {names:names} was not found on {lines:names}. {reasons:sentences}",
-        "Targets {names:names} were not found on {lines:names}. {reasons:sentences}",
-    ),
-    "report.not_found_plane": Plural(
-        "Validation plane {names:names} was not found on {lines:names}. {reasons:sentences}",
-        "Validation planes {names:names} were not found on {lines:names}. {reasons:sentences}",
-    ),
+    "report.not_found": N_("Targets that were not found on some lines: {items:names}. {reason}"),
+    "report.not_found_on": N_("{target} on {lines:names}"),
     "report.sightings": N_(
         "Quality of {sightings:names}: {ratings:names}. The worst is {target} on {line}: "
         "{reasons:sentences}"

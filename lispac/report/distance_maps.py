@@ -48,38 +48,31 @@ MIN_COLOUR_LIMIT_M = 1e-4
 """Smallest deviation at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
-INCHES_PER_BAR_TICK, MIN_BAR_TICKS, MAX_BAR_TICKS = 0.4, 2, 5
-"""Width that the number of a tick of a colour bar needs, and the numbers of intervals."""
+MAX_BAR_TICKS = 5
+"""Largest number of intervals of a colour bar."""
 INCHES_PER_TICK, MAX_TICKS = 0.3, 4
 """Length that the number of a tick needs, and the largest number of intervals; a shorter axis has
 one tick at its end."""
 MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
 """Margin at the right of a pair of maps, and the distance between its maps, inches."""
-MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT = 5.0, 5.0, 4.2, 7.4
-"""Margins around a pair of maps, and height of the colour bars, as multiples of the size of the
-texts in them."""
+MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM = 5.0, 5.0, 4.2
+"""Margins around a pair of maps, as multiples of the size of the texts in them."""
 MIN_MAP_HEIGHT = 0.3
 """Smallest height of the space for a map, inches."""
+WIDTH, BARS_WIDTH = 6.3, 1.5
+"""Width of a figure of maps, and of the space at its right for the colour bars, inches."""
+BAR_PITCH, BAR_THICKNESS, BAR_MARGIN = 0.65, 0.09, 0.15
+"""Distance of the two colour bars, their thickness and the margins at their ends, inches."""
+MIN_HEIGHT, MAX_HEIGHT, MAX_ROW_HEIGHT = 2.0, 4.2, 2.3
+"""Smallest height of a figure of maps, for the titles of the colour bars, and largest height of a
+figure of all maps of a plane and of one row of maps, inches."""
+MAX_MAPS_IN_ROW = 2
+"""Largest number of pairs of maps in one row."""
 
 
-@dataclass(frozen=True)
-class _Size:
-    """Width and largest height of a figure of maps, inches, and the size of its texts, points."""
-
-    width: float
-    height: float
-    text: float = SMALL_TEXT_SIZE
-
-    def inches(self, texts: float) -> float:
-        """Length of so many sizes of the texts, inches."""
-        return texts * self.text / 72.0
-
-
-FULL_SIZE = _Size(6.3, 4.2)
-SMALL_SIZE = _Size(3.3, 2.2, 5.5)
-ROW_SIZE = _Size(6.3, 2.3)
-MAX_SMALL_MAPS = 2
-"""Largest number of pairs in a figure that is half as wide as a page."""
+def _inches(texts: float) -> float:
+    """Length of so many sizes of the texts, inches."""
+    return texts * SMALL_TEXT_SIZE / 72.0
 
 
 def map_figure_of(plane: ValidationPlane) -> Figure:
@@ -88,17 +81,12 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
     Both maps of a pair have the same axes, and all maps the same scale. A state with much smaller
     deviations has a finer colour scale; the title of its colour bar says so.
     """
-    return _draw_maps(plane, plane.maps, FULL_SIZE)
-
-
-def small_map_figure_of(plane: ValidationPlane) -> Figure:
-    """Maps of the pairs with the largest offset and distances after, half a page wide."""
-    return _draw_maps(plane, _largest_maps(plane), SMALL_SIZE)
+    return _draw_maps(plane, plane.maps, MAX_HEIGHT)
 
 
 def map_row_figure_of(plane: ValidationPlane) -> Figure:
-    """The maps of `small_map_figure_of`, lower and as wide as a page."""
-    return _draw_maps(plane, _largest_maps(plane), ROW_SIZE)
+    """Maps of the pairs with the largest offset and distances after, in one row."""
+    return _draw_maps(plane, _largest_maps(plane), MAX_ROW_HEIGHT)
 
 
 def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
@@ -107,7 +95,7 @@ def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
     )  # fmt: skip
     largest = sorted(
         plane.maps, key=lambda each: (each is farthest, _rms_after(each)), reverse=True
-    )[:MAX_SMALL_MAPS]
+    )[:MAX_MAPS_IN_ROW]
     return [each for each in plane.maps if each in largest]
 
 
@@ -181,19 +169,17 @@ class _Arrangement:
     slot: float
 
 
-def _arrange(pairs: Sequence[tuple[_Map, _Map]], size: _Size) -> _Arrangement:
+def _arrange(pairs: Sequence[tuple[_Map, _Map]], max_height: float) -> _Arrangement:
     """Arrangement with the largest maps whose titles do not overlap."""
     sides = np.max([before.sides for before, _ in pairs], axis=0)
     titles = [text for pair in pairs for each in pair for text in each.title.split("\n")]
-    least = 1.02 * max(text_width(text, size.text) for text in titles)
-    left, above, below, bars = (
-        size.inches(each) for each in (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT)
-    )
+    least = 1.02 * max(text_width(text, SMALL_TEXT_SIZE) for text in titles)
+    left, above, below = map(_inches, (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM))
     found = []
     for columns in range(1, len(pairs) + 1):
         rows = ceil(len(pairs) / columns)
-        width = (size.width / columns - left - MAP_SPACING - MARGIN_RIGHT) / 2
-        height = (size.height - bars) / rows - above - below
+        width = ((WIDTH - BARS_WIDTH) / columns - left - MAP_SPACING - MARGIN_RIGHT) / 2
+        height = max_height / rows - above - below
         has_space = width >= least, height >= MIN_MAP_HEIGHT
         scale = float(min(width / sides[0], max(height, MIN_MAP_HEIGHT) / sides[1]))
         slot = min(max(scale * float(sides[0]), least), width)
@@ -201,12 +187,14 @@ def _arrange(pairs: Sequence[tuple[_Map, _Map]], size: _Size) -> _Arrangement:
     return max(found, key=lambda each: each[:2])[-1]
 
 
-def _draw_maps(plane: ValidationPlane, values: Sequence[DistanceMapValues], size: _Size) -> Figure:
+def _draw_maps(
+    plane: ValidationPlane, values: Sequence[DistanceMapValues], max_height: float
+) -> Figure:
     if not values:
-        return _missing_maps(plane.name, size)
+        return _missing_maps(plane.name)
     pairs = [_maps_of(each, _offsets_of(plane, each)) for each in values]
-    arrangement = _arrange(pairs, size)
-    figure, places = _map_axes(pairs, arrangement, size)
+    arrangement = _arrange(pairs, max_height)
+    figure, places = _map_axes(pairs, arrangement)
     limits = _colour_limits(pairs)
     pair_width = 2 * arrangement.slot + MAP_SPACING
     for k, (pair, row, each) in enumerate(zip(pairs, places, values, strict=True)):
@@ -215,20 +203,20 @@ def _draw_maps(plane: ValidationPlane, values: Sequence[DistanceMapValues], size
             is_left = axes is row[0]
             is_outer = is_left and k % arrangement.columns == 0
             style_axes(axes, "", gettext(each.axis_titles[1]) if is_outer else "")
-            axes.yaxis.label.set_fontsize(size.text)
+            axes.yaxis.label.set_fontsize(SMALL_TEXT_SIZE)
             axes.grid(False)
             _set_ticks(axes.xaxis, drawn.extent[:2], arrangement.scale)
             _set_ticks(axes.yaxis, drawn.extent[2:], arrangement.scale)
-            axes.tick_params(labelsize=size.text, labelleft=is_left)
-            axes.set_title(drawn.title, fontsize=size.text, color=INK_COLOUR, pad=3)
-        _draw_pair_texts(figure, row, each, pair_width, size)
+            axes.tick_params(labelsize=SMALL_TEXT_SIZE, labelleft=is_left)
+            axes.set_title(drawn.title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, pad=3)
+        _draw_pair_texts(figure, row, each, pair_width)
     for column, title in enumerate(_bar_titles(limits)):
-        _draw_colour_bar(figure, places[0][column], column, title, size)
+        _draw_colour_bar(figure, places[0][column], column, title)
     return figure
 
 
-def _missing_maps(name: str, size: _Size) -> Figure:
-    figure = blank_figure(None, (size.width, 1.0))
+def _missing_maps(name: str) -> Figure:
+    figure = blank_figure(None, (WIDTH, 1.0))
     axes = figure.add_subplot()
     axes.set_axis_off()
     missing = gettext(
@@ -242,31 +230,29 @@ def _missing_maps(name: str, size: _Size) -> Figure:
 
 
 def _map_axes(
-    pairs: Sequence[tuple[_Map, _Map]], arrangement: _Arrangement, size: _Size
+    pairs: Sequence[tuple[_Map, _Map]], arrangement: _Arrangement
 ) -> tuple[Figure, list[tuple[Axes, Axes]]]:
     """Figure as high as its maps, and axes with the shape of each map."""
     shapes = arrangement.scale * np.array([before.sides for before, _ in pairs])
-    left, above, below, bars = (
-        size.inches(each) for each in (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM, BARS_HEIGHT)
-    )
+    left, above, below = map(_inches, (MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM))
     high = float(shapes[:, 1].max()) + above + below
-    height = arrangement.rows * high + bars
-    figure = blank_figure(None, (size.width, height))
+    height = max(arrangement.rows * high, MIN_HEIGHT)
+    figure = blank_figure(None, (WIDTH, height))
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
-    pitch = size.width / arrangement.columns
+    pitch = (WIDTH - BARS_WIDTH) / arrangement.columns
     used = left + 2 * arrangement.slot + MAP_SPACING
     places = []
     for k, (width, up) in enumerate(shapes):
         row, column = divmod(k, arrangement.columns)
-        top = height - row * high - above
+        top = (height + arrangement.rows * high) / 2 - row * high - above
         first = column * pitch + (pitch - used - MARGIN_RIGHT) / 2 + left
         before, after = (
             figure.add_axes((
                 (first + state * (arrangement.slot + MAP_SPACING) + (arrangement.slot - width) / 2)
-                / size.width,
+                / WIDTH,
                 (top - up) / height,
-                width / size.width,
+                width / WIDTH,
                 up / height,
             ))
             for state in (0, 1)
@@ -298,48 +284,41 @@ def _set_ticks(axis: Axis, ends: tuple[float, float], scale: float) -> None:
 
 
 def _draw_pair_texts(
-    figure: Figure, row: tuple[Axes, Axes], values: DistanceMapValues, width: float, form: _Size
+    figure: Figure, row: tuple[Axes, Axes], values: DistanceMapValues, width: float
 ) -> None:
     """Draw the names of the lines above both maps, and the label of the axis below them."""
     first, second = (short_name(each) for each in (values.line_a, values.line_b))
     text = f"{first} − {second}"
-    if largest_fitting_font_size([text], width, form.text) < form.text - 1:
+    if largest_fitting_font_size([text], width, SMALL_TEXT_SIZE) < SMALL_TEXT_SIZE - 1:
         half = width / 2 - 0.1
         text = f"{cut_to_width(first, half)} − {cut_to_width(second, half)}"
     left, right = (axes.get_position(original=True) for axes in row)
     figure.text(
-        (left.x0 + right.x1) / 2, left.y1 + form.inches(3.7) / figure.get_size_inches()[1], text,
+        (left.x0 + right.x1) / 2, left.y1 + _inches(3.7) / figure.get_size_inches()[1], text,
         ha="center", va="bottom", color=INK_COLOUR, fontweight="bold",
-        fontsize=largest_fitting_font_size([text], 0.9 * width, form.text),
+        fontsize=largest_fitting_font_size([text], 0.9 * width, SMALL_TEXT_SIZE),
     )  # fmt: skip
     # The labels of two narrow maps would overlap; they have one in common.
     figure.text(
-        (left.x0 + right.x1) / 2, left.y0 - form.inches(2.4) / figure.get_size_inches()[1],
-        gettext(values.axis_titles[0]), ha="center", va="top", color=INK_COLOUR, fontsize=form.text,
+        (left.x0 + right.x1) / 2, left.y0 - _inches(2.4) / figure.get_size_inches()[1],
+        gettext(values.axis_titles[0]), ha="center", va="top", color=INK_COLOUR,
+        fontsize=SMALL_TEXT_SIZE,
     )  # fmt: skip
 
 
-def _draw_colour_bar(figure: Figure, axes: Axes, column: int, title: str, form: _Size) -> None:
-    """Draw the colour bar of a state at the bottom, in millimetres: before left, after right."""
-    width, height = figure.get_size_inches()
-    spare = 0.3
-    place = (
-        (column * width / 2 + spare) / width, (form.inches(BARS_HEIGHT) - 0.12) / height,
-        (width / 2 - 2 * spare) / width, 0.09 / height,
-    )  # fmt: skip
+def _draw_colour_bar(figure: Figure, axes: Axes, column: int, title: str) -> None:
+    """Draw the colour bar of a state at the right, in millimetres: before left, after right."""
+    _, height = figure.get_size_inches()
+    left, length = WIDTH - BARS_WIDTH + 0.1 + column * BAR_PITCH, height - 2 * BAR_MARGIN
+    place = left / WIDTH, BAR_MARGIN / height, BAR_THICKNESS / WIDTH, length / height
     bar = figure.colorbar(
-        axes.images[0],
-        cax=figure.add_axes(place),
-        orientation="horizontal",
-        extend="both",
-        format=LocalisedFormatter(),
+        axes.images[0], cax=figure.add_axes(place), extend="both", format=LocalisedFormatter()
     )
-    size = largest_fitting_font_size([title], 0.94 * width / 2, form.text)
-    bar.set_label(title, fontsize=size, color=INK_COLOUR)
-    ticks = int(place[2] * width / INCHES_PER_BAR_TICK)
-    bar.locator = MaxNLocator(int(np.clip(ticks, MIN_BAR_TICKS, MAX_BAR_TICKS)))
+    size = largest_fitting_font_size(title.split("\n"), height, SMALL_TEXT_SIZE)
+    bar.set_label(title, fontsize=size, color=INK_COLOUR, labelpad=2)
+    bar.locator = MaxNLocator(MAX_BAR_TICKS)
     bar.update_ticks()
-    bar.ax.tick_params(labelsize=form.text, colors=INK_COLOUR)
+    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
 
 
 def _colour_limits(pairs: Sequence[tuple[_Map, _Map]]) -> tuple[float, float]:

@@ -139,8 +139,7 @@ def site_figure(
     _label_seeds(axes, marks, tracks.values())
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
-    axes.invert_xaxis()  # west is positive in the local frame, but drawn to the left
-    style_axes(axes, gettext("West (m)"), gettext("North (m)"))
+    style_axes(axes, gettext("East (m)"), gettext("North (m)"))
     if tracks or targets or validation:
         figure.legend(
             loc="outside right upper",
@@ -404,20 +403,20 @@ def _before_after_bars(
 
 def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> None:
     """Draw a track beside its true place, on the starboard side, with its name at its start."""
-    north, west = points[:, 0], points[:, 1]
-    course = np.array([west[0] - west[-1], north[-1] - north[0]])  # the west axis points left
+    north, east = points[:, 0], -points[:, 1]
+    course = np.array([east[-1] - east[0], north[-1] - north[0]])
     course /= max(float(np.hypot(*course)), 1e-9)
     starboard = TRACK_OFFSET_PT * np.array([course[1], -course[0]])
-    axes.update_datalim(np.column_stack([west, north]))
+    axes.update_datalim(np.column_stack([east, north]))
     axes.plot(
-        west, north, color=colour, linewidth=1.6, label=short_name(name),
+        east, north, color=colour, linewidth=1.6, label=short_name(name),
         transform=_moved(axes, starboard),
     )  # fmt: skip
     if len(points) < 2:
         return
     # The arrow ends beyond the track, so that it covers no part of a line in opposite direction.
     axes.annotate(
-        "", (west[-1], north[-1]), xycoords=_moved(axes, starboard + 7 * course),
+        "", (east[-1], north[-1]), xycoords=_moved(axes, starboard + 7 * course),
         textcoords="offset points", xytext=(-9 * course[0], -9 * course[1]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.6, "mutation_scale": 9},
     )  # fmt: skip
@@ -425,7 +424,7 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...])
     # not cover it.
     across, along = 6 * starboard - 12 * course
     axes.annotate(
-        short_name(name), (west[0], north[0]), textcoords="offset points", xytext=(across, along),
+        short_name(name), (east[0], north[0]), textcoords="offset points", xytext=(across, along),
         ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
     )  # fmt: skip
 
@@ -442,7 +441,9 @@ def _draw_seeds(
     if not seeds:
         return
     places = np.array([seed[:2] for seed in seeds.values()])
-    axes.plot(places[:, 1], places[:, 0], marker, color=colour, markersize=5, label=label, zorder=3)
+    axes.plot(
+        -places[:, 1], places[:, 0], marker, color=colour, markersize=5, label=label, zorder=3
+    )
 
 
 def _label_seeds(
@@ -467,13 +468,13 @@ def _label_seeds(
     figure = axes.get_figure(root=True)
     for group in groups:
         alone = len(group) == 1
-        north, west = seeds[group, 0].mean(), seeds[group, 1].min()
+        north, east = seeds[group, 0].mean(), -seeds[group, 1].min()
         for row, k in enumerate(group):
             name, _, colour = marks[k]
             right, up = (5, 7) if alone else (16, 9.5 * (0.5 * (len(group) - 1) - row))
             beside = offset_copy(axes.transData, figure, right, up, units="points")
             axes.annotate(
-                short_name(name), (seeds[k, 1], seeds[k, 0]), xytext=(west, north),
+                short_name(name), (-seeds[k, 1], seeds[k, 0]), xytext=(east, north),
                 textcoords=beside, fontsize=SMALL_TEXT_SIZE, color=colour, zorder=3, va="center",
                 arrowprops=None if alone else {"arrowstyle": "-", "color": colour, "lw": 0.5},
             )  # fmt: skip

@@ -6,7 +6,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from lispac.language import gettext
-from lispac.present.text_format import shortest_number
 from lispac.report.figures import (
     INK_COLOUR,
     SMALL_TEXT_SIZE,
@@ -43,8 +42,7 @@ def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None =
         linewidths=0, rasterized=True,
     )  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.xaxis.set_major_formatter(lambda value, _: shortest_number(0.0 - value))
-    style_axes(axes, gettext("West (m)"), gettext("North (m)"))
+    style_axes(axes, gettext("East (m)"), gettext("North (m)"))
     bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8, format=LocalisedFormatter())
     bar.set_label(gettext("Distance between two lines (mm)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
     bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)

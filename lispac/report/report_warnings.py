@@ -210,28 +210,21 @@ def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Messa
 
 
 def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
-    """Notes on targets that were not found: one for all targets missing on the same lines.
-
-    If the reasons of a target differ, it has a note for each of them.
-    """
-    groups: dict[tuple[str, tuple[str, ...], str], list[str]] = {}
-    reasons: dict[str, Message] = {}
+    """Notes on targets that were not found on some lines, one note for each reason."""
+    found: dict[str, tuple[Message, list[tuple[str, list[str]]]]] = {}
     for plane in content.planes:
-        if not plane.used:
-            continue
-        lines_of_reason: dict[str, list[str]] = {}
-        for line, reason in plane.missing.items():
+        lines: dict[str, list[str]] = {}
+        for line, reason in plane.missing.items() if plane.used else ():
             text = english_text(reason)
-            reasons[text] = reason
-            lines_of_reason.setdefault(text, []).append(line)
-        for text, lines in lines_of_reason.items():
-            groups.setdefault((plane.role, tuple(lines), text), []).append(plane.name)
-    for (role, lines_missing, text), names in groups.items():
+            found.setdefault(text, (reason, []))
+            lines.setdefault(text, []).append(line)
+        for text, names in lines.items():
+            found[text][1].append((plane.name, names))
+    for reason, targets in found.values():
+        items = [note("report.not_found_on", target=name, lines=lines) for name, lines in targets]
         yield note(
-            "report.not_found_target" if role == "target" else "report.not_found_plane",
-            count=len(names), names=names, lines=lines_missing, reasons=[reasons[text]],
-            subject=Cause.of_target(names[0]),
-        )  # fmt: skip
+            "report.not_found", items=items, reason=reason, subject=Cause.of_target(targets[0][0])
+        )
 
 
 def _sighting_warnings(content: ReportContent) -> Iterator[Message]:

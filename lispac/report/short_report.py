@@ -33,18 +33,13 @@ from lispac.report.validation_section import MAP_LEGEND_TEXT
 
 MAX_PLANES = 12
 """Largest number of validation planes in the table."""
-MAX_MAPPED_PLANES = 4
-"""Largest number of validation planes with maps."""
 MAX_PICTURED_PLANES = 3
-"""Largest number of validation planes with pictures."""
+"""Largest number of validation planes with pictures and maps."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_ROWS = 3
-"""Largest number of planes whose maps are as wide as the page; more are in two columns."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 72.0, 64.0
-MAX_MAP_ROW_HEIGHT_MM = 62.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 64.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
@@ -171,16 +166,10 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         )  # fmt: skip
         blocks.append(Paragraph(pictured))
     mapped = [plane for plane in content.validation if plane.maps]
-    shown = [plane for plane in _planes_to_show(content, MAX_MAPPED_PLANES) if plane.maps]
-    columns = 1 if len(shown) <= MAX_MAP_ROWS else 2
-    maps = [_map(plane, is_row=columns == 1) for plane in shown]
-    tallest = MAX_MAP_ROW_HEIGHT_MM if columns == 1 else MAX_MAP_HEIGHT_MM
-    if maps:
+    shown = [plane for plane in _planes_to_show(content, MAX_PICTURED_PLANES) if plane.maps]
+    if shown:
         blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
-    blocks += [
-        PictureRows((tuple(maps[k : k + columns]),), columns=columns, tallest=tallest)
-        for k in range(0, len(maps), columns)
-    ]
+    blocks += [PictureRows(((_map(plane),),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
     if len(shown) < len(mapped):
         omitted = gettext(
             "Maps of {shown:n} of {total:n} validation planes are shown, those with the largest "
@@ -209,14 +198,10 @@ def _site_plan(content: ReportContent) -> list[Block]:
     return [PictureRows(((plan,),), tallest=MAX_PLAN_HEIGHT_MM)]
 
 
-def _map(plane: ValidationPlane, *, is_row: bool) -> UndrawnPictures:
-    from lispac.report.distance_maps import (
-        MAX_SMALL_MAPS,
-        map_row_figure_of,
-        small_map_figure_of,
-    )
+def _map(plane: ValidationPlane) -> UndrawnPictures:
+    from lispac.report.distance_maps import MAX_MAPS_IN_ROW, map_row_figure_of
 
-    shown, total = min(len(plane.maps), MAX_SMALL_MAPS), len(plane.pairs)
+    shown, total = min(len(plane.maps), MAX_MAPS_IN_ROW), len(plane.pairs)
     caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
     if shown < len(plane.maps):
         caption = gettext(
@@ -224,5 +209,4 @@ def _map(plane: ValidationPlane, *, is_row: bool) -> UndrawnPictures:
             "those with the largest offset and distances after it.",
             plane=plane.name, shown=shown, total=total,
         )  # fmt: skip
-    draw = map_row_figure_of if is_row else small_map_figure_of
-    return UndrawnPictures(caption, draw, (plane,))
+    return UndrawnPictures(caption, map_row_figure_of, (plane,))

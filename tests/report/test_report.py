@@ -283,13 +283,14 @@ def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     some = replace(second, sightings=second.sightings[:2])
     content = sample_content(replace(project, targets=(few, some, *rest)))
     codes = [each.code for each in content.warnings if "T1" in message_text(each)]
-    assert codes == ["targets.single_line_targets", "report.not_found_target"]
+    assert codes == ["targets.single_line_targets", "report.not_found"]
     (few,) = [each for each in content.warnings if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     html = html_text(content, {}, FULL_REPORT)
-    (missing,) = [each for each in content.warnings if each.code == "report.not_found_target"]
+    (missing,) = [each for each in content.warnings if each.code == "report.not_found"]
     reason = note("finder.not_alike")
-    assert (missing.params["lines"], missing.params["reasons"]) == (("L2",), [reason])
+    assert missing.params["reason"] == reason
+    assert missing.params["items"] == (note("report.not_found_on", target="T1", lines=("L2",)),)
     assert message_text(reason) in html
 
 
@@ -461,8 +462,10 @@ def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     assert len(figure.axes[0].patches) == 2 * len(project.result.sightings)
     assert figures.correlation_figure(project.result, figure) is figure
     site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)
+    (mark,) = [line for line in site.axes[0].lines if line.get_label() == "target"]
+    assert (list(mark.get_xdata()), list(mark.get_ydata())) == ([-2.0], [5.0])  # east, north
     left, right = site.axes[0].get_xlim()
-    assert left > right  # west is positive and lies on the left
+    assert left < right
 
 
 def test_reciprocal_lines_have_the_colours_of_the_window_side_by_side() -> None:

@@ -19,7 +19,7 @@ from lispac.messages import note, warning
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.content import ReportContent
-from lispac.report.distance_maps import small_map_figure_of
+from lispac.report.distance_maps import map_row_figure_of
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import (
     Bullets,
@@ -31,7 +31,7 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.options import EXTENTS, PAGE_SIZES, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
-from lispac.report.short_report import MAX_MAPPED_PLANES, MAX_NOTES, MAX_PLANES
+from lispac.report.short_report import MAX_NOTES, MAX_PICTURED_PLANES, MAX_PLANES
 from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
 from tests.support.report_sample import (
@@ -180,7 +180,7 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     (distances,) = (table for table in tables if len(table.rows) > 10)
     assert len(distances.rows) == MAX_PLANES
     assert len(list(undrawn_pictures(b for s in document.sections for b in s.blocks))) == (
-        MAX_MAPPED_PLANES + 1
+        MAX_PICTURED_PLANES + 1
     )
     made = preview_of(content, {}, ReportOptions("letter"), ppi=PPI)
     assert len(made.pages) <= 4
@@ -249,7 +249,7 @@ def test_the_pairs_with_the_largest_distances_are_mapped_in_a_short_report(
         replace(plane.maps[0], line_b=f"L{k}", after_m=tuple(k * d for d in plane.maps[0].after_m))
         for k in (3, 1, 2)
     )
-    figure = small_map_figure_of(replace(plane, maps=maps))
+    figure = map_row_figure_of(replace(plane, maps=maps))
     text = " ".join(each.get_text() for each in figure.findobj(Text))
     assert "L3" in text
     assert "L2" in text

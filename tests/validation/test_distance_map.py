@@ -16,7 +16,7 @@ from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, writ
 from lispac.language import in_language
 from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
-from lispac.report.distance_maps import map_figure_of, map_row_figure_of, small_map_figure_of
+from lispac.report.distance_maps import map_figure_of, map_row_figure_of
 from lispac.report.text_width import text_width
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
@@ -98,7 +98,7 @@ def test_a_comparison_maps_its_reciprocal_pairs_and_that_with_the_largest_offset
     moved = clouds | {"L3": wall(3) + [0, 0.02, 0], "L4": wall(4) - [0, 0.03, 0]}
     found = compare_plane("V1", clouds, moved, headings, facing=TO_VESSEL)
     assert mapped_pairs(found) == reciprocal | {("L3", "L4")}
-    small = small_map_figure_of(ValidationPlane.of(found))
+    small = map_row_figure_of(ValidationPlane.of(found))
     titles = [text.get_text() for text in small.texts]
     assert any("L3" in title and "L4" in title for title in titles)
 
@@ -123,7 +123,7 @@ def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
 
 
 @pytest.mark.parametrize("tall", [False, True])
-@pytest.mark.parametrize("draw", [map_figure_of, small_map_figure_of])
+@pytest.mark.parametrize("draw", [map_figure_of, map_row_figure_of])
 def test_each_state_has_a_scale_that_its_values_fill(
     tmp_path: Path, tall: bool, draw: Callable[[ValidationPlane], Figure]
 ) -> None:
@@ -154,9 +154,9 @@ def test_each_state_has_a_scale_that_its_values_fill(
     assert all(low == -high for low, high in limits)
     wide, narrow = sorted((high for _, high in limits), reverse=True)
     assert narrow == pytest.approx(0.05 * wide, rel=1e-6)
-    bars = [axes for axes in figure.axes if axes.get_xlabel().startswith(("Before", "After"))]
-    assert "20 ×" in bars[1].get_xlabel()
-    assert [bar.get_xlim()[1] for bar in bars] == pytest.approx([wide, narrow])
+    bars = [axes for axes in figure.axes if axes.get_ylabel().startswith(("Before", "After"))]
+    assert "20 ×" in bars[1].get_ylabel()
+    assert [bar.get_ylim()[1] for bar in bars] == pytest.approx([wide, narrow])
     cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
     first = plane.maps[0]
     offsets = plane.offsets_m(first.line_a, first.line_b)
@@ -166,7 +166,7 @@ def test_each_state_has_a_scale_that_its_values_fill(
 
 
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])
-@pytest.mark.parametrize("draw", [map_figure_of, small_map_figure_of, map_row_figure_of])
+@pytest.mark.parametrize("draw", [map_figure_of, map_row_figure_of])
 def test_frames_have_the_shape_of_their_maps_and_one_scale(
     tmp_path: Path, sides: tuple[float, float], draw: Callable[[ValidationPlane], Figure]
 ) -> None:
@@ -197,7 +197,7 @@ def test_frames_have_the_shape_of_their_maps_and_one_scale(
     assert all(figure.bbox.x0 <= axes.bbox.x0 < axes.bbox.x1 <= figure.bbox.x1 for axes in shown)
 
 
-@pytest.mark.parametrize("draw", [map_figure_of, small_map_figure_of, map_row_figure_of])
+@pytest.mark.parametrize("draw", [map_figure_of, map_row_figure_of])
 def test_states_with_similar_distances_have_one_scale(
     tmp_path: Path, draw: Callable[[ValidationPlane], Figure]
 ) -> None:
@@ -206,7 +206,8 @@ def test_states_with_similar_distances_have_one_scale(
     figure = draw(replace(plane, maps=maps))
     figure.canvas.draw()
     assert len({clim for *_, clim in images(figure)}) == 1
-    labels = [axes.get_xlabel() for axes in figure.axes if not axes.images]
+    labels = [axes.get_ylabel() for axes in figure.axes if not axes.images]
+    assert all(labels)
     assert not any("finer" in label or "coarser" in label for label in labels)
 
 

@@ -24,9 +24,7 @@ from lispac.workflow.project.survey import Survey, file_cause
 
 DATA_STEP, ADJUST_STEP = Cause.of_step("Data"), Cause.of_step("Adjust")
 
-SUMMARY_CODES = {
-    "report.sightings", "report.not_found_target", "report.not_found_plane", "report.not_compared",
-}  # fmt: skip
+SUMMARY_CODES = {"report.sightings", "report.not_found", "report.not_compared"}
 """Codes of summaries in a report; the list contains the summarised messages instead."""
 REPORT_ONLY_CODES = {"report.not_calibrated"}
 """Codes used only in a report: in the window, the steps show what remains to be done."""
