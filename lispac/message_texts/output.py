@@ -19,7 +19,8 @@ TEXTS: Mapping[str, Template] = {
         "Coordinates are at the epoch of the trajectory; they are not transformed to another epoch."
     ),
     "export.sbet_zeros": N_(
-        "Velocities, accelerations, rates and wander angle in the SBET are zero."
+        "Accelerations and wander angle in the SBET are zero, and so are velocities and rates if "
+        "the trajectory does not contain them."
     ),
     "export.own_file": N_(
         "{file} is an input file of the survey and must not be overwritten. Choose another name or "

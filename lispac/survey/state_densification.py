@@ -165,3 +165,31 @@ def attitude_rates(attitude: Array, body_rates: Array) -> Array:
     sin, cos = np.sin(roll), np.cos(roll)
     turn = (sin * starboard + cos * down) / np.maximum(np.cos(pitch), 1e-3)
     return np.stack([forward + np.sin(pitch) * turn, cos * starboard - sin * down, turn], axis=1)
+
+
+def body_rates(attitude: Array, attitude_rate: Array) -> Array:
+    """Angular rates about the axes forward, starboard, down; the inverse of `attitude_rates`.
+
+    Parameters
+    ----------
+    attitude : ndarray of shape (n, 3), radians
+        Roll, pitch (positive bow up), heading.
+    attitude_rate : ndarray of shape (n, 3), radians a second
+        Their derivatives.
+
+    Returns
+    -------
+    ndarray of shape (n, 3), radians a second
+    """
+    roll, pitch, _ = attitude.T
+    roll_rate, pitch_rate, turn = attitude_rate.T
+    sin, cos = np.sin(roll), np.cos(roll)
+    level = np.cos(pitch) * turn
+    return np.stack(
+        [
+            roll_rate - np.sin(pitch) * turn,
+            cos * pitch_rate + sin * level,
+            cos * level - sin * pitch_rate,
+        ],
+        axis=1,
+    )

@@ -15,6 +15,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognise_formats
 from lispac.io.text.plane_file import read_plane_files
 from lispac.io.trajectory.sbet import read_sbet, write_sbet
+from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
@@ -206,8 +207,11 @@ def turning(folder: Path) -> Project:
     raw = Trajectory(
         time, 0.8 + 1e-8 * np.arange(300), -1.3 + 2e-8 * np.arange(300), np.linspace(-20, 3, 300),
         np.stack([0.1 * np.sin(time), 0.05 * np.cos(time), np.linspace(6.1, 6.5, 300)], axis=1),
+        velocity=np.tile([12.7, -17.8, 15.3], (300, 1)),
     )  # fmt: skip
-    write_sbet(folder / "own.sbet", raw)
+    write_sbet(
+        folder / "own.sbet", replace(raw, attitude_rate=np.gradient(raw.attitude, time, axis=0))
+    )
     return Project(folder / "project", folder / "own.sbet", (), Settings((0.0, 0.0, 0.0)))
 
 
@@ -215,8 +219,12 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     project = turning(tmp_path)
     before = read_sbet(project.trajectory)
     sbet = read_sbet(export_trajectory(project, tmp_path / "out" / "new.sbet"))
-    for name in ("time", "latitude", "longitude", "height", "attitude"):
+    for name in ("time", "latitude", "longitude", "height", "attitude", "velocity"):
         np.testing.assert_array_equal(getattr(sbet, name), getattr(before, name))
+    assert before.attitude_rate is not None
+    assert sbet.attitude_rate is not None
+    assert np.abs(before.attitude_rate).max(axis=0).min() > 0.01
+    np.testing.assert_allclose(sbet.attitude_rate, before.attitude_rate, rtol=0, atol=1e-13)
     path = export_trajectory(project, tmp_path / "out" / "new.txt", "text")
     rows = np.loadtxt(path, skiprows=4)
     np.testing.assert_allclose(rows[:, 0], before.time, rtol=0, atol=1e-9)
@@ -253,7 +261,7 @@ def test_exports_from_the_command_line(
     assert [Path(line).name for line in out.split()] == ["T1_estimated.csv", "V1_estimated.csv"]
     code, out, err = run("--what", "trajectory", "--output", tmp_path / "t" / "a.sbet")
     assert code == 0
-    assert "Velocities" in err
+    assert english_text(SBET_ZEROS_NOTE) in err
     assert (tmp_path / "t" / "a.sbet").exists()
     code, out, _ = run("--what", "planes", "--output", tmp_path / "p", "--boresight", "prior")
     assert code == 0

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError
+from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
@@ -188,8 +189,11 @@ def test_the_script_detects_the_reading_options_if_the_warnings_are_the_same(
 ) -> None:
     """An opened project still has the warnings of its import."""
     raw = demo_project.folder / "raw"
+    states = read_sbet(raw / "trajectory.sbet")
+    without_rates = tmp_path / "trajectory.sbet"
+    write_sbet(without_rates, replace(states, attitude_rate=None))
     quay = lispac.new(
-        tmp_path / "quay", lines=[raw / "L1_000.laz"], trajectory=raw / "trajectory.sbet",
+        tmp_path / "quay", lines=[raw / "L1_000.laz"], trajectory=without_rates,
         lever_arm=(0, 0, 0),
     )  # fmt: skip
     again = lispac.open(quay.project.folder)

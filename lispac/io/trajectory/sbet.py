@@ -18,7 +18,7 @@ from lispac.io.trajectory.trajectory_checks import (
 from lispac.io.trajectory.trajectory_columns import sign_note
 from lispac.messages import Message, error, note
 from lispac.survey.known_time_base import base_message
-from lispac.survey.state_densification import attitude_rates
+from lispac.survey.state_densification import attitude_rates, body_rates
 from lispac.survey.time_base import base_of_key, plausible_bases, unroll_times
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -242,15 +242,22 @@ def _require_on_earth(
 
 
 def write_sbet(path: Path, trajectory: Trajectory) -> None:
-    """Write an SBET with wander 0 and zero velocities, accelerations and rates."""
+    """Write an SBET with wander 0 and zero accelerations.
+
+    Velocities (along the axes of the wander frame: north, west, up) and angular rates are zero if
+    the trajectory does not contain them.
+    """
     records = np.zeros((len(trajectory.time), 17), dtype="<f8")
     records[:, 0] = trajectory.time
     records[:, 1] = trajectory.latitude
     records[:, 2] = trajectory.longitude_within_half_turn
     records[:, 3] = trajectory.height
-    records[:, 7] = trajectory.attitude[:, 0]
-    records[:, 8] = -trajectory.attitude[:, 1]
-    records[:, 9] = trajectory.attitude[:, 2]
+    bow_up = np.array([1.0, -1.0, 1.0])
+    records[:, 7:10] = trajectory.attitude * bow_up
+    if trajectory.velocity is not None:
+        records[:, 4:7] = trajectory.velocity
+    if trajectory.attitude_rate is not None:
+        records[:, 14:17] = body_rates(records[:, 7:10], trajectory.attitude_rate * bow_up)
     with atomic_write(path) as temporary:
         temporary.write_bytes(records.data)  # tofile hides the error of the system
 

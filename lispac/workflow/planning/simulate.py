@@ -232,10 +232,18 @@ def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
     sbet, smrmsg = raw / TRAJECTORY_FILE, raw / ACCURACY_FILE
     states = survey.trajectory
     attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
+    # The errors of the POS change so slowly that velocities and rates are almost true.
+    velocity, attitude_rate = (
+        np.gradient(true, states.time, axis=0)
+        for true in (states.true_position_local, states.true_attitude)
+    )
     write_sbet(
         sbet,
-        Trajectory(states.time, states.latitude, states.longitude, states.height, attitude),
-    )
+        Trajectory(
+            states.time, states.latitude, states.longitude, states.height, attitude,
+            velocity=velocity, attitude_rate=attitude_rate,
+        ),
+    )  # fmt: skip
     # POSPac writes smrmsg once a second.
     last = len(states.time) - 1
     once = np.append(np.arange(0, last, max(round(1 / states.interval), 1)), last)
