@@ -221,7 +221,9 @@ def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
         for text, names in lines.items():
             found[text][1].append((plane.name, names))
     for reason, targets in found.values():
-        items = [note("report.not_found_on", target=name, lines=lines) for name, lines in targets]
+        items = tuple(
+            note("report.not_found_on", target=name, lines=tuple(lines)) for name, lines in targets
+        )
         yield note(
             "report.not_found", items=items, reason=reason, subject=Cause.of_target(targets[0][0])
         )
