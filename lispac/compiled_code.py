@@ -33,6 +33,7 @@ from types import ModuleType
 from typing import Any
 
 from lispac import __version__
+from lispac.computing_time import compilation_timer
 
 __all__ = ["kernel", "njit"]
 
@@ -187,9 +188,18 @@ def portable_processor(machine: str, system: str, features: dict[str, bool]) -> 
 @cache
 def _numba() -> ModuleType:
     """Numba with the settings of this program."""
+    compilation_timer.start()
+    try:
+        return _configured_numba()
+    finally:
+        compilation_timer.end()
+
+
+def _configured_numba() -> ModuleType:
     import numba
     from llvmlite import binding as llvm
     from numba import config
+    from numba.core import event
     from numba.extending import typeof_impl
 
     # Both are set in the environment too, which Numba reads again after changes
@@ -213,4 +223,12 @@ def _numba() -> ModuleType:
     def _type_of_function(function: CompiledFunction, _context: Any) -> Any:
         return numba.types.Dispatcher(function.dispatcher)
 
+    class CompilationListener(event.Listener):  # type: ignore[misc]
+        def on_start(self, event: Any) -> None:
+            compilation_timer.start()
+
+        def on_end(self, event: Any) -> None:
+            compilation_timer.end()
+
+    event.register("numba:compile", CompilationListener())
     return numba

@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from lispac.compiled_code import (
@@ -16,13 +17,16 @@ from lispac.compiled_code import (
     MAX_UNUSED_TIME_S,
     cache_folder,
     current_cache_folder,
+    njit,
     portable_processor,
     source_state,
 )
+from lispac.computing_time import computing_time
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 COPIED_FILES = (
-    "__init__.py", "compiled_code.py", "compiled_code_locator.py", "geometry/__init__.py",
+    "__init__.py", "compiled_code.py", "compiled_code_locator.py", "computing_time.py",
+    "geometry/__init__.py",
 )  # fmt: skip
 
 
@@ -205,3 +209,22 @@ def test_numba_is_imported_at_the_first_call() -> None:
         [sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=True
     )
     assert done.stdout.split() == ["False", "True"]
+
+
+def test_the_clock_of_computations_stops_while_a_function_is_compiled() -> None:
+    @njit
+    def summed(values: np.ndarray) -> float:
+        total = 0.0
+        for k in range(len(values)):
+            total += np.sqrt(values[k]) * np.sin(values[k])
+        return total
+
+    started, computing = time.perf_counter(), computing_time()
+    first = summed(np.arange(10.0))
+    whole, without = time.perf_counter() - started, computing_time() - computing
+    assert first == pytest.approx(np.sum(np.sqrt(np.arange(10.0)) * np.sin(np.arange(10.0))))
+    assert 0 <= without < 0.5 * whole  # nearly all of the time is that of the compilation
+    started, computing = time.perf_counter(), computing_time()
+    summed(np.arange(1e6))
+    whole, without = time.perf_counter() - started, computing_time() - computing
+    assert without == pytest.approx(whole, rel=0.05)

@@ -1,6 +1,5 @@
 """Least-squares solution of mounting and targets in phases (thesis B.3)."""
 
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
@@ -52,6 +51,7 @@ from lispac.adjustment.solve.variance_components import (
     estimate_variance_components,
     with_lidar_interval,
 )
+from lispac.computing_time import computing_time
 from lispac.errors import NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -152,7 +152,7 @@ def with_agreeing_targets(
     NotConverged
         The iteration diverges or does not converge.
     """
-    started, excluded = time.perf_counter(), list[str]()
+    started, excluded = computing_time(), list[str]()
     while True:
         some = observations.without_targets(excluded)
         some.require_usable()
@@ -166,7 +166,7 @@ def with_agreeing_targets(
                 raise
             excluded.append(reason.target)
         else:
-            elapsed = time.perf_counter() - started
+            elapsed = computing_time() - started
             return replace(result, elapsed=elapsed, excluded_targets=tuple(excluded))
 
 

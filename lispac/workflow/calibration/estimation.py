@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult
+from lispac.computing_time import computing_time
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
@@ -213,7 +213,7 @@ def estimate(
     if settings != project.settings:
         project = project.with_settings(settings)
     project = project.with_data_messages(survey.messages)
-    started = perf_counter()
+    started = computing_time()
     selected = reselect_points(
         project, survey, rounds=reselections, progress=sub_progress(progress, 0.0, 0.7)
     )
@@ -225,7 +225,7 @@ def estimate(
         progress=sub_progress(progress, 0.7, 1.0),
     )
     assert solved.result is not None
-    result = replace(solved.result, elapsed=perf_counter() - started)
+    result = replace(solved.result, elapsed=computing_time() - started)
     return replace(solved, result=result)
 
 

@@ -8,7 +8,6 @@ boresight until the angles converge, at most as many times as `ITERATION_THRESHO
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,7 @@ from lispac.adjustment.diagnostics.observability import assess_observability
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.result import AdjustmentResult
+from lispac.computing_time import computing_time
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
@@ -130,7 +130,7 @@ def targetless(
     if len(survey.clouds) < 2:
         raise AdjustmentError(error("targetless.single_line", project=project.name))
     own = _targets_only(project) if with_targets else None
-    started = perf_counter()
+    started = computing_time()
     progress(0.0, gettext_lazy("Aligning the lines"))
     # The initial boresight does not depend on the error of the prior boresight.
     mounting = survey.alignment.mounting
@@ -214,7 +214,7 @@ def targetless(
             raised_result = replace(raised_result, observability=seen)
         shifted = LineShiftScores.of(solved.linearised).shifted_lines()
     raised = float((raised_result.sigma / result.sigma).max())
-    final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
+    final = replace(picked, result=replace(raised_result, elapsed=computing_time() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
     return TargetlessResult(final, iterations, converged, found, named, mixed, raised)
 
