@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shiboken6
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -370,6 +371,25 @@ def test_a_panel_that_opens_does_not_cover_the_selected_target(viewport, qtbot):
     viewport.widget.resize(viewport.widget.width(), height - 122)
     qtbot.waitUntil(lambda: canvas.height() == height - 122)
     np.testing.assert_allclose(viewport.to_pixels(lowest), before, atol=3.0)
+
+
+@pytest.mark.parametrize("wrapper", ["_ctx", "_surface"])
+def test_the_view_is_drawn_after_qt_objects_have_lost_their_python_wrappers(
+    viewport, qtbot, wrapper
+):
+    """PySide sometimes invalidates wrappers of objects that still exist."""
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    qtbot.wait(100)
+    shiboken6.invalidate(getattr(viewport.canvas, wrapper))
+    viewport.widget.resize(viewport.widget.width() - 40, viewport.widget.height() - 60)
+    viewport.view("top")
+    viewport.view("front")
+    qtbot.wait(300)
+    screen = array_of(viewport.canvas.screen().grabWindow(viewport.widget.winId()).toImage())
+    assert count(screen, RED) > 50
+    assert count(picture(viewport), RED) > 50
 
 
 def test_a_cross_shows_where_a_seed_would_be_set(viewport):

@@ -37,11 +37,21 @@ class VtkCanvas(QtInteractor):
         self._changed = True
 
     def paintGL(self) -> None:
-        """Render if the scene has changed, and show the frame."""
+        """Render if the scene has changed, and show the frame.
+
+        The base class stores Python wrappers of the OpenGL context and its surface. PySide may
+        invalidate these although both still exist; the base class then forgets them, and VTK draws
+        nothing. They are therefore fetched again.
+        """
+        if self._ctx is None and self.isValid():
+            self.initializeGL()
         if self._changed:
             self.frames += 1
             super().paintGL()
-            self._changed = not self.ren_win.GetReadyForRendering()
+            is_lost = self._ctx is None  # nothing was drawn
+            self._changed = is_lost or not self.ren_win.GetReadyForRendering()
+            if is_lost:
+                self.update()
             return
         self._in_paint = True  # makes the base class skip the rendering
         try:
