@@ -24,7 +24,7 @@ STAMP = ENVIRONMENT / "lispac-installed.json"
 INSTALL_LOG = ENVIRONMENT / "install.log"
 LOCK_FILES = {"run": "lock-run.txt", "test": "lock-test.txt", "bundle": "lock-bundle.txt"}
 # The project is installed again if one of these files changes.
-PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
+PROJECT_FILES = ("pyproject.toml", "lispac/version.py")
 
 
 class SetupError(Exception):

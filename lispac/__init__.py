@@ -19,7 +19,7 @@ import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from lispac.version import __version__ as __version__
 
 # Products of matrices with a few columns take several times longer if BLAS divides them among the
 # cores. The variable has no effect if NumPy was imported before.
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from lispac.targets.expected_target import ExpectedTarget as ExpectedTarget
     from lispac.targets.finder_settings import FinderChoices as FinderChoices
     from lispac.workflow.calibration.point_index_text import point_numbers as point_numbers
-    from lispac.workflow.checking.batch import batch as batch
+    from lispac.workflow.output.batch import batch as batch
 
 # Modules are imported on first use, since the command line often needs only the version.
 _MODULE_OF_NAME = {
@@ -60,7 +60,7 @@ _MODULE_OF_NAME = {
     "Reading": "lispac.survey.line_source",
     "Settings": "lispac.project",
     "Target": "lispac.picked_targets",
-    "batch": "lispac.workflow.checking.batch",
+    "batch": "lispac.workflow.output.batch",
     "demo": "lispac.scripting.projects",
     "new": "lispac.scripting.projects",
     "open": "lispac.scripting.projects",

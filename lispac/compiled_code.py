@@ -32,8 +32,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from lispac import __version__
 from lispac.computing_time import compilation_timer
+from lispac.version import __version__
 
 __all__ = ["kernel", "njit"]
 

@@ -8,7 +8,6 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-import lispac
 from lispac.errors import InputError
 from lispac.messages import error
 
@@ -21,7 +20,7 @@ def resource_path(name: str) -> Path:
     InputError
         If it is missing in the installation.
     """
-    package = Path(lispac.__file__).parent
+    package = Path(__file__).parent
     # The resources are inside the package in a wheel, and beside it in a checkout.
     for folder in (package, package.parent):
         path = folder / "resources" / name

@@ -52,6 +52,8 @@ DEFAULT_THRESHOLD_M = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
 
 
+BoresightChoice = Literal["prior", "estimated"]
+"""Boresight with which points are placed."""
 Unit = Literal["m", "deg", "s"]
 SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
@@ -360,7 +362,7 @@ class Project:
         """Name of the project, which is the name of its folder."""
         return self.folder.name
 
-    def mounting(self, which: Literal["prior", "estimated"]) -> Mounting:
+    def mounting(self, which: BoresightChoice) -> Mounting:
         """Prior or estimated mounting.
 
         Raises

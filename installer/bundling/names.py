@@ -27,11 +27,11 @@ ICON_SVG = ICON_PNG.with_suffix(".svg")
 
 
 def version() -> str:
-    """Version of the program, read from `lispac/__init__.py` without importing the package."""
-    text = (CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8")
+    """Version of the program, read from `lispac/version.py` without importing the package."""
+    text = (CHECKOUT / "lispac" / "version.py").read_text(encoding="utf-8")
     found = re.search(r'^__version__ = "([^"]+)"', text, re.MULTILINE)
     if found is None:
-        raise ValueError("lispac/__init__.py states no version")
+        raise ValueError("lispac/version.py contains no version")
     return found.group(1)
 
 

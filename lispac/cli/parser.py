@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import NamedTuple
 
-from lispac import __version__
+from lispac.version import __version__
 
 
 class Command(NamedTuple):

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, LispacError, failure_reason, system_reason
-from lispac.io.points.compressed_files import require_uncompressed
+from lispac.io.compressed_files import require_uncompressed
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
 from lispac.survey.line_source import printable

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import Fact
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     CHOOSE_FRAME_ACTION,
     CHOOSE_SYSTEM_ACTION,
     COARSEST_TIME_RESOLUTION_S,

@@ -20,7 +20,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.text.units import LENGTH_UNIT_NAMES
+from lispac.io.units import LENGTH_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Action, Message, error, note, warning
 from lispac.survey.crs import METRES_PER_UNIT, CoordinateSystem, coordinate_system

@@ -61,6 +61,8 @@ UNITS = {
     "date": Unit("notation", 1.0, note("unit.date")),
 }
 """Units by their code; ``ft`` are feet of unspecified kind."""
+METRES_PER_UNIT = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
+"""Metres in each unit of length by its code."""
 LENGTH_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "length"}
 """Names of the units of length by the metres in them."""
 TIME_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "time"}

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-import lispac
 from lispac.adjustment.diagnostics.error_budget import ErrorBudget
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.duplicate_targets import all_warnings
@@ -42,6 +41,7 @@ from lispac.report.report_values import (
 from lispac.report.report_warnings import report_warnings
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
+from lispac.version import __version__
 
 __all__ = ["CONVENTION_TEXT", "ReportContent", "report_content"]
 
@@ -112,7 +112,7 @@ def report_content(
     error = None if adjustment is None or true is None else angle_errors(adjustment, true)
     methods = method_results(project) if project.alternative_results else ()
     content = ReportContent(
-        program=f"LISPAC {lispac.__version__}",
+        program=f"LISPAC {__version__}",
         generated=stamp.isoformat(timespec="seconds"),
         project=project.name,
         identity=project.identity,

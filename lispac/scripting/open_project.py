@@ -12,7 +12,7 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
 from lispac.former_names import accept_script_names
 from lispac.messages import as_message, error
-from lispac.project import LineSource, Role, Shape, Target
+from lispac.project import BoresightChoice, LineSource, Role, Shape, Target
 from lispac.scripting.loaded_project import LoadedProject
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
@@ -30,19 +30,12 @@ from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read
 from lispac.workflow.checking import absolute_check, validation
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
-from lispac.workflow.output.export_request import (
-    FILE_TYPES,
-    ExportContent,
-    ExportRequest,
-    export,
-    output_system_of,
-)
-from lispac.workflow.output.georeferencing import BoresightChoice
-from lispac.workflow.output.output_crs import LOCAL_FRAME
+from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest, export
 from lispac.workflow.output.report_options import report_options
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project import projects
 from lispac.workflow.project.coordinates import require_near_trajectory
+from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
 from lispac.workflow.project.project_copy import save_project_as
 from lispac.workflow.project.survey import data_key
 

@@ -14,7 +14,7 @@ from lispac.design.plan_choices import DesignSpace, thesis_plan
 from lispac.design.plan_search import search
 from lispac.design.prediction import predict
 from lispac.io.config.plan_file import read_site
-from lispac.workflow.planning.parallel_map import process_pool_mapper
+from lispac.workflow.planning.process_pool import process_pool_mapper
 
 QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
 DESIGNS = 10_000

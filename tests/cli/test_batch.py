@@ -16,7 +16,7 @@ from lispac.message_texts import message_text
 from lispac.messages import as_message, error
 from lispac.present.batch import BatchRow
 from lispac.project import Project
-from lispac.workflow.checking.batch import write_table
+from lispac.workflow.output.batch import write_table
 from lispac.workflow.planning.demo import demo_seeds
 from tests.support.error_codes import has_code
 from tests.support.message_codes import is_shown

@@ -32,8 +32,9 @@ from lispac.simulation.scanner import Scanner
 from lispac.workflow.planning import cluster as cluster_module
 from lispac.workflow.planning.cluster import cluster_mapper
 from lispac.workflow.planning.cluster_access import ClusterAccess
-from lispac.workflow.planning.parallel_map import choose_mapper, chunk_size, process_pool_mapper
+from lispac.workflow.planning.parallel_map import choose_mapper
 from lispac.workflow.planning.plan_checks import result_heading
+from lispac.workflow.planning.process_pool import chunk_size, process_pool_mapper
 from tests.cli.test_cli import run, run_json, run_refused
 from tests.studies.prediction_study import PLAN
 from tests.support.clusters import Clusters

@@ -17,11 +17,10 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.main_window import MainWindow
 from lispac.identity import Identity
-from lispac.project import LineSource, Project, Role
+from lispac.project import BoresightChoice, LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_files import ImportRequest
 from lispac.workflow.output.export_request import ExportContent, ExportRequest
-from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey
 

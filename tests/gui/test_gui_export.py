@@ -14,7 +14,7 @@ from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENT_TITLES, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
-from lispac.workflow.output.output_crs import utm_zone
+from lispac.workflow.project.output_crs import utm_zone
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
 from tests.support.cloud_files import track
 from tests.support.message_codes import is_shown

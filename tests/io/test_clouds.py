@@ -13,7 +13,7 @@ from lispac.io.format_types import PointChunk
 from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.las.las_export import layout_of_columns, layout_of_las
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.messages import error, note
 from lispac.progress import Step
 from lispac.survey.crs import CoordinateSystem, coordinate_system

@@ -13,7 +13,7 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
 from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.messages import note
 from lispac.survey.crs import coordinate_system
 from tests.support.error_codes import has_code

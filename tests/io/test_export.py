@@ -27,7 +27,8 @@ from lispac.workflow.output.data_export import (
     export_targets,
     export_trajectory,
 )
-from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
+from lispac.workflow.output.export_request import ExportRequest, export
+from lispac.workflow.project.output_crs import output_system_of
 from lispac.workflow.project.survey import Survey
 from tests.support.command_errors import refused_with
 from tests.support.few_lines import picked

@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.io.compressed_files import ARCHIVE_FORMATS
 from lispac.io.format_types import Kind
 from lispac.io.formats import is_las, recognise_formats
-from lispac.io.points.compressed_files import ARCHIVE_FORMATS
 from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.static_scan import open_static_scan
 from lispac.io.text.plane_file import read_plane_table

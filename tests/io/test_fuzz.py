@@ -29,8 +29,8 @@ from lispac.io.config.sensor_file import read_pos_specification, read_scanner_sp
 from lispac.io.config.vessel_file import read_vessel
 from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS, format_of
+from lispac.io.point_reader_common import usable_points
 from lispac.io.points.mesh_file import MeshReader, read_mesh
-from lispac.io.points.point_reader_common import usable_points
 from lispac.io.points.static_scan import open_static_scan
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.text.seed_file import is_point_list, read_point_list

@@ -17,8 +17,8 @@ from lispac.io.las import las_chunks
 from lispac.io.las import las_format as las
 from lispac.io.las.las_export import layout_of_columns, open_cloud_writer
 from lispac.io.las.las_header_check import require_sound_header
+from lispac.io.point_counts import PointCounts
 from lispac.io.points import line_times, point_records
-from lispac.io.points.point_counts import PointCounts
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 from tests.support import point_files as files

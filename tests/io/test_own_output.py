@@ -20,7 +20,7 @@ from lispac.workflow.importing.file_reading import (
 )
 from lispac.workflow.importing.line_points import read_chunks
 from lispac.workflow.output.data_export import export_planes, export_targets, export_trajectory
-from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.project.output_crs import output_system_of
 from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.support.cloud_files import states, track, two_lines
@@ -59,7 +59,7 @@ def test_exported_targets_are_read_back_from_las(
 ) -> None:
     """The line has the points of all sightings, each with the number of its line."""
     project, survey = calibrated
-    from lispac.workflow.output.export_request import output_system_of
+    from lispac.workflow.project.output_crs import output_system_of
 
     (path,) = export_targets(
         project, survey, tmp_path / "out", "estimated", ending=ending, names=["T1"],

@@ -13,8 +13,8 @@ from lispac.io.format_types import FileFormat, FilePreview, PointChunk
 from lispac.io.formats import POINT_FORMATS
 from lispac.io.las import las_chunks
 from lispac.io.las.las_format import read_scan
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.points import pcd, point_records
-from lispac.io.points.point_reader_common import crs_of_options
 from lispac.io.text import text_chunks
 from lispac.message_texts import fact_text
 from tests.support import point_files as files

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from lispac.io.formats import format_of
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from tests.support.message_codes import codes
 
 TEXT = format_of("text")

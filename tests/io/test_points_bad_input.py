@@ -14,8 +14,8 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.io.formats import POINT_FORMATS
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import error
 from lispac.survey.point_screening import PointScreen, PointSelection
 from tests.support import point_files as files

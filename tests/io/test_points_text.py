@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.formats import format_of
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.text import text_chunks
 from lispac.io.text.text_export import write_table
 from lispac.io.text.text_layout import RowLayout, guess_layout

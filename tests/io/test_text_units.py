@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.io.format_types import FilePreview, PointChunk
 from lispac.io.formats import format_of, recognise_formats
 from lispac.io.text.seed_file import read_point_list
-from lispac.io.text.units import UNKNOWN, direction_of, is_units_row, split_title, title_unit
+from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, title_unit
 from lispac.messages import Level
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.line_points import read_chunks

@@ -10,7 +10,7 @@ from tests.support.french_catalogue import FRENCH
 from tests.support.source_texts import displayed_texts
 
 ROOT = Path(__file__).resolve().parents[2] / "lispac"
-ENGLISH_ONLY = {"cli", "scripting", "gui/window/program.py", "workflow/checking/batch.py"}
+ENGLISH_ONLY = {"cli", "scripting", "gui/window/program.py", "workflow/output/batch.py"}
 """Modules with English texts: the command line and the interface for scripts."""
 MODULES = sorted(
     path.relative_to(ROOT).as_posix()

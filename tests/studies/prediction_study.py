@@ -13,7 +13,7 @@ from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.plan import Plan, line_pattern
 from lispac.present.planning import SimulationValues
 from lispac.simulation.closed_form_survey import Board
-from lispac.workflow.planning.parallel_map import process_pool_mapper
+from lispac.workflow.planning.process_pool import process_pool_mapper
 
 BOARDS = (
     Board("T1", (0.8, -15.0, 5.0), (0.0, 1.0, 0.0)),

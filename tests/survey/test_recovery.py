@@ -15,7 +15,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
 from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_format import read_scan
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.trajectory.sbet import read_sbet
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import CoordinateSystem, coordinate_system

@@ -14,7 +14,7 @@ from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.las.mounting_record import MountingRecord
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.project.project_file import write_project
 from lispac.io.trajectory.sbet import write_sbet
 from lispac.message_texts import message_text

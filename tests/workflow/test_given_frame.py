@@ -9,8 +9,8 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
+from lispac.io.point_reader_common import CHOOSE_FRAME_ACTION
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_reader_common import CHOOSE_FRAME_ACTION
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     CHOOSE_SYSTEM_ACTION,
     USE_FEET_ACTIONS,
     time_base_warnings,
 )
+from lispac.io.points.line_times import LineTimes
 from lispac.io.trajectory.ascii_trajectory import degrees_action
 from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES_ACTION, time_warnings
 from lispac.io.trajectory.trajectory_preview import sign_assumed_warning

@@ -16,9 +16,9 @@ from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.file_reading import local_trajectory
-from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
+from lispac.workflow.output.export_request import ExportRequest, export
 from lispac.workflow.output.georeferencing import georeference_project
-from lispac.workflow.output.output_crs import trajectory_datum_of
+from lispac.workflow.project.output_crs import output_system_of, trajectory_datum_of
 from lispac.workflow.project.survey import load_survey
 from tests.support.cloud_files import MOUNTING, sweep, track, written_las
 from tests.support.command_errors import command_error

@@ -24,8 +24,8 @@ from lispac.workflow.calibration import picking
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.output import export
 from lispac.workflow.output.georeferencing import georeference_project
-from lispac.workflow.output.output_crs import LOCAL_FRAME
 from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.output_crs import LOCAL_FRAME
 from lispac.workflow.project.survey import Survey, load_survey
 
 

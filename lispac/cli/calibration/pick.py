@@ -134,10 +134,9 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     from lispac.duplicate_targets import overlap_warning
     from lispac.workflow.calibration import picking
     from lispac.workflow.calibration.sighting_assessment import assess_target
-    from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL_FRAME
     from lispac.workflow.project import projects
     from lispac.workflow.project.coordinates import require_near_trajectory
+    from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
     from lispac.workflow.project.survey import load_survey
 
     with ConsoleProgress() as progress:

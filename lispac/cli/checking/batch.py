@@ -68,7 +68,7 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.present.batch import BATCH_TABLE
     from lispac.present.json_values import json_values
-    from lispac.workflow.checking.batch import calibrate_each, write_table
+    from lispac.workflow.output.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
 
     if arguments.reports is None and (

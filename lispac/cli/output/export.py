@@ -65,8 +65,7 @@ def run(arguments: Namespace) -> None:
         export_trajectory,
         trajectory_datum_note,
     )
-    from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL_FRAME
+    from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
 

@@ -11,8 +11,12 @@ from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.output.export_request import output_system_of
-from lispac.workflow.output.output_crs import LOCAL_FRAME, common_system, utm_zone
+from lispac.workflow.project.output_crs import (
+    LOCAL_FRAME,
+    common_system,
+    output_system_of,
+    utm_zone,
+)
 
 CHECK_DELAY_MS = 300
 """Delay after the last typed character until the text is checked."""

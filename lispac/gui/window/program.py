@@ -13,9 +13,9 @@ from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QFileOpenEvent, QIcon
 from PySide6.QtWidgets import QApplication, QLabel
 
-import lispac
 from lispac import caches
 from lispac.installation_paths import resource_path
+from lispac.version import __version__
 
 if TYPE_CHECKING:
     from lispac.gui.viewport.base import Viewport
@@ -49,7 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         "project", nargs="?", type=Path, help="project folder, project.json or project.lispac"
     )
     parser.add_argument("--demo", action="store_true", help="open the demo survey")
-    parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
+    parser.add_argument("--version", action="version", version=f"LISPAC {__version__}")
     arguments = parser.parse_args(argv)
 
     if _is_screen_missing():
@@ -57,7 +57,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 1
     application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")
-    application.setApplicationVersion(lispac.__version__)
+    application.setApplicationVersion(__version__)
     icon = QIcon(str(resource_path("icons/lispac.png")))
     application.setWindowIcon(icon)
     requested: list[Path] = []  # before the window exists

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import (
     IMPOSSIBLE,
     SAME_TIME_BASE_NOTE,
@@ -23,8 +24,7 @@ from lispac.io.las.las_crs import HeaderCrs, read_header_crs
 from lispac.io.las.las_crs_writer import is_in_local_frame
 from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.las.mounting_record import MountingRecord
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     GEOREFERENCED_FRAME,
     POINTS_PER_CHUNK,

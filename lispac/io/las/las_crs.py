@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
+from lispac.io.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.messages import Action, Level, Message, warning
 
 if TYPE_CHECKING:

@@ -16,7 +16,6 @@ import numpy as np
 from lazrs import LazrsError
 from numpy.typing import NDArray
 
-from lispac import __version__
 from lispac.errors import InputError, failure_reason
 from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
@@ -24,12 +23,13 @@ from lispac.io.las.las_chunks import MIXED_WAVEFORM_FORMATS, PackedColumns
 from lispac.io.las.las_crs_writer import write_crs
 from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.las.mounting_record import MountingRecord
-from lispac.io.points.point_reader_common import damaged_file_error
+from lispac.io.point_reader_common import damaged_file_error
 from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import integers_from_coordinates
 from lispac.survey.line_source import printable
+from lispac.version import __version__
 
 if TYPE_CHECKING:
     import laspy

@@ -14,7 +14,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.las.laz_chunks import VLR_HEADER_BYTES, read_chunk_table
-from lispac.io.points.point_counts import Flags, PointCounts, Rows, count_records
+from lispac.io.point_counts import Flags, PointCounts, Rows, count_records
 from lispac.messages import error
 
 SIGNATURE = b"LASF"

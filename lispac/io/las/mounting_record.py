@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
-from lispac import __version__
 from lispac.geometry.frames import LocalFrame
 from lispac.io.las.las_crs_writer import LOCAL_FRAME_RECORD_ID, OWN_USER_ID
 from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import json_values
 from lispac.value_conversion import decode_value, encode_value
+from lispac.version import __version__
 
 if TYPE_CHECKING:
     import laspy

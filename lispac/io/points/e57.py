@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import (
     IMPOSSIBLE,
     SAME_TIME_BASE_NOTE,
@@ -19,9 +20,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.points.e57_scans import Scan, find_scans, invalid_count, opened_e57, stored_points
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     GEOREFERENCED_FRAME,
     POINTS_PER_CHUNK,
@@ -36,6 +35,7 @@ from lispac.io.points.point_reader_common import (
     time_base_warnings,
     usable_points,
 )
+from lispac.io.points.e57_scans import Scan, find_scans, invalid_count, opened_e57, stored_points
 from lispac.language import N_
 from lispac.messages import Level, Message, Value, error, note, warning
 from lispac.survey.line_source import printable

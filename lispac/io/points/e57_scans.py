@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import library_path
+from lispac.io.point_reader_common import POINTS_PER_CHUNK, require_usable_points
 from lispac.io.points.e57_packets import excess_records
-from lispac.io.points.point_reader_common import POINTS_PER_CHUNK, require_usable_points
 from lispac.messages import error
 
 Array = NDArray[np.float64]

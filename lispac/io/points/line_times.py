@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.las.las_chunks import opened_las, point_count
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     FRAME_OPTION,
     SCANNER_FRAME,
     coordinate_scale,

@@ -23,8 +23,8 @@ from lispac.io.format_types import (
     FilePreview,
     PointChunk,
 )
-from lispac.io.points.point_counts import PointCounts
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_counts import PointCounts
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     HEAD_BYTES,
     POINTS_PER_CHUNK,

@@ -20,7 +20,7 @@ from lispac.io.format_types import (
     FilePreview,
     PointChunk,
 )
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     HEAD_BYTES,
     POINTS_PER_CHUNK,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import (
     SAME_TIME_BASE_NOTE,
     Choice,
@@ -17,9 +18,8 @@ from lispac.io.format_types import (
     FilePreview,
     PointChunk,
 )
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_counts import Flags, Rows, count_records, count_rows
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_counts import Flags, Rows, count_records, count_rows
+from lispac.io.point_reader_common import (
     PREVIEW_POINTS,
     SECONDS_PER_UNIT,
     coordinate_scale,
@@ -32,7 +32,7 @@ from lispac.io.points.point_reader_common import (
     time_resolution,
     usable_points,
 )
-from lispac.io.text.units import TIME_UNIT_NAMES
+from lispac.io.units import TIME_UNIT_NAMES
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import MAX_COORDINATE

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE
 from lispac.io.las import las_chunks
+from lispac.io.point_reader_common import HEAD_BYTES, report_damage, require_not_empty
 from lispac.io.points import e57, pcd, ply
-from lispac.io.points.point_reader_common import HEAD_BYTES, report_damage, require_not_empty
 from lispac.io.text import pts
 from lispac.io.text.seed_file import header_meanings, separator_of
 from lispac.io.text.text_layout import COMMENT_MARKS, SEPARATOR_CHARACTERS

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.errors import InputError
+from lispac.io.compressed_files import require_uncompressed
 from lispac.io.files import atomic_write, require_file
-from lispac.io.points.compressed_files import require_uncompressed
 from lispac.messages import error
 
 N_COLUMNS = 25

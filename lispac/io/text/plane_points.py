@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import IMPOSSIBLE, SURE, Choice, FileFormat, FilePreview, PointChunk
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     SCANNER_COLUMN_ASSUMPTIONS,
     coordinate_scale,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points.point_reader_common import POINTS_PER_CHUNK
+from lispac.io.point_reader_common import POINTS_PER_CHUNK
 from lispac.io.text.text_layout import COMMENT_MARKS
 from lispac.io.text.text_table import is_number, numbered_lines, parse_number, read_columns
 from lispac.messages import error

@@ -19,7 +19,7 @@ from lispac.io.text.text_table import (
     parse_coordinate,
     split_fields,
 )
-from lispac.io.text.units import (
+from lispac.io.units import (
     INTERNATIONAL_FOOT_M,
     UNITS,
     UNKNOWN,

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import (
     IMPOSSIBLE,
     SAME_TIME_BASE_NOTE,
@@ -15,8 +16,7 @@ from lispac.io.format_types import (
     FilePreview,
     PointChunk,
 )
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     coordinate_scale,
     frame_facts,

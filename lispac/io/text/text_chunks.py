@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import (
     IMPOSSIBLE,
     LIKELY,
@@ -26,8 +27,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     CHOOSE_TIME_BASE_ACTION,
     COMMON_OPTIONS,
     HEAD_BYTES,
@@ -65,7 +65,7 @@ from lispac.io.text.text_units import (
     require_degrees,
     require_one_unit,
 )
-from lispac.io.text.units import TIME_UNIT_NAMES
+from lispac.io.units import TIME_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable

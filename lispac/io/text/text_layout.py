@@ -4,9 +4,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from lispac.io.points.point_reader_common import TIME_FIELD_NAMES
+from lispac.io.point_reader_common import TIME_FIELD_NAMES
 from lispac.io.text.text_table import DECIMAL_COMMA_ROW, is_clock
-from lispac.io.text.units import (
+from lispac.io.units import (
     ANGLE_UNIT_CODES,
     is_units_row,
     split_title,

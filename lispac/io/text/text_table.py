@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, system_reason
+from lispac.io.compressed_files import require_uncompressed
 from lispac.io.files import require_file
-from lispac.io.points.compressed_files import require_uncompressed
 from lispac.messages import error
 
 Array = NDArray[np.float64]

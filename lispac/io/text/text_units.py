@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import Choice
-from lispac.io.points.point_reader_common import SCANNER_UNITS
+from lispac.io.point_reader_common import SCANNER_UNITS
 from lispac.io.text.text_layout import (
     POLAR_COLUMN_NAMES,
     TIME_BASE_OF_COLUMN_NAME,
@@ -13,8 +13,13 @@ from lispac.io.text.text_layout import (
     ambiguous_columns,
     name_without_unit,
 )
-from lispac.io.text.units import ANGLE_UNIT_CODES, LENGTH_UNIT_NAMES, UNKNOWN, direction_of
-from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
+from lispac.io.units import (
+    ANGLE_UNIT_CODES,
+    LENGTH_UNIT_NAMES,
+    METRES_PER_UNIT,
+    UNKNOWN,
+    direction_of,
+)
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import METRES_PER_UNIT as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system

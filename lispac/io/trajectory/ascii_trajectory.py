@@ -34,15 +34,6 @@ from lispac.io.text.text_table import (
     parse_number,
     split_fields,
 )
-from lispac.io.text.units import (
-    ANGLE_UNIT_CODES,
-    UNKNOWN,
-    direction_of,
-    is_units_row,
-    split_title,
-    title_unit,
-    titles_with_units,
-)
 from lispac.io.trajectory.trajectory_columns import (
     ATTITUDE_ROLES,
     GRID_ROLES,
@@ -66,6 +57,15 @@ from lispac.io.trajectory.trajectory_options import (
 from lispac.io.trajectory.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
 from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
+from lispac.io.units import (
+    ANGLE_UNIT_CODES,
+    UNKNOWN,
+    direction_of,
+    is_units_row,
+    split_title,
+    title_unit,
+    titles_with_units,
+)
 from lispac.language import N_
 from lispac.messages import Action, Level, Message, Value, error, note, warning
 from lispac.survey.line_source import printable

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.first_points import check_first_points
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, Choice, FileFormat, FilePreview, PointChunk
-from lispac.io.points.first_points import check_first_points
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     COMMON_OPTIONS,
     POINTS_PER_CHUNK,
     PREVIEW_POINTS,

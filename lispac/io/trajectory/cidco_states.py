@@ -16,7 +16,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.files import require_numbers
 from lispac.io.format_types import IMPOSSIBLE, POSSIBLE, Choice, Fact, FilePreview, FormatOption
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     POINTS_PER_CHUNK,
     PREVIEW_POINTS,
     preview_table,

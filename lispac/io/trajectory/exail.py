@@ -18,7 +18,6 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
-from lispac.io.text.units import direction_of, parse_unit
 from lispac.io.trajectory.trajectory_columns import (
     GRID_ROLES,
     HEIGHT_ROLES,
@@ -44,6 +43,7 @@ from lispac.io.trajectory.trajectory_preview import (
 )
 from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
+from lispac.io.units import direction_of, parse_unit
 from lispac.messages import Level, Message, error, note, warning
 from lispac.survey.line_source import printable
 

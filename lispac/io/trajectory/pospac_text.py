@@ -16,7 +16,6 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_data_row, numbered_lines, split_fields
-from lispac.io.text.units import parse_unit
 from lispac.io.trajectory.exail import default_unit, unit_assumed_warning
 from lispac.io.trajectory.trajectory_columns import (
     Column,
@@ -34,6 +33,7 @@ from lispac.io.trajectory.trajectory_preview import (
     preview_text,
 )
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
+from lispac.io.units import parse_unit
 from lispac.messages import Message, error, note
 
 _MANUFACTURER_NAMES = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)

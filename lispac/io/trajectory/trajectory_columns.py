@@ -21,7 +21,6 @@ from lispac.io.text.text_table import (
     parse_with_hemisphere,
     read_columns,
 )
-from lispac.io.text.units import ANGLE_UNIT_CODES, UNITS, UNKNOWN
 from lispac.io.trajectory.trajectory_checks import (
     Numbers,
     require_attitude,
@@ -29,13 +28,13 @@ from lispac.io.trajectory.trajectory_checks import (
     require_time_base,
 )
 from lispac.io.trajectory.trajectory_projection import (
-    METRES_PER_UNIT,
     UNSPECIFIED_UNIT,
     LengthUnit,
     TrajectoryProjection,
     projection_of_text,
     unit_of_heights,
 )
+from lispac.io.units import ANGLE_UNIT_CODES, METRES_PER_UNIT, UNITS, UNKNOWN
 from lispac.messages import Level, Message, error, note
 from lispac.survey.known_time_base import base_message
 from lispac.survey.time_base import GPS_EPOCH, base_of_key, unroll_times

@@ -11,7 +11,6 @@ from lispac.errors import InputError
 from lispac.io.files import message_with_file_name
 from lispac.io.format_types import Choice, Fact, FilePreview
 from lispac.io.text.text_table import encoding_of, is_data_row, last_lines, split_fields
-from lispac.io.text.units import UNITS
 from lispac.io.trajectory.trajectory_columns import (
     SIGMA_ROLES,
     Column,
@@ -33,6 +32,7 @@ from lispac.io.trajectory.trajectory_facts import (
     trajectory_facts,
 )
 from lispac.io.trajectory.trajectory_velocities import speed_warnings
+from lispac.io.units import UNITS
 from lispac.messages import Action, Level, Message, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy

@@ -9,7 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.text.units import INTERNATIONAL_FOOT_M, LENGTH_UNIT_NAMES, UNITS, US_SURVEY_FOOT_M
+from lispac.io.units import (
+    INTERNATIONAL_FOOT_M,
+    LENGTH_UNIT_NAMES,
+    METRES_PER_UNIT,
+    US_SURVEY_FOOT_M,
+)
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.line_source import printable
@@ -19,8 +24,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-METRES_PER_UNIT = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
-"""Metres in each unit; ``ft`` are feet of unspecified kind."""
 UNSPECIFIED_UNIT = ""
 """Code for a length whose unit is not specified in the file."""
 

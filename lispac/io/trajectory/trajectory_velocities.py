@@ -13,7 +13,7 @@ from lispac.errors import InputError
 from lispac.io.text.text_table import parse_number, read_columns
 from lispac.io.trajectory.trajectory_columns import Column
 from lispac.io.trajectory.trajectory_facts import MIN_SPEED_FOR_COURSE, TrajectoryMotion
-from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
+from lispac.io.units import METRES_PER_UNIT
 from lispac.messages import Level, Message, Value
 from lispac.survey.line_source import printable
 

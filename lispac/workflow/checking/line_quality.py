@@ -11,7 +11,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, as_message, error
 from lispac.present.line_differences import LineDifferenceValues
 from lispac.progress import Progress, no_progress
-from lispac.project import Project
+from lispac.project import BoresightChoice, Project
 from lispac.survey.cloud import Cloud
 from lispac.validation.line_differences import (
     FACINGS,
@@ -20,7 +20,6 @@ from lispac.validation.line_differences import (
     LineDifference,
     compare_lines,
 )
-from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]

@@ -21,13 +21,12 @@ from lispac.survey.store.spatial_cells import MAX_HALVINGS, is_number_in_sample
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute_check import Kind
 from lispac.workflow.calibration.seed_lists import columns_note
-from lispac.workflow.output.export_request import output_system_of
-from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 from lispac.workflow.project.coordinates import (
     distances_from_trajectory,
     require_near_trajectory,
     to_local_frame,
 )
+from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of, trajectory_datum_of
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]

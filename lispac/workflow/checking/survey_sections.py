@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,7 @@ from lispac.errors import ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.project import Project, Target
+from lispac.project import BoresightChoice, Project, Target
 from lispac.survey.cloud import Cloud, Line
 from lispac.targets.cross_section import (
     Section,
@@ -22,7 +21,6 @@ from lispac.targets.cross_section import (
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
-BoresightChoice = Literal["prior", "estimated"]
 
 
 EXAGGERATIONS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.errors import LispacError
 from lispac.io.format_types import Choice, FileFormat
-from lispac.io.points.point_reader_common import FRAME_OPTION, SCANNER_FRAME
+from lispac.io.point_reader_common import FRAME_OPTION, SCANNER_FRAME
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress

@@ -12,7 +12,7 @@ from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
 from lispac.io.las.las_format import SCANNER_FRAME_ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.points.point_reader_common import (
+from lispac.io.point_reader_common import (
     CHOOSE_FRAME_ACTION,
     NO_SYSTEM_CODE,
     SCANNER_FRAME,

@@ -9,7 +9,7 @@ from lispac.io.format_types import Choice, FileFormat
 from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
 from lispac.messages import Message, error, note
-from lispac.project import LineSource, Reading
+from lispac.project import LineSource, Project, Reading
 from lispac.survey.known_time_base import (
     KnownTimeBase,
     known_base_notes,
@@ -149,3 +149,16 @@ def shift_lines_to_trajectory(
             shifted_lines[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
             notes += known_base_notes(found, own, other, printable(line.path.name))
     return tuple(shifted_lines), tuple(notes)
+
+
+def time_base_of_trajectory(project: Project) -> str:
+    """Key of the time base of the trajectory; empty if it is not known."""
+    reading = project.trajectory_reading
+    format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
+    try:
+        found = known_time_base(
+            format, project.trajectory, dict(reading.options), "time", given=False
+        )
+    except InputError:  # the file is missing, but the loaded survey does not need it
+        return ""
+    return "" if found.base is None else found.base.key

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from lispac.geometry.frames import geodetic_to_ecef
+from lispac.io.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED_CODE
 from lispac.io.trajectory.trajectory_facts import GAPS_CODE, gap_warnings
 from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.formats import format_of, is_las
 from lispac.io.las.las_export import RecordLayout, layout_of_columns, layout_of_las
-from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow.importing.line_points import read_chunks, screen_chunks

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, PointChunk
 from lispac.io.las.mounting_record import MountingRecord
-from lispac.io.points.point_reader_common import crs_of_options, require_distinct_times
+from lispac.io.point_reader_common import crs_of_options, require_distinct_times
 from lispac.messages import Level, Message, error
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners

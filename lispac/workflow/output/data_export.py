@@ -14,7 +14,6 @@ from lispac.errors import InputError, ProjectError
 from lispac.geometry.planes import fit_plane
 from lispac.io.files import atomic_write
 from lispac.io.format_types import PointChunk
-from lispac.io.formats import format_of
 from lispac.io.las.las_export import layout_of_columns, open_cloud_writer
 from lispac.io.text.plane_file import write_plane_file
 from lispac.io.text.text_export import (
@@ -28,13 +27,13 @@ from lispac.io.trajectory.sbet import write_sbet
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
-from lispac.project import Project, Target
+from lispac.project import BoresightChoice, Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, read_trajectory
-from lispac.workflow.importing.given_time_bases import known_time_base
-from lispac.workflow.output.georeferencing import BoresightChoice, require_no_overwrite
+from lispac.workflow.importing.file_reading import read_trajectory
+from lispac.workflow.importing.given_time_bases import time_base_of_trajectory
+from lispac.workflow.output.georeferencing import require_no_overwrite
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -176,7 +175,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
         write_sbet(output, trajectory)
     else:
         with atomic_write(output) as temporary:
-            write_trajectory_text(temporary, trajectory, trajectory_time_base(project))
+            write_trajectory_text(temporary, trajectory, time_base_of_trajectory(project))
     return output
 
 
@@ -187,19 +186,6 @@ SBET_ZEROS_NOTE = note("export.sbet_zeros")
 def trajectory_datum_note(project: Project) -> Message:
     """Note on datum and epoch of an exported trajectory."""
     return note("export.trajectory_datum", file=project.trajectory.name)
-
-
-def trajectory_time_base(project: Project) -> str:
-    """Key of the time base of the trajectory; empty if it is not known."""
-    reading = project.trajectory_reading
-    format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
-    try:
-        found = known_time_base(
-            format, project.trajectory, dict(reading.options), "time", given=False
-        )
-    except InputError:  # the file is missing, but the loaded survey does not need it
-        return ""
-    return "" if found.base is None else found.base.key
 
 
 def _chosen_targets(project: Project, names: Sequence[str]) -> list[Target]:

@@ -6,10 +6,7 @@ from typing import Any, Literal
 
 from lispac.messages import Message
 from lispac.progress import Progress, no_progress
-from lispac.project import Project
-from lispac.survey.crs import CoordinateSystem
-from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.importing.line_chunks import LineChunks
+from lispac.project import BoresightChoice, Project
 from lispac.workflow.output.data_export import (
     SBET_ZEROS_NOTE,
     export_planes,
@@ -17,8 +14,8 @@ from lispac.workflow.output.data_export import (
     export_trajectory,
     trajectory_datum_note,
 )
-from lispac.workflow.output.georeferencing import BoresightChoice, georeference_project
-from lispac.workflow.output.output_crs import LOCAL_FRAME, output_system
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
 from lispac.workflow.project.survey import Survey
 
 ExportContent = Literal["lines", "targets", "planes", "trajectory"]
@@ -57,15 +54,6 @@ class ExportRequest:
     height: str = ""
     trajectory_datum: str | None = None
     epoch: float | None = None
-
-
-def output_system_of(
-    project: Project, trajectory: LocalTrajectory, system: str, height: str = "",
-    trajectory_datum: str | None = None, epoch: float | None = None,
-) -> CoordinateSystem | None:  # fmt: skip
-    """Coordinate system of an export for all lines of a project."""
-    chosen = [] if system == LOCAL_FRAME else [LineChunks.of(line) for line in project.lines]
-    return output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
 
 
 def export(

@@ -12,11 +12,11 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, require_file
 from lispac.io.format_types import PointChunk
 from lispac.io.las.las_export import RecordLayout, layout_of_las
-from lispac.io.points.point_reader_common import POINTS_PER_CHUNK
+from lispac.io.point_reader_common import POINTS_PER_CHUNK
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import LineSource, Project, Reading
+from lispac.project import BoresightChoice, LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.point_mapping import ScannerPointConverter
@@ -27,10 +27,8 @@ from lispac.workflow.importing.line_chunks import LineChunks
 from lispac.workflow.importing.line_import import line_folder, open_stored_line, stored_header
 from lispac.workflow.importing.line_points import mounting_of_cloud
 from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
-from lispac.workflow.output.output_crs import output_system
+from lispac.workflow.project.output_crs import output_system
 
-BoresightChoice = Literal["prior", "estimated"]
-"""Boresight with which points are placed."""
 Ending = Literal["laz", "las"]
 
 

@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-import lispac
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
@@ -31,6 +30,7 @@ from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.value_conversion import encode_value
+from lispac.version import __version__
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.point_index_text import numbers_text
@@ -137,7 +137,7 @@ def save_script(script: Script, path: Path) -> None:
 def _script_head(project: Project, files: FilePaths, messages: list[Message]) -> str:
     name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
     statements = [
-        f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
+        f"Steps of the project {name}, as LISPAC {__version__} wrote them.",
         "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
         "the project in FOLDER, python SCRIPT in the folder named below.",
         *map(english_text, messages),

@@ -17,12 +17,12 @@ from queue import Empty, SimpleQueue
 from time import monotonic
 from typing import Any
 
-from lispac import __version__
 from lispac.design.plan_search import Mapper
 from lispac.errors import LispacError
 from lispac.messages import error
+from lispac.version import __version__
 from lispac.workflow.planning.cluster_access import ClusterAccess
-from lispac.workflow.planning.parallel_map import chunk_size
+from lispac.workflow.planning.process_pool import chunk_size
 
 CONNECT_TIMEOUT = 4.0
 """Longest time for a reply of the scheduler, seconds."""

@@ -13,8 +13,8 @@ from lispac.survey.crs import CoordinateSystem
 from lispac.survey.known_time_base import base_message
 from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.importing.given_time_bases import time_base_of_trajectory
 from lispac.workflow.importing.line_chunks import LineChunks
-from lispac.workflow.output.data_export import trajectory_time_base
 from lispac.workflow.project.coordinates import axis_names
 
 Array = NDArray[np.float64]
@@ -35,7 +35,7 @@ class PointReader:
         self._trajectory = trajectory
         self._lines = {line.name: line for line in project.lines}
         self._systems: dict[str, CoordinateSystem | None] = {}
-        key = trajectory_time_base(project)
+        key = time_base_of_trajectory(project)
         self._time_base = base_message(base_of_key(key)) if key else None
 
     def values(self, line: str, cloud: Cloud, index: int, near: Array) -> MeasuredPoint:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from lispac.errors import InputError
-from lispac.io.points.point_reader_common import DATUM_OPTION, EPOCH_OPTION, crs_of_options
+from lispac.io.point_reader_common import DATUM_OPTION, EPOCH_OPTION, crs_of_options
 from lispac.messages import Message, error, warning
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -156,3 +156,12 @@ def _system_description(chunks: LineChunks) -> str:
         epoch = str(chunks.choice[EPOCH_OPTION.name]).strip()
         details.append(f"{datum}@{epoch}" if epoch else datum)
     return f"{chunks.line.name}: {chunks.system.name} ({'; '.join(details)})"
+
+
+def output_system_of(
+    project: Project, trajectory: LocalTrajectory, system: str, height: str = "",
+    trajectory_datum: str | None = None, epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """Coordinate system of an export for all lines of a project."""
+    chosen = [] if system == LOCAL_FRAME else [LineChunks.of(line) for line in project.lines]
+    return output_system(chosen, trajectory, system, height, trajectory_datum, epoch)

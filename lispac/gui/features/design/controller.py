@@ -38,9 +38,9 @@ from lispac.language import N_, gettext, gettext_lazy
 from lispac.messages import error
 from lispac.present.planning import PlanComparison, SimulationValues
 from lispac.progress import Progress, Step
-from lispac.workflow.planning.parallel_map import process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys, write_field_plan
 from lispac.workflow.planning.plan_comparison import compare_with_plan
+from lispac.workflow.planning.process_pool import process_pool_mapper
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600

@@ -17,9 +17,9 @@ from lispac.message_texts import message_text
 from lispac.project import Project
 
 if TYPE_CHECKING:
+    from lispac.project import BoresightChoice
     from lispac.survey.trajectory import LocalTrajectory
     from lispac.workflow.output.export_request import ExportContent, ExportRequest
-    from lispac.workflow.output.georeferencing import BoresightChoice
     from lispac.workflow.output.script import Script
 
 SCRIPT_INTRODUCTION = N_(

@@ -35,17 +35,11 @@ from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
-from lispac.project import Project
+from lispac.project import BoresightChoice, Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
-from lispac.workflow.output.export_request import (
-    FILE_TYPES,
-    ExportContent,
-    ExportRequest,
-    output_system_of,
-)
-from lispac.workflow.output.georeferencing import BoresightChoice
-from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
+from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest
+from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of, trajectory_datum_of
 
 CONTENT_TITLES: dict[ExportContent, str] = {
     "lines": N_("Georeferenced lines with all attributes"),

@@ -5,7 +5,6 @@ import platform
 from PySide6.QtCore import Qt, qVersion
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBox, QWidget
 
-import lispac
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
@@ -13,6 +12,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.help.actions import ACTIONS
 from lispac.gui.widgets.mounting_texts import convention_html
 from lispac.language import N_, gettext
+from lispac.version import __version__
 
 KEYS = (
     (N_("View"), (
@@ -94,7 +94,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     box.setObjectName("about_dialog")
     box.setWindowTitle(dialog_title(ACTIONS["about"]))
     box.setTextFormat(Qt.TextFormat.RichText)
-    box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
+    box.setText(f"<h3>LISPAC {__version__}</h3>")
     purpose = gettext(
         "LISPAC calibrates the boresight of a vessel-mounted LiDAR with respect to the INS/GNSS "
         "and estimates the uncertainty of the angles."

@@ -30,7 +30,7 @@ from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
-from lispac.workflow.output.output_crs import trajectory_datum_of
+from lispac.workflow.project.output_crs import trajectory_datum_of
 from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey_dates import survey_dates
 

@@ -27,7 +27,7 @@ from lispac.present.tables import title_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
-from lispac.workflow.output.output_crs import LOCAL_FRAME
+from lispac.workflow.project.output_crs import LOCAL_FRAME
 
 SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
 

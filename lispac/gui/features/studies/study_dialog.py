@@ -19,9 +19,9 @@ from lispac.present.calibrations import HISTORY_TABLE
 from lispac.present.error_budget import ErrorBudgetValues, budget_table
 from lispac.present.line_differences import LINE_DIFFERENCES_TABLE
 from lispac.present.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
+from lispac.project import BoresightChoice
 from lispac.workflow.checking.calibration_history import CalibrationHistory
 from lispac.workflow.checking.line_quality import LineQuality
-from lispac.workflow.output.georeferencing import BoresightChoice
 
 HEADER_HEIGHT_PX, ROW_HEIGHT_PX, MAX_ROWS = 64, 24, 10
 """Height of the table header and of a row, pixels, and limit of rows for the table height."""
