@@ -13,8 +13,10 @@ import hypothesis
 import pytest
 
 from lispac.cli.main import main
+from lispac.installation_paths import resource_path
 from lispac.project import Project
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
+from lispac.workflow.output.manual import build_manual
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
@@ -32,6 +34,9 @@ LONG_FILES = {
 }  # fmt: skip
 """Files with a few long tests, which take as long as `LONG_FILE_TESTS` short ones."""
 LONG_FILE_TESTS = 40
+
+DEMO_PULSES = 25_000.0
+"""Pulses per second of the built-in survey in tests that do not need all of its points."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -109,17 +114,19 @@ def whole_demo(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 @pytest.fixture(scope="session")
 def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The built-in survey with a third of the points, for tests that do not need all."""
+    """The built-in survey with a sixth of the points, for tests that do not need all."""
     return make_once(
-        tmp_path_factory, "made", lambda folder: make_demo(folder, points_per_second=50_000.0)
+        tmp_path_factory, "made", lambda folder: make_demo(folder, points_per_second=DEMO_PULSES)
     )
 
 
 @pytest.fixture(scope="session")
-def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The built-in survey with a sixth of the points, for searches for surfaces."""
+def denser_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The built-in survey with a third of the points, for comparisons of lines."""
     return make_once(
-        tmp_path_factory, "sparse", lambda folder: make_demo(folder, points_per_second=25_000.0)
+        tmp_path_factory,
+        "denser",
+        lambda folder: make_demo(folder, points_per_second=2 * DEMO_PULSES),
     )
 
 
@@ -152,6 +159,18 @@ def calibrated(
 
     project = make_once(tmp_path_factory, "calibrated", take)
     return project, load_survey(project)
+
+
+@pytest.fixture(scope="session")
+def manual_pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder of the built manual; any warning of the builder is an error."""
+
+    def build(folder: Path) -> Path:
+        folder.mkdir()
+        build_manual(resource_path("manual"), folder, strict=True)
+        return folder
+
+    return make_once(tmp_path_factory, "manual", build)
 
 
 @pytest.fixture

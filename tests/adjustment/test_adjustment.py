@@ -35,6 +35,7 @@ from lispac.progress import Step
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 from tests.support.surveys import TARGETS, disturbed, planar_survey
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
@@ -227,8 +228,8 @@ def test_incidence_is_the_angle_between_beam_and_normal() -> None:
 @pytest.mark.parametrize(
     "model",
     [
-        INDEPENDENT,
         CORRELATED,
+        pytest.param(INDEPENDENT, marks=LONG),
         pytest.param(
             StochasticModel("correlated", position_time=5.0, attitude_time=5.0),
             marks=pytest.mark.long,

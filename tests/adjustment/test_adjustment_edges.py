@@ -46,6 +46,7 @@ from lispac.survey.georeferencing import Mounting
 from tests.adjustment.test_robustness import PRIOR, TRUTH, shifted, survey, with_outliers
 from tests.studies import coverage_of_errors
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.surveys import planar_survey
 
 MODEL = StochasticModel()
@@ -199,7 +200,7 @@ def test_a_displaced_ball_is_confirmed_as_shifted() -> None:
     assert find_confirmed_blunders(here, rejected) == [Blunder("shift", (2,))]
 
 
-@pytest.mark.parametrize("metres", [0.5, 3.0])
+@pytest.mark.parametrize("metres", others_long([0.5, 3.0]))
 def test_a_displaced_ball_is_rejected_and_does_not_bias_the_result(metres: float) -> None:
     near = TRUTH.with_boresight(TRUTH.boresight + np.radians([0.2, -0.2, 0.2]))
     clean, dirty = (adjust(_balls(off), near, ROBUST) for off in (0.0, metres))

@@ -14,10 +14,11 @@ from lispac.messages import Level
 from lispac.project import Settings
 from tests.studies.assumed_sigmas import row, study
 from tests.studies.coverage_study import PRIOR, TRUTH
+from tests.support.long_runs import others_long
 from tests.support.surveys import disturbed, planar_survey
 
 
-@pytest.mark.parametrize("noise", [0.002, 0.012])
+@pytest.mark.parametrize("noise", others_long([0.002, 0.012]))
 def test_assumed_lidar_noise_is_replaced_by_that_of_the_data(noise: float) -> None:
     """Bounds of the binomial distribution at one in a thousand; noise known to 2 %."""
     count = 8

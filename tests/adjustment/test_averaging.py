@@ -17,6 +17,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
+from tests.support.long_runs import others_long
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -99,7 +100,7 @@ def with_outliers(observations, share: float, generator):
     return replace(observations, points_lidar=points), hit
 
 
-@pytest.mark.parametrize("spacing", [0.02, 0.04])
+@pytest.mark.parametrize("spacing", others_long([0.02, 0.04]))
 def test_outliers_are_excluded_from_averages(spacing) -> None:
     """Of dense points one in twenty is an outlier: without a test, at least one in each average."""
     model = StochasticModel(loss="tukey")

@@ -26,11 +26,13 @@ from tests.studies.coverage_study import (
     study,
     table_text,
 )
+from tests.support.long_runs import LONG, others_long
 
 
-def test_most_intervals_contain_the_truth() -> None:
+@pytest.mark.parametrize("count", others_long([12, 24]))
+def test_most_intervals_contain_the_truth(count: int) -> None:
     """Bounds of the binomial and chi-square distributions at one in a thousand."""
-    count, times = 24, (300.0, 600.0)
+    times = (300.0, 600.0)
     results = study(times, (0.10,), count, workers=1)
     correlated, independent = results["correlated", 0.10], results["independent", 0.10]
     table = table_text(times, results)
@@ -106,7 +108,8 @@ def test_sigmas_are_raised_by_the_scatter_without_single_lines(kind: str, is_rai
     ("target", "size", "seed", "raised"),
     [
         # The sum of the squared differences without single targets is too large.
-        ("T2", 0.02, 1, [True, False, False]), ("T5", 0.01, 2, [False, False, True]),
+        ("T2", 0.02, 1, [True, False, False]),
+        pytest.param("T5", 0.01, 2, [False, False, True], marks=LONG),
         # A single difference, without one line, is too large.
         ("T1", 0.02, 2, [False, False, True]),
         ("T1", 0.0, 1, [False, False, False]),

@@ -20,6 +20,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from tests.adjustment.test_robustness import PRIOR, TRUTH, jumped, shifted
+from tests.support.long_runs import LONG
 
 FIVE_BOARDS = (
     *THESIS_BOARDS,
@@ -67,7 +68,7 @@ def test_good_sightings_of_displaced_boards_are_not_rejected_in_many_surveys() -
     few_are_rejected([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+@pytest.mark.parametrize("boards", [pytest.param(THESIS_BOARDS, marks=LONG), FIVE_BOARDS])
 def test_boards_without_displacement_have_no_offset_sigma(boards) -> None:
     for seed in range(5000, 5003):
         found = adjust(survey(seed, 0.0, boards), PRIOR, MODEL, diagnostics=False)
@@ -82,7 +83,7 @@ def test_boards_without_displacement_have_no_offset_sigma_in_many_surveys(boards
         assert adjust(survey(seed, 0.0, boards), PRIOR, MODEL).offset is None
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+@pytest.mark.parametrize("boards", [pytest.param(THESIS_BOARDS, marks=LONG), FIVE_BOARDS])
 def test_one_displaced_sighting_is_a_blunder_and_no_offset_sigma(boards) -> None:
     clean = survey(700, 0.0, boards)
     found = adjust(shifted(clean, 8, 0.05), PRIOR, MODEL)
@@ -97,7 +98,7 @@ def test_a_displaced_line_is_rejected_and_no_offset_sigma() -> None:
     assert found.rejected_lines == ("L6",)
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+@pytest.mark.parametrize("boards", [pytest.param(THESIS_BOARDS, marks=LONG), FIVE_BOARDS])
 def test_a_wrong_lever_arm_is_not_mistaken_for_displaced_targets(boards) -> None:
     wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     found = adjust(survey(701, 0.0, boards), wrong_prior, MODEL)

@@ -26,6 +26,7 @@ from lispac.survey.cloud import place_clouds
 from lispac.workflow.calibration.targetless import TargetlessResult, targetless
 from lispac.workflow.project.projects import create_project
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.support.long_runs import others_long
 
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")
@@ -139,7 +140,7 @@ THESIS = StochasticModel("independent", loss="huber")
 """Stochastic model of the adjustments that gave the reference."""
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", others_long(NAMES))
 def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
     placed = georeferenced_points(here.survey, here.reference)
@@ -155,7 +156,9 @@ def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # t
     assert beyond / total > 0.15, beyond / total
 
 
-@pytest.mark.parametrize(("name", "follows"), [("lanl_truck", 0.5), ("lanl_tent", 0.6)])
+@pytest.mark.parametrize(
+    ("name", "follows"), others_long([("lanl_truck", 0.5), ("lanl_tent", 0.6)])
+)
 def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
     """Points selected with another boresight reproduce most of its change."""
     here: Drone = drone(name)

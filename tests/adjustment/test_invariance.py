@@ -12,6 +12,7 @@ from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from tests.adjustment.test_robustness import PRIOR, shifted, survey, with_outliers
+from tests.support.long_runs import others_long
 
 MODEL = StochasticModel(loss="tukey")
 MAX_DIFFERENCE_SIGMAS = np.radians(1e-9)
@@ -30,19 +31,20 @@ def mixed(observations: Observations, seed: int) -> Observations:
 
 
 @pytest.mark.parametrize("spacing", [0.0, 0.1])
-def test_order_does_not_change_the_result(spacing) -> None:
+@pytest.mark.parametrize("order", others_long([1, 2]))
+def test_order_does_not_change_the_result(spacing, order) -> None:
     """The observations contain outliers and a blunder; with a spacing they are averaged."""
     observations = shifted(with_outliers(survey(3), 1)[0], 4, 0.05)
     results = []
-    for seed in (None, 1, 2):
+    for seed in (None, order):
         points = observations if seed is None else mixed(observations, seed)
         if spacing:
             points = average_points_in_cells(points, PRIOR, spacing, no_outliers=True)
         results.append(adjust(points, PRIOR, MODEL, diagnostics=True))
-    for other in results[1:]:
-        assert set(other.rejected_sightings) == set(results[0].rejected_sightings) != set()
-        assert np.abs(other.boresight - results[0].boresight).max() < MAX_DIFFERENCE_SIGMAS
-        assert np.abs(other.sigma - results[0].sigma).max() < MAX_DIFFERENCE_SIGMAS
+    first, other = results
+    assert set(other.rejected_sightings) == set(first.rejected_sightings) != set()
+    assert np.abs(other.boresight - first.boresight).max() < MAX_DIFFERENCE_SIGMAS
+    assert np.abs(other.sigma - first.sigma).max() < MAX_DIFFERENCE_SIGMAS
 
 
 def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
@@ -58,7 +60,7 @@ def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
         assert np.abs(other - results[0]).max() < MAX_DIFFERENCE_SIGMAS
 
 
-@pytest.mark.parametrize("sighting", [1, 5, 9])
+@pytest.mark.parametrize("sighting", others_long([1, 5, 9]))
 def test_outliers_and_a_shifted_sighting_are_rejected(sighting) -> None:
     """The result agrees with that of a clean survey without the shifted sighting."""
     clean = survey(0, 0.1)
@@ -70,7 +72,9 @@ def test_outliers_and_a_shifted_sighting_are_rejected(sighting) -> None:
     assert (np.abs(result.boresight - best.boresight) < best.sigma).all()
 
 
-@pytest.mark.parametrize(("factor", "passes_mostly"), [(1.0, True), (0.8, False), (1.25, False)])
+@pytest.mark.parametrize(
+    ("factor", "passes_mostly"), others_long([(1.0, True), (0.8, False), (1.25, False)], 2)
+)
 def test_the_chi_square_test_accepts_correct_sigmas(factor, passes_mostly) -> None:
     """The 95 % test of the correlated model passes at correct LiDAR sigmas only."""
     count = 30

@@ -55,10 +55,10 @@ def test_the_scores_without_a_line_are_those_of_the_other_lines() -> None:
 
 
 @pytest.fixture(scope="module")
-def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> LinearisedProblem:
-    survey = load_survey(sparse_project)
-    found = few_surfaces((sparse_project, survey), tmp_path_factory).project
-    prior, model = found.mounting("prior"), sparse_project.settings.stochastic_model
+def here(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> LinearisedProblem:
+    survey = load_survey(demo_project)
+    found = few_surfaces((demo_project, survey), tmp_path_factory).project
+    prior, model = found.mounting("prior"), demo_project.settings.stochastic_model
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
     solved = SolvedEquations.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None

@@ -21,6 +21,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
+from tests.support.long_runs import others_long
 
 TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUE_MOUNTING.with_boresight(np.zeros(3))
@@ -40,7 +41,7 @@ def survey(truth: Mounting, seed: int, **changes: object) -> Observations:
     return average_points_in_cells(noisy, PRIOR, 0.1)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", others_long(range(4)))
 @pytest.mark.parametrize("name", list(MOUNTINGS_WITH_ERROR))
 def test_an_inserted_error_is_found_within_three_sigma(name, seed) -> None:
     truth = MOUNTINGS_WITH_ERROR[name]
@@ -53,17 +54,18 @@ def test_an_inserted_error_is_found_within_three_sigma(name, seed) -> None:
     assert result.mounting.values[Parameter(name).index] == found.value
 
 
-def test_an_estimated_range_offset_is_unbiased_with_correct_sigmas() -> None:
+@pytest.mark.parametrize("count", others_long([10, 24]))
+def test_an_estimated_range_offset_is_unbiased_with_correct_sigmas(count: int) -> None:
     """The curvature of a flat board determines the range offset, so small biases matter."""
     ratios = []
-    for seed in range(24):
+    for seed in range(count):
         result = adjust(
             survey(MOUNTINGS_WITH_ERROR["range_offset"], 100 + seed), PRIOR, MODEL,
             parameters=(Parameter("range_offset"),), diagnostics=False,
         )  # fmt: skip
         (found,) = result.parameters
         ratios.append((found.value - 0.1) / found.sigma)
-    assert abs(np.mean(ratios)) < 3 / np.sqrt(24)
+    assert abs(np.mean(ratios)) < 3 / np.sqrt(count)
     assert 0.6 < np.std(ratios) < 1.5
 
 

@@ -25,13 +25,14 @@ from lispac.workflow.calibration.targetless import TargetlessResult, targetless
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.adjustment.test_robustness import PRIOR, TRUTH
 from tests.natural.test_targetless import FEW_SURFACES, error, few_surfaces, with_scans
+from tests.support.long_runs import others_long
 
 Opened = tuple[Project, Survey]
 
 
 @pytest.fixture(scope="module")
-def thinned(sparse_project: Project) -> Opened:
-    return sparse_project, load_survey(sparse_project)
+def thinned(demo_project: Project) -> Opened:
+    return demo_project, load_survey(demo_project)
 
 
 @pytest.fixture(scope="module")
@@ -144,13 +145,14 @@ def adjusted_boards(seed: int, rotation_deg: float) -> tuple[np.ndarray, Adjustm
     return (result.boresight - TRUTH.boresight) / result.with_formal_sigmas.sigma, result
 
 
+@pytest.mark.parametrize("count", others_long([2, 4]))
 def test_a_contradicting_target_that_determines_an_angle_nearly_alone_raises_its_sigma(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, count: int
 ) -> None:
     """No target has a large leverage here, so that the limit is lowered."""
     monkeypatch.setattr(excess_scatter, "MAX_VARIANCE_RATIO", 0.05)
     errors, factors = [], []
-    for seed in range(4):
+    for seed in range(count):
         error_in_sigmas, result = adjusted_boards(seed, 0.3)
         factors.append(result.angle_sigma_factors)
         errors.append(np.abs(error_in_sigmas / result.angle_sigma_factors))

@@ -22,6 +22,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.adjustment.test_vessel_adjustment import observations
+from tests.support.long_runs import others_long
 from tests.targets.test_vessel_spheres import BALLS as SPHERES
 from tests.targets.test_vessel_spheres import VESSEL, Vessel
 
@@ -72,13 +73,16 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize(
     ("cause", "value", "tolerance", "courses"),
-    [
-        # On slow lines, a ball is crossed in several seconds, during which the vessel rolls.
-        ("latency", 0.25, 0.05, six_courses(speed=0.4)),
-        # The radius is larger by the ratio of the offset to the range, which differs by line.
-        ("range_offset", 0.2, 0.01, NEAR_AND_FAR),
-        ("range_offset", -0.15, 0.01, NEAR_AND_FAR),
-    ],
+    others_long(
+        [
+            # On slow lines, a ball is crossed in several seconds, during which the vessel rolls.
+            ("latency", 0.25, 0.05, six_courses(speed=0.4)),
+            # The radius is larger by the ratio of the offset to the range, which differs by line.
+            ("range_offset", 0.2, 0.01, NEAR_AND_FAR),
+            ("range_offset", -0.15, 0.01, NEAR_AND_FAR),
+        ],
+        2,
+    ),
 )
 def test_a_wrong_latency_or_range_offset_is_named(
     seed: int, cause: str, value: float, tolerance: float, courses: tuple[Course, ...]

@@ -27,6 +27,7 @@ from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration import picking
 from lispac.workflow.project.projects import open_project, save_project
 from tests.support.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball_survey
+from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
@@ -76,7 +77,7 @@ def test_true_boresight_is_recovered_without_noise(model, known, with_board, sta
     assert result.rms_after < 1e-9
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", others_long(range(4)))
 @pytest.mark.parametrize(
     ("known", "with_board", "start_deg"),
     [

@@ -19,6 +19,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.planning.simulated_setup import read_simulation
 from tests.studies import coverage_of_errors
+from tests.support.long_runs import others_long
 
 SURVEYS = 6
 
@@ -65,12 +66,13 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
     )
 
 
-def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
+@pytest.mark.parametrize("count", others_long([2, SURVEYS]))
+def test_the_variance_factor_of_exact_sigmas_is_one(count: int) -> None:
     """Several surveys averaged to 10 cm as by default; chi-square test at a level of 0.001."""
     setup, model = marine(), StochasticModel()
     prior = Mounting(setup.mounting.lever_arm, np.zeros(3))
     statistic, freedom = 0.0, 0
-    for seed in range(SURVEYS):
+    for seed in range(count):
         points = average_points_in_cells(
             surveyed(setup, seed), prior, 0.1, longest=model.knot_interval
         )

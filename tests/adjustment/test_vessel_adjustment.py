@@ -13,6 +13,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.geometry.spheres import fit_sphere, rms_from_sphere
+from tests.support.long_runs import others_long
 from tests.targets.test_vessel_spheres import BALLS, VESSEL, Vessel
 
 PLATES = tuple(f"target{k}" for k in range(1, 6))
@@ -76,7 +77,7 @@ def test_the_files_agree_with_the_georeferencing_equation(vessel):
         np.testing.assert_allclose(clouds[line], rows[:, :3], atol=1e-9)
 
 
-@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.loss)
+@pytest.mark.parametrize("model", others_long(MODELS), ids=lambda model: model.loss)
 @pytest.mark.parametrize("names", [BALLS, (*BALLS, *PLATES)], ids=["balls", "balls and plates"])
 def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model):
     result = adjust(observations(vessel, names), VESSEL, model)

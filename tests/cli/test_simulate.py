@@ -57,6 +57,7 @@ def true_mounting(folder: Path) -> Mounting:
     )  # fmt: skip
 
 
+@pytest.mark.long
 def test_boresight_of_a_simulation_is_estimated(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -66,13 +66,13 @@ def are_identical(one: MonteCarloResult, other: MonteCarloResult) -> bool:
 
 
 def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
-    here = run_monte_carlo(SMALL, 12)
+    here = run_monte_carlo(SMALL, 6)
     with process_pool_mapper(2) as mapper:
-        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+        assert are_identical(run_monte_carlo(SMALL, 6, mapper=mapper), here)
     with cluster_mapper(cluster.scheduler_address) as mapper:
-        assert are_identical(run_monte_carlo(SMALL, 12, mapper=mapper), here)
-    assert np.array_equal(run_monte_carlo(SMALL, 5).errors, here.errors[:5])
-    assert not np.isclose(run_monte_carlo(SMALL, 5, seed=1).errors, here.errors[:5]).any()
+        assert are_identical(run_monte_carlo(SMALL, 6, mapper=mapper), here)
+    assert np.array_equal(run_monte_carlo(SMALL, 3).errors, here.errors[:3])
+    assert not np.isclose(run_monte_carlo(SMALL, 3, seed=1).errors, here.errors[:3]).any()
 
 
 @pytest.mark.long
@@ -319,7 +319,7 @@ def test_a_lost_scheduler_is_reported(
             pass
         assert raised.value.code == "cluster.no_workers"
         capfd.readouterr()
-        client = distributed.Client(address, timeout=4, set_as_default=False)
+        client = distributed.Client(address, timeout=1, set_as_default=False)
         scheduler.kill()
         scheduler.wait()
         cluster = cluster_module._Cluster(client, address)

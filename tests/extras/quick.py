@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 SURVEY_FIXTURES = {
-    "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "printed_demo",
+    "calibrated", "copy", "demo_project", "port", "shared_data", "denser_project", "printed_demo",
     "whole_demo",
 }  # fmt: skip
 SLOW = Path("slow-tests.json")

@@ -22,6 +22,8 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session
 from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.project import Project
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import pick_target
 from lispac.workflow.checking.validation import validate
@@ -39,26 +41,37 @@ WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)
 """Files that a window of another test process may keep in the shared demo folder."""
 
 
-@pytest.fixture(scope="session")
-def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The demo survey as made, and with some planes picked.
+def _picked_demo(source: Project, factory: pytest.TempPathFactory, name: str) -> Demo:
+    """The survey of a project as made, and with some planes picked.
 
     Each process has its own folder, which a window locks while it writes a recovery copy.
     """
-    folder = tmp_path_factory.mktemp("demo") / demo_project.folder.name
-    shutil.copytree(demo_project.folder, folder, ignore=WINDOW_FILES)
-    project = replace(demo_project, folder=folder)
+    folder = factory.mktemp("demo") / source.folder.name
+    shutil.copytree(source.folder, folder, ignore=WINDOW_FILES)
+    project = replace(source, folder=folder)
     survey = load_survey(project)
 
     def pick_some(_folder: Path) -> Project:
         picked = project
-        for name in PICKED_NAMES:
-            role, seed = demo_seeds()[name]
-            picked = pick_target(picked, survey, seed, name=name, role=role)
+        for target in PICKED_NAMES:
+            role, seed = demo_seeds()[target]
+            picked = pick_target(picked, survey, seed, name=target, role=role)
         return picked
 
-    picked = make_once(tmp_path_factory, "picked", pick_some)
+    picked = make_once(factory, name, pick_some)
     return Demo(project, replace(picked, folder=folder), survey)
+
+
+@pytest.fixture(scope="session")
+def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
+    """The demo survey as made, and with some planes picked."""
+    return _picked_demo(demo_project, tmp_path_factory, "picked")
+
+
+@pytest.fixture(scope="session")
+def denser_demo(denser_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
+    """As `demo` with twice as many points, whose residuals pass the test of the adjustment."""
+    return _picked_demo(denser_project, tmp_path_factory, "picked-denser")
 
 
 @pytest.fixture(scope="session")
@@ -77,6 +90,16 @@ def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathF
         tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey)
     )
     return replace(made, folder=demo.project.folder)
+
+
+@pytest.fixture(scope="session")
+def visibility_studies(tmp_path_factory: pytest.TempPathFactory) -> list[VisibilityStudy]:
+    """The study of visibility for each of its sites."""
+    return make_once(
+        tmp_path_factory,
+        "visibility",
+        lambda _folder: [study_visibility(site) for site in SITES.values()],
+    )
 
 
 @pytest.fixture(autouse=True)

@@ -84,6 +84,7 @@ def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QAp
         each.deleteLater()
 
 
+@pytest.mark.long
 def test_files_dropped_on_the_start_page_become_a_project(
     hands: Hands, demo: Demo, tmp_path: Path
 ) -> None:
@@ -112,6 +113,7 @@ def test_files_dropped_on_the_start_page_become_a_project(
     shows_something(hands, tmp_path / "imported.png")
 
 
+@pytest.mark.long
 def test_pick_undo_redo_rename_estimate_cancel_estimate(
     hands: Hands, demo_copy: Path, tmp_path: Path
 ) -> None:
@@ -172,7 +174,8 @@ def test_closing_with_unsaved_changes(
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
 
 
-@pytest.mark.parametrize("button", ["Restore", pytest.param("Discard", marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("button", ["Restore", "Discard"])
 def test_unsaved_work_is_offered_after_a_crash(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:

@@ -29,6 +29,7 @@ from tests.gui.support import (
     show_panel,
     wait_until_idle,
 )
+from tests.support.long_runs import others_long
 
 
 @pytest.fixture
@@ -234,7 +235,7 @@ def test_the_result_of_a_check_box_is_shown_and_then_cross_checked(
     assert turn_to(shown, "Cross-checks").advice == ""
 
 
-@pytest.mark.parametrize("checked", [True, False])
+@pytest.mark.parametrize("checked", others_long([True, False]))
 def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool
 ):

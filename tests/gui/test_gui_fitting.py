@@ -45,20 +45,22 @@ from lispac.gui.widgets.mounting_sketch import MountingSketch
 from lispac.identity import Identity
 from lispac.language import LANGUAGES
 from lispac.project import Project
-from lispac.simulation.thesis_site import SITES
-from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from lispac.simulation.visibility_study import VisibilityStudy
 from tests.gui.import_support import drop, raw
 from tests.gui.import_support import rest as import_rest
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, press, show_panel
+from tests.support.long_runs import LONG, others_long
 
 SMALL_WINDOW = (1366, 740)
 LOW_SCREEN = QSize(1326, 728)
 """Size available for a dialogue on a screen of 1366 × 768."""
 
 
-@pytest.fixture(params=LANGUAGES)
+@pytest.fixture(
+    params=[pytest.param(code, marks=LONG if code == "en" else ()) for code in LANGUAGES]
+)
 def language(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
-    """Code of each language, with the theme of the program applied."""
+    """Code of each language, with the theme of the program applied; French texts are longer."""
     theme.apply_theme(qapp)
     set_language(request.param)
     yield request.param
@@ -71,12 +73,6 @@ def dark(qapp: QApplication) -> Iterator[None]:
     theme.apply_theme(qapp, "dark")
     yield
     theme.apply_theme(qapp)
-
-
-@pytest.fixture(scope="module")
-def errors() -> list[VisibilityStudy]:
-    """Visibility study of each site."""
-    return [study_visibility(site) for site in SITES.values()]
 
 
 def test_the_titles_of_panels_are_not_cut_off(driver: Driver, qapp: QApplication) -> None:
@@ -128,10 +124,10 @@ class _LowScreenDialog(VisibilityDialog):
 
 
 def test_a_study_fits_a_low_screen(
-    qtbot: QtBot, language: str, errors: list[VisibilityStudy]
+    qtbot: QtBot, language: str, visibility_studies: list[VisibilityStudy]
 ) -> None:
     """The buttons used to be below the edge of the screen, and the last heading was cut off."""
-    dialog = _LowScreenDialog(errors)
+    dialog = _LowScreenDialog(visibility_studies)
     qtbot.addWidget(dialog)
     dialog.show()
     qtbot.waitUntil(lambda: dialog.canvas.isVisible(), timeout=WAIT_MS)
@@ -332,8 +328,8 @@ def test_the_list_of_a_narrow_box_shows_whole_items(qtbot: QtBot) -> None:
     box.hidePopup()
 
 
-@pytest.mark.parametrize("size", [(1366, 740), (1600, 960)])
-@pytest.mark.parametrize("height", [160, 380])
+@pytest.mark.parametrize("size", [(1366, 740), pytest.param((1600, 960), marks=LONG)])
+@pytest.mark.parametrize("height", others_long([160, 380]))
 def test_the_titles_of_a_section_do_not_overlap(
     driver: Driver, demo: Demo, estimated: Project, language: str, size: tuple[int, int],
     height: int,

@@ -24,7 +24,6 @@ from lispac.gui.features.pick_targets.dialogs import FindAgainDialog
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.gui.features.studies.check_dialog import CheckDialog
-from lispac.gui.features.studies.studies import SITES
 from lispac.gui.features.studies.study_dialog import BudgetDialog
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -33,7 +32,7 @@ from lispac.io.project.project_file import write_project
 from lispac.language import gettext
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.project import Project
-from lispac.simulation.visibility_study import study_visibility
+from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.validation import validate
 from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
@@ -213,11 +212,12 @@ def test_files_are_identical_in_both_languages(
     assert written[0] == written[1]
 
 
-def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QApplication) -> None:
-    found = [study_visibility(site) for site in SITES.values()]
+def test_the_study_of_visibility_is_french_throughout(
+    qtbot: QtBot, qapp: QApplication, visibility_studies: list[VisibilityStudy]
+) -> None:
     set_language("fr")
     try:
-        dialog = VisibilityDialog(found)
+        dialog = VisibilityDialog(visibility_studies)
         qtbot.addWidget(dialog)
         for site in range(dialog.site.count()):
             dialog.site.setCurrentIndex(site)

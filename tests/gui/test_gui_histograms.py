@@ -30,6 +30,7 @@ from lispac.gui.widgets import TIP_LENGTH
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, show_panel
+from tests.support.long_runs import LONG, others_long
 
 Left = Qt.MouseButton.LeftButton
 
@@ -41,7 +42,6 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
     window.document.open(validated, demo.survey)
     show_panel(window, "Histograms")
     driver.rest()
-    driver.bot.wait(300)
     shown = window.histograms
     shown.select("V1")
     assert shown.canvas.isVisible()
@@ -102,7 +102,9 @@ def test_the_values_of_a_bar_are_shown_under_the_mouse(
     assert f"{drawn.values[highest]:,.0f} points after" in panel.reading.text()
 
 
-@pytest.mark.parametrize("lengths", ["metres", "feet"])
+@pytest.mark.parametrize(
+    "lengths", others_long(["metres", "feet"], lambda lengths: lengths == "feet")
+)
 def test_distances_by_height_and_range_are_shown_under_the_mouse(
     panel: HistogramsPanel, lengths: str
 ) -> None:
@@ -268,7 +270,7 @@ def test_the_worst_plane_is_selected_after_the_validation(
         window._select("V1", "")
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1600, 1000)])
+@pytest.mark.parametrize("size", [(1366, 768), pytest.param((1600, 1000), marks=LONG)])
 def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram(
     driver: Driver, demo: Demo, validated: Project, size: tuple[int, int]
 ) -> None:
@@ -368,7 +370,7 @@ def test_the_table_states_how_many_pairs_its_numbers_cover(
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("width", [1366, 1600])
+@pytest.mark.parametrize("width", others_long([1366, 1600]))
 def test_pairs_are_compared_before_and_after_without_scrolling(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo, validated: Project,
     language: str, width: int,

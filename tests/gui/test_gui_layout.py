@@ -40,9 +40,11 @@ from tests.gui.support import (
     sentence,
     show_panel,
 )
+from tests.support.long_runs import LONG
 
 SIZES = {(1920, 1080): 0.55, (1600, 1000): 0.55, (1366, 768): 0.45}
 """Smallest share of the view by the size of the window, pixels."""
+SMALLEST = min(SIZES)
 SOON_MS = 10_000
 
 
@@ -75,7 +77,9 @@ def language(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 @pytest.mark.usefixtures("language")
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(
+    "size", [pytest.param(size, marks=() if size == SMALLEST else LONG) for size in SIZES]
+)
 def test_the_toolbar_shows_all_its_buttons(driver: Driver, size: tuple[int, int]) -> None:
     driver.window.resize(*size)
     driver.rest()
@@ -83,7 +87,9 @@ def test_the_toolbar_shows_all_its_buttons(driver: Driver, size: tuple[int, int]
     assert all(button.isVisible() for button in toolbar.findChildren(QAbstractButton)[1:])
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(
+    "size", [pytest.param(size, marks=() if size == SMALLEST else LONG) for size in SIZES]
+)
 def test_the_view_has_most_of_the_window_in_every_state(
     language: str, driver: Driver, demo: Demo, estimated: Project, validated: Project,
     size: tuple[int, int],
@@ -157,7 +163,7 @@ def test_the_scene_stays_in_place_when_the_table_opens(opened: Driver) -> None:
     assert [name for name, _ in calls if name in moves] == ["keep_picture"]
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+@pytest.mark.parametrize("size", [(1366, 768), pytest.param((1920, 1080), marks=LONG)])
 def test_tables_show_several_rows(
     driver: Driver, demo: Demo, validated: Project, size: tuple[int, int]
 ) -> None:

@@ -1,5 +1,6 @@
 """Tests of Help > Manual: the page that is opened, and the tables of fields and keys."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -9,14 +10,25 @@ from PySide6.QtWidgets import QApplication, QPushButton
 
 from lispac import caches
 from lispac.messages import Action, warning
+from lispac.workflow.output import manual
 from tests.documents.manual_tables import folder, tables
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click, open_step, press
 
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Cache folder, in which the first test builds the manual in all languages."""
+    """Cache folder, into which the first test copies the built manual."""
     return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(autouse=True)
+def _built_once(manual_pages: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Do not build the manual, which takes long and is tested elsewhere."""
+
+    def copied(_sources: Path, output: Path, **_options: object) -> None:
+        shutil.copytree(manual_pages, output, dirs_exist_ok=True)
+
+    monkeypatch.setattr(manual, "build_manual", copied)
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])

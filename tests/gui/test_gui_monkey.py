@@ -45,10 +45,10 @@ def base(demo: Demo, demo_copy: Path) -> Path:
 
 
 @pytest.mark.timeout(60 + 2 * WARMING_S)
-def test_fifteen_seconds_of_random_actions(base: Path, tmp_path: Path) -> None:
+def test_five_seconds_of_random_actions(base: Path, tmp_path: Path) -> None:
     """Stalls are only printed, because computing times on shared processors vary."""
-    found = run_monkey(base, tmp_path / "cage", seed=1, seconds=15)
-    assert sum(found["done"].values()) > 25, "it hardly did anything"
+    found = run_monkey(base, tmp_path / "cage", seed=1, seconds=5)
+    assert sum(found["done"].values()) > 10, "it hardly did anything"
     assert found["exceptions"] == []
     assert found["left"] == []
 

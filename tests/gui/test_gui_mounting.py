@@ -18,6 +18,7 @@ from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Control, Driver, Key, open_step, press, type_into
+from tests.support.long_runs import LONG
 
 RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
             "starboard": (lambda n, w, u: n, lambda n, w, u: u)}  # fmt: skip
@@ -78,9 +79,15 @@ def type_mounting(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> Mount
 
 @pytest.mark.parametrize(
     "lever_arm",
-    [("1.2", "0.35", "2.1"), ("-1.2", "0.35", "2.1"), ("1.2", "-0.35", "2.1"),
-     ("1.2", "0.35", "-2.1"), ("-0.24", "-0.9", "1.5")],
-)  # fmt: skip
+    [
+        ("1.2", "0.35", "-2.1"),
+        ("-0.24", "-0.9", "1.5"),
+        *(
+            pytest.param(arm, marks=LONG)
+            for arm in [("1.2", "0.35", "2.1"), ("-1.2", "0.35", "2.1"), ("1.2", "-0.35", "2.1")]
+        ),
+    ],
+)
 def test_a_typed_lever_arm_is_drawn_where_georeferencing_places_it(
     opened: Driver, lever_arm
 ) -> None:
@@ -112,9 +119,15 @@ def test_a_changed_sign_moves_the_scanner_to_the_other_side_while_typing(opened:
 
 
 @pytest.mark.parametrize(
-    "boresight", [(0.0, 0.0, 90.0), (0.0, 90.0, 0.0), (90.0, 0.0, 0.0), (180.0, 0.0, 0.0),
-                  (35.0, -60.0, 120.0)]
-)  # fmt: skip
+    "boresight",
+    [
+        (35.0, -60.0, 120.0),
+        *(
+            pytest.param(angles, marks=LONG)
+            for angles in [(0.0, 0.0, 90.0), (0.0, 90.0, 0.0), (90.0, 0.0, 0.0), (180.0, 0.0, 0.0)]
+        ),
+    ],
+)
 def test_the_drawn_scanner_axes_agree_with_the_georeferencing(opened: Driver, boresight) -> None:
     sketch = type_mounting(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
     assert sketch.factor == 1
@@ -228,7 +241,7 @@ def test_the_import_dialogue_also_draws_the_sketch(filled: ImportDialog, qtbot) 
     assert "0.800\u00a0m to starboard" in page.view.text_label.text()
 
 
-@pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])
+@pytest.mark.parametrize("size", [(1326, 708), pytest.param((1240, 840), marks=LONG)])
 def test_the_import_dialogue_shows_warnings_on_every_page(
     filled: ImportDialog, qtbot, size
 ) -> None:

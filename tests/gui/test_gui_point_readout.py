@@ -21,7 +21,7 @@ from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, 
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
 EMPTY, FOOT = QPoint(3, 3), 0.3048
-MAX_MOVES = 10
+MAX_MOVES = 120
 """Largest number of times that the mouse is moved to a point."""
 
 

@@ -30,6 +30,7 @@ from lispac.report.options import EXTENTS, ReportOptions
 from lispac.targets.cross_section import common_normal
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
+from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
 
 REPORT_STEP = 4
@@ -304,7 +305,7 @@ def picture_viewports(monkeypatch: pytest.MonkeyPatch) -> list[RecordingViewport
     return made
 
 
-@pytest.mark.parametrize("extent", ["short", "full"])
+@pytest.mark.parametrize("extent", others_long(["short", "full"], lambda extent: extent == "full"))
 def test_pictures_are_taken_from_defined_views_before_and_after(
     driver: Driver,
     demo: Demo,

@@ -1,6 +1,7 @@
 """Tests of recovery copies and locks: unsaved work survives a crash, no edit is overwritten."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -57,6 +58,24 @@ def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -
     driver.window.document.undo_stack.redo()
     driver.window.actions_["save"].trigger()
     assert {"North wall", "South wall"} <= names(read_project(folder))
+    wait_for_unsaved(driver, folder, exists=False)
+
+
+def test_unsaved_work_of_an_ended_program_is_recovered(driver: Driver, folder: Path) -> None:
+    project = read_project(folder)
+    first = project.targets[0]
+    renamed = project.without_target(first.name).with_target(replace(first, name="North wall"))
+    write_unsaved(renamed)
+    driver.dialogs.recovers = True
+    open_project_window(driver, folder)
+    assert driver.dialogs.safety == [f"recover {folder.name}"]
+    assert names(driver.project) == names(renamed)
+    assert driver.window.isWindowModified()
+    driver.window.document.undo_stack.undo()
+    assert names(driver.project) == names(project)
+    driver.window.document.undo_stack.redo()
+    driver.window.actions_["save"].trigger()
+    assert names(read_project(folder)) == names(renamed)
     wait_for_unsaved(driver, folder, exists=False)
 
 

@@ -96,7 +96,6 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
     return demo_copy
 
 
-@pytest.mark.long  # `test_gui_tour_by_hand` follows the tour by mouse and keyboard alone
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
     driver.bot.mouseClick(window.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)

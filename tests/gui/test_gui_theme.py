@@ -21,6 +21,7 @@ from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
 from tests.gui.support import Demo, in_front, show_panel
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
+from tests.support.long_runs import others_long
 
 Scheming = Qt.ColorScheme
 BOTH_SCHEMES = pytest.mark.parametrize(
@@ -288,7 +289,7 @@ def clipboard_image(bot: QtBot) -> QImage:
     return clipboard.image()
 
 
-@pytest.mark.parametrize("choice", ["Light", "Dark"])
+@pytest.mark.parametrize("choice", others_long(["Light", "Dark"], lambda choice: choice == "Dark"))
 def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     session: Session, qtbot: QtBot, demo: Demo, validated: Project, tmp_path: Path, choice: str
 ) -> None:

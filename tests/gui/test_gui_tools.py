@@ -33,6 +33,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
+from tests.support.long_runs import others_long
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -158,7 +159,7 @@ def exaggerate(driver: Driver, factor: str) -> None:
     assert choice.currentText() == factor
 
 
-@pytest.mark.parametrize("name", ["T1", "T2"])
+@pytest.mark.parametrize("name", others_long(["T1", "T2"], lambda name: name == "T2"))
 def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -> None:
     """T1 is vertical and T2 leans; both are then drawn upright, by their distances."""
     window, panel = adjusted.window, adjusted.window.tools.sections.panel

@@ -22,6 +22,7 @@ def middle(hands: Hands) -> QPoint:
     return hands.viewport.canvas.rect().center()
 
 
+@pytest.mark.long  # `test_gui_start` follows the tour in every run
 def test_the_tour_from_the_start_page_to_its_end(
     hands: Hands, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,6 +31,7 @@ from tests.gui.support import (
     seed,
     type_into,
 )
+from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
 
 
@@ -60,6 +61,7 @@ def refusals(driver: Driver) -> list[str]:
 
 
 def test_f9_estimates_with_the_value_being_typed(picked: Driver) -> None:
+    picked.window.adjust.cross_check.setChecked(False)
     field = type_lever_x(picked, "-0.15")
     picked.bot.keyClick(field, Key.Key_F9)
     assert picked.project.settings.lever_arm[0] == -0.15
@@ -71,6 +73,7 @@ def test_f9_estimates_with_the_value_being_typed(picked: Driver) -> None:
 
 
 def test_the_estimate_button_uses_the_value_being_typed(picked: Driver) -> None:
+    picked.window.adjust.cross_check.setChecked(False)
     type_lever_x(picked, "-0.15")
     picked.window.workflow.open(2)  # does not move the focus
     click(picked, picked.window.adjust.estimate)
@@ -104,7 +107,7 @@ def test_the_result_is_out_of_date_as_soon_as_the_focus_leaves(
     assert not driver.window.document.undo_stack.canUndo()
 
 
-@pytest.mark.parametrize("key", [Key.Key_Return, Key.Key_Enter])
+@pytest.mark.parametrize("key", others_long([Key.Key_Return, Key.Key_Enter]))
 def test_undo_works_in_the_field_after_enter(picked: Driver, key: Key) -> None:
     before = picked.project
     field = type_lever_x(picked, "5")

@@ -106,13 +106,15 @@ def choose_language(session: Session, bot: QtBot, language: str) -> None:
     bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
 
 
-def changes(session: Session, bot: QtBot) -> Iterator[None]:
-    """Change the theme and then the language, and wait each time until all is drawn."""
-    for change in (lambda: choose_theme(session, bot, "Dark"),
-                   lambda: choose_language(session, bot, "Français")):  # fmt: skip
-        change()
+def changes(session: Session, bot: QtBot, *, with_theme: bool = False) -> Iterator[None]:
+    """Change the theme, if asked for, and the language; wait each time until all is drawn."""
+    if with_theme:
+        choose_theme(session, bot, "Dark")
         wait_until_idle(session, bot)
         yield
+    choose_language(session, bot, "Français")
+    wait_until_idle(session, bot)
+    yield
 
 
 def test_selection_view_panels_and_undo_steps_are_kept(
@@ -145,7 +147,7 @@ def test_selection_view_panels_and_undo_steps_are_kept(
     wait_until_idle(session, qtbot)
     hidden, box = set(window.viewport.hidden), window.tools.clipping.box
     assert len(hidden) == 1
-    for _ in changes(session, qtbot):
+    for _ in changes(session, qtbot, with_theme=True):
         window = session.window
         assert window.actions_["before"].isChecked()
         assert same(window.viewport.clouds,

@@ -24,6 +24,7 @@ from lispac.gui.viewport.base import (
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from tests.support.long_runs import others_long
 from tests.support.view_scenes import (
     BLUE,
     GREEN,
@@ -457,7 +458,7 @@ if "close" in sys.argv:
 """
 
 
-@pytest.mark.parametrize("ending", ["close", "leave"])
+@pytest.mark.parametrize("ending", others_long(["close", "leave"]))
 def test_high_resolution_screen_and_clean_exit(qapp, ending):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")

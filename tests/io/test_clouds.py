@@ -29,6 +29,7 @@ from tests.support.cloud_files import (
     track,
     written_las,
 )
+from tests.support.long_runs import others_long
 
 UTM = "EPSG:32619"
 SMALL = 3000
@@ -142,16 +143,19 @@ def test_old_point_formats_in_version_14_have_geotiff_keys(tmp_path: Path) -> No
 @pytest.mark.parametrize("number", [3, 6])
 @pytest.mark.parametrize(
     ("code", "height"),
-    [
-        ("EPSG:2949", ""),
-        ("EPSG:4979", ""),
-        ("EPSG:4326", ""),
-        ("EPSG:4978", ""),
-        ("EPSG:2264", ""),
-        ("EPSG:2949", "grid"),
-        ("EPSG:2949+5713", "grid"),
-        ("+proj=tmerc +lat_0=46 +lon_0=-71 +datum=WGS84", ""),
-    ],
+    others_long(
+        [
+            ("EPSG:2949", ""),
+            ("EPSG:4979", ""),
+            ("EPSG:4326", ""),
+            ("EPSG:4978", ""),
+            ("EPSG:2264", ""),
+            ("EPSG:2949", "grid"),
+            ("EPSG:2949+5713", "grid"),
+            ("+proj=tmerc +lat_0=46 +lon_0=-71 +datum=WGS84", ""),
+        ],
+        lambda value: value[0] in ("EPSG:2949", "EPSG:4979", "EPSG:4326", "EPSG:2949+5713"),
+    ),
 )
 def test_written_clouds_can_be_read_back(
     tmp_path: Path, code: str, height: str, number: int

@@ -32,6 +32,7 @@ from lispac.workflow.project.output_crs import output_system_of
 from lispac.workflow.project.survey import Survey
 from tests.support.command_errors import refused_with
 from tests.support.few_lines import picked
+from tests.support.long_runs import others_long
 
 UTM = "EPSG:32619"
 
@@ -107,7 +108,7 @@ def test_targets_as_csv(
         np.testing.assert_allclose(back, local, rtol=0, atol=1.2e-4)
 
 
-@pytest.mark.parametrize("which", ["prior", "estimated"])
+@pytest.mark.parametrize("which", others_long(["prior", "estimated"]))
 def test_plane_files(calibrated: tuple[Project, Survey], tmp_path: Path, which: str) -> None:
     """25 columns: lever arm and boresight suffice to georeference the scanner points."""
     project, survey = calibrated

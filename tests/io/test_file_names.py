@@ -19,9 +19,24 @@ from tests.support.input_file_samples import START, fan, write_line, write_surve
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
 
 
-def run_lispac(*arguments: object, **environment: str) -> subprocess.CompletedProcess[bytes]:
+SEPARATOR = "then"
+PROGRAM = f"""
+import sys
+from lispac.cli.main import main
+words = sys.argv[1:]
+while words:
+    end = words.index({SEPARATOR!r})
+    if main(words[:end]) != 0:
+        sys.exit(1)
+    words = words[end + 1 :]
+"""
+"""Runs several commands one after the other, which is faster than several programs."""
+
+
+def run_lispac(*commands: list[object], **environment: str) -> subprocess.CompletedProcess[bytes]:
+    words = [str(word) for command in commands for word in (*command, SEPARATOR)]
     return subprocess.run(
-        [sys.executable, "-m", "lispac", *map(os.fsencode, map(str, arguments))],
+        [sys.executable, "-c", PROGRAM, *map(os.fsencode, words)],
         capture_output=True, env={**os.environ, **environment}, check=False,
     )  # fmt: skip
 
@@ -43,16 +58,16 @@ def test_any_name_can_be_printed_on_any_terminal(tmp_path: Path, encoding: str) 
     write_line(second, START + np.linspace(15, 25, 2000), fan(2000))
     project = tmp_path / "project"
     environment = {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
-    for command in (
+    done = run_lispac(
         ["inspect", first],
         ["new", project, first, second, "--trajectory", folder / "pos.sbet",
          "--trajectory-accuracy", folder / "smrmsg.out", "--lever-arm", 0.2, -0.1, 1.5],
         ["report", project, "--output", tmp_path / "report.json"],
         ["report", project, "--output", tmp_path / "report.html"],
         ["warnings", project],
-    ):  # fmt: skip
-        done = run_lispac(*command, **environment)
-        assert done.returncode == 0, done.stderr
+        **environment,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
     lines = json.loads((tmp_path / "report.json").read_text())["lines"]
     assert [line["name"] for line in lines] == ["l\ufffd\ufffd", "Käi"]
 

@@ -33,6 +33,7 @@ from lispac.workflow.importing.line_import import import_lines, line_folder
 from lispac.workflow.planning.plan_checks import write_scenarios
 from lispac.workflow.planning.simulate import replaced_survey
 from lispac.workflow.project.survey import load_survey
+from tests.support.long_runs import others_long
 
 
 @pytest.mark.parametrize(
@@ -113,7 +114,7 @@ def test_a_copy_has_a_separate_folder(copy: Project) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode")
-@pytest.mark.parametrize("ending", ["pdf", "html", "json"])
+@pytest.mark.parametrize("ending", others_long(["pdf", "html", "json"]))
 def test_reports_of_folders_whose_names_are_not_utf8(copy: Project, ending: str) -> None:
     folder = copy.folder.rename(copy.folder.with_name(os.fsdecode(b"quay\xff")))
     report = folder.parent / f"report.{ending}"

@@ -55,7 +55,7 @@ ROOT = Path(__file__).parents[2]
 FORMATS = {
     format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
 }
-EXAMPLES_PER_SOURCE = 15
+EXAMPLES_PER_SOURCE = 5
 
 Sources = list[st.SearchStrategy[bytes]]
 Subject = Callable[[Path], tuple[Sources, Attempt]]

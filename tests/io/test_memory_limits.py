@@ -14,6 +14,7 @@ from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project
 from lispac.project import Project
 from lispac.simulation.meshes import Mesh
 from tests.simulation.test_meshes import write_mesh
+from tests.support.long_runs import others_long
 
 LAYER_COUNT = 9
 """Number of layers of point format 6."""
@@ -66,17 +67,19 @@ def test_invalid_scale_factors_are_refused(tmp_path: Path, scale: float) -> None
     assert refused.value.code == "las.scale"
 
 
-def test_a_mesh_that_crashes_its_reader_is_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "count", others_long([b"2199023255552", b"9223372036854775807", b"300000000"])
+)
+def test_a_mesh_that_crashes_its_reader_is_refused(tmp_path: Path, count: bytes) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0]], dtype=float)
     good, bad = tmp_path / "good.ply", tmp_path / "bad.ply"
     write_mesh(good, Mesh("m", corners, np.array([[0, 1, 2]])))
     content = good.read_bytes()
     with MeshReader() as reader:
-        for count in (b"2199023255552", b"9223372036854775807", b"300000000"):
-            bad.write_bytes(content.replace(b"element vertex 3", b"element vertex " + count))
-            with pytest.raises(InputError):
-                read_mesh(bad, "m", 0.4, reader=reader)
-            assert len(read_mesh(good, "m", 0.4, reader=reader).triangles) == 1
+        bad.write_bytes(content.replace(b"element vertex 3", b"element vertex " + count))
+        with pytest.raises(InputError):
+            read_mesh(bad, "m", 0.4, reader=reader)
+        assert len(read_mesh(good, "m", 0.4, reader=reader).triangles) == 1
 
 
 def test_sightings_of_a_wrong_size_are_refused(copy: Project) -> None:

@@ -25,6 +25,7 @@ from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.support.cloud_files import states, track, two_lines
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 UTM = "EPSG:32619"
@@ -52,7 +53,7 @@ def require_same_points(survey: Survey, points: np.ndarray, time: np.ndarray) ->
     assert np.linalg.norm(found[own] - points[order], axis=1).max() < 1e-3
 
 
-@pytest.mark.parametrize("ending", ["laz", "las"])
+@pytest.mark.parametrize("ending", others_long(["laz", "las"]))
 @pytest.mark.parametrize("system", ["local", UTM])
 def test_exported_targets_are_read_back_from_las(
     calibrated: tuple[Project, Survey], tmp_path: Path, ending: Any, system: str
@@ -75,7 +76,7 @@ def test_exported_targets_are_read_back_from_las(
     assert sizes.tolist() == [own.get(line, 0) for line in survey.lines]
 
 
-@pytest.mark.parametrize("system", ["local", UTM, "EPSG:4979", "EPSG:4978"])
+@pytest.mark.parametrize("system", others_long(["local", UTM, "EPSG:4979", "EPSG:4978"], 2))
 def test_exported_targets_are_read_back_from_csv(
     calibrated: tuple[Project, Survey], tmp_path: Path, system: str
 ) -> None:
@@ -109,7 +110,7 @@ def test_a_cut_target_file_is_refused_with_its_row(
         check_file(path)[0].format.preview(path, {})
 
 
-@pytest.mark.parametrize("which", ["prior", "estimated"])
+@pytest.mark.parametrize("which", others_long(["prior", "estimated"]))
 def test_exported_plane_files_are_read_back_as_a_line(
     calibrated: tuple[Project, Survey], tmp_path: Path, which: Any
 ) -> None:

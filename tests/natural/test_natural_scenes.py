@@ -23,6 +23,7 @@ from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.checking.validation import validate
 from tests.studies.natural_scenes import form_factors, natural_site, opened, study
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 
 SCENE_GOOD = 6
 """Six lines and many flat surfaces."""
@@ -90,14 +91,14 @@ def test_missing_validation_planes_are_reported() -> None:
     assert [message.code for message in proposal.warnings] == ["targets.no_validation_plane"]
 
 
-def test_form_factors_of_simulated_surfaces() -> None:
+@pytest.mark.parametrize(("scene", "rough"), others_long([(41, {"T1", "T3"}), (37, set())]))
+def test_form_factors_of_simulated_surfaces(scene: int, rough: set[str]) -> None:
     """In scene 37 all proposed surfaces are flat, in scene 41 T1 and T3 are rough."""
-    for scene, rough in ((37, set()), (41, {"T1", "T3"})):
-        site = natural_site(scene)
-        project, survey = opened(site, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
-        targets = propose_targets(project, survey).targets
-        factors = form_factors(site, replace(project, targets=targets))
-        assert {name for name, factor in factors.items() if factor >= 1} == rough
+    site = natural_site(scene)
+    project, survey = opened(site, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
+    targets = propose_targets(project, survey).targets
+    factors = form_factors(site, replace(project, targets=targets))
+    assert {name for name, factor in factors.items() if factor >= 1} == rough
 
 
 def test_a_scene_without_flat_surfaces_is_refused() -> None:

@@ -41,10 +41,10 @@ WATER_DIVISOR = 10
 
 
 @pytest.fixture(scope="module")
-def thinned(sparse_project: Project) -> Opened:
+def thinned(demo_project: Project) -> Opened:
     """The built-in survey with a sixth of its points and without targets."""
-    assert not sparse_project.targets
-    return sparse_project, load_survey(sparse_project)
+    assert not demo_project.targets
+    return demo_project, load_survey(demo_project)
 
 
 @pytest.fixture(scope="module")
@@ -200,9 +200,9 @@ def test_one_line_and_lines_without_overlap_are_refused(thinned: Opened) -> None
     assert raised.value.code == "targetless.few_surfaces"
 
 
-def test_two_lines_give_a_warning(demo_project: Project) -> None:
+def test_two_lines_give_a_warning(denser_project: Project) -> None:
     """On the two real surveys of two lines the result is off by several sigmas."""
-    project, survey = demo_project, load_survey(demo_project)
+    project, survey = denser_project, load_survey(denser_project)
     pair = list(survey.scans)[::2][:2]
     two = replace(
         survey,

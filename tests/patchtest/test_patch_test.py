@@ -51,9 +51,9 @@ MAST = PatchObject("mast", ObjectBox(np.array([9.0, -17.0, 15.5]), np.array([1.6
 
 
 @pytest.fixture(scope="module")
-def thinned(demo_project: Project) -> Opened:
+def thinned(denser_project: Project) -> Opened:
     """Return the built-in survey with a third of its points, without targets."""
-    return demo_project, load_survey(demo_project)
+    return denser_project, load_survey(denser_project)
 
 
 @pytest.fixture(scope="module")

@@ -147,6 +147,7 @@ def test_numba_uses_the_cache_folder_of_the_source_state() -> None:
     assert done.stdout.strip() == expected
 
 
+@pytest.mark.long
 def test_a_program_in_another_folder_uses_code_that_was_compiled_before(tmp_path: Path) -> None:
     """The bundle contains code that was compiled in the checkout."""
     program = (

@@ -20,14 +20,6 @@ LOADED_ATTRIBUTES = {("script", "src"), ("link", "href"), ("img", "src"), ("ifra
 """Elements and attributes whose addresses a browser loads by itself."""
 
 
-@pytest.fixture(scope="session")
-def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the folder of the built manual; any warning of the builder is an error."""
-    folder = tmp_path_factory.mktemp("manual")
-    manual.build_manual(resource_path("manual"), folder, strict=True)
-    return folder
-
-
 @pytest.fixture
 def small(tmp_path: Path) -> Path:
     """Return the sources of a manual of one page in each language."""
@@ -64,10 +56,12 @@ class _Reader(HTMLParser):
                 self.loads.append(value)
 
 
-def test_links_have_targets_and_no_external_files_are_loaded(pages: Path) -> None:
-    read = {file: _Reader(file) for file in pages.rglob("*.html")}
+def test_links_have_targets_and_no_external_files_are_loaded(manual_pages: Path) -> None:
+    read = {file: _Reader(file) for file in manual_pages.rglob("*.html")}
     for source in resource_path("manual").glob("*/*.md"):
-        assert pages / source.relative_to(resource_path("manual")).with_suffix(".html") in read
+        assert (
+            manual_pages / source.relative_to(resource_path("manual")).with_suffix(".html") in read
+        )
     for file, page in read.items():
         assert [each for each in page.loads if urlsplit(each).netloc] == [], file
         for link in [*page.loads, *page.links]:
@@ -81,18 +75,18 @@ def test_links_have_targets_and_no_external_files_are_loaded(pages: Path) -> Non
                 assert unquote(parts.fragment) in known, f"{file.name} leads to {link}"
 
 
-def test_formulas_are_mathml(pages: Path) -> None:
-    assert "<math " in (pages / "en" / "mathematics.html").read_text("utf-8")
+def test_formulas_are_mathml(manual_pages: Path) -> None:
+    assert "<math " in (manual_pages / "en" / "mathematics.html").read_text("utf-8")
 
 
-def test_french_colons_have_no_break_spaces_and_pictures_are_links(pages: Path) -> None:
-    text = (pages / "fr" / "tutorial.html").read_text("utf-8")
+def test_french_colons_have_no_break_spaces_and_pictures_are_links(manual_pages: Path) -> None:
+    text = (manual_pages / "fr" / "tutorial.html").read_text("utf-8")
     assert "à la lettre\N{NO-BREAK SPACE}: noms" in " ".join(text.split("\n"))
     assert '<a class="reference internal" href="_images/start.png"><img ' in text
 
 
-def test_the_navigation_of_a_french_page_is_french(pages: Path) -> None:
-    text = (pages / "fr" / "report.html").read_text("utf-8")
+def test_the_navigation_of_a_french_page_is_french(manual_pages: Path) -> None:
+    text = (manual_pages / "fr" / "report.html").read_text("utf-8")
     for french, english in (
         ("Suivant", "Next"),
         ("Précédent", "Previous"),

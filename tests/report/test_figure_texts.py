@@ -10,6 +10,7 @@ from matplotlib.text import Text
 from lispac.language import LANGUAGES, in_language
 from lispac.report.document import undrawn_document
 from lispac.report.options import Extent, ReportOptions
+from tests.support.long_runs import others_long
 from tests.support.report_sample import sample_content, sample_project, undrawn_pictures
 
 DESCENT = 2.0
@@ -33,7 +34,7 @@ def cut_texts(figure: Figure) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", others_long(LANGUAGES, lambda language: language == "fr"))
 @pytest.mark.parametrize(("extent", "least"), [("short", 2), ("full", 6)])
 def test_no_text_of_a_figure_is_cut(
     language: str, extent: Extent, least: int, tmp_path: Path

@@ -13,6 +13,7 @@ from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.absolute_figure import reference_distance_figure
 from lispac.report.histograms import histogram_figure
 from lispac.validation.comparison_results import PlaneComparison
+from tests.support.long_runs import others_long
 from tests.support.report_sample import sample_project
 from tests.validation.test_absolute_warnings import check
 
@@ -67,7 +68,7 @@ def comparison(tmp_path_factory: pytest.TempPathFactory) -> PlaneComparison:
 
 
 @pytest.mark.parametrize("size", [(6.3, 2.6), (4.2, 2.6), (2.6, 4.5)])
-@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("language", others_long(["en", "fr"], lambda language: language == "fr"))
 @pytest.mark.parametrize("share", [False, True])
 def test_the_texts_of_a_histogram_are_complete_and_apart(
     comparison: PlaneComparison, size: tuple[float, float], language: str, share: bool

@@ -19,6 +19,7 @@ from lispac.workflow.output.export import write_report
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
 from tests.report.test_report import _pdf_text
+from tests.support.long_runs import others_long
 from tests.support.report_sample import FULL_REPORT, MADE, sample_content, sample_project
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -89,7 +90,7 @@ def test_another_date_changes_only_lines_with_the_date(tmp_path: Path) -> None:
         assert re.sub("2025-06-04", "2025-06-07", early) == late
 
 
-@pytest.mark.parametrize("kind", ["json", "html"])
+@pytest.mark.parametrize("kind", others_long(["json", "html"], lambda kind: kind == "html"))
 def test_a_survey_in_two_folders_makes_the_same_report(
     demo_project: Project, tmp_path: Path, kind: str
 ) -> None:

@@ -6,6 +6,7 @@ import re
 import zipfile
 from collections.abc import Iterator
 from dataclasses import asdict, replace
+from itertools import product
 from pathlib import Path
 from typing import Any, Literal
 
@@ -56,6 +57,7 @@ from lispac.validation.comparison_results import DistanceStatistics, SignedStati
 from tests.program.test_consistent_warnings import CASES
 from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
+from tests.support.long_runs import others_long
 from tests.support.report_sample import FULL_REPORT, MADE, sample_project, undrawn_pictures
 from tests.support.report_variants import VARIANTS, content_of_sample, with_result, with_settings
 from tests.targets.test_quality import board, quality_of
@@ -262,7 +264,7 @@ def _numbers(text: str, decimal: str, group: str) -> list[str]:
 NUMBERS_OF_NAMES = re.compile(r"6\.1\.0|LISPAC \d+\.\d+\.\d+\w*|1980-\S+")
 
 
-@pytest.mark.parametrize("variant", ["as it is", "thesis", "parameters", "components"])
+@pytest.mark.parametrize("variant", others_long(["as it is", "thesis", "parameters", "components"]))
 def test_texts_tables_and_figures_use_the_decimal_comma(project: Project, variant: str) -> None:
     # Import notes are excluded: they quote units as written in the files.
     content = replace(content_of_sample(VARIANTS[variant](project)), notes=())
@@ -309,8 +311,15 @@ def test_names_that_are_english_words_are_not_translated(tmp_path: Path) -> None
     assert document.project == "before"
 
 
-@pytest.mark.parametrize("name", ["Board with hole", "Board on line 3", "rock, and roll: hall"])
-@pytest.mark.parametrize("case", range(len(CASES)))
+NAMES = ("Board with hole", "Board on line 3", "rock, and roll: hall")
+
+
+@pytest.mark.parametrize(
+    ("case", "name"),
+    others_long(
+        product(range(len(CASES)), NAMES), lambda pair: pair[1] == NAMES[pair[0] % len(NAMES)]
+    ),
+)
 def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -> None:
     project = sample_project(tmp_path / "p", target=name)
     content = content_of_sample(CASES[case][2](project))

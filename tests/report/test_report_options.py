@@ -37,6 +37,7 @@ from tests.report.test_identity import FULL
 from tests.report.test_report import _page, _pdf_text
 from tests.support.command_errors import codes_of, is_refusal, refused_with
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 LOGO = (
@@ -231,13 +232,16 @@ def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("finished", "line_count", "page"),
-    [
-        (True, 0, "a4"),
-        (True, 25, "letter"),
-        (False, 0, "a4"),
-        (False, 4, "letter"),
-        (False, 25, "a4"),
-    ],
+    others_long(
+        [
+            (True, 25, "letter"),
+            (False, 0, "a4"),
+            (True, 0, "a4"),
+            (False, 4, "letter"),
+            (False, 25, "a4"),
+        ],
+        2,
+    ),
 )
 def test_pages_are_numbered_for_any_position_of_the_contents(
     project: Project, tmp_path: Path, finished: bool, line_count: int, page: Page
@@ -286,7 +290,9 @@ def test_values_in_the_applanix_convention(project: Project) -> None:
     assert found.check_first is None
 
 
-@pytest.mark.parametrize("key", ["applanix", "qinsy", "hypack", "pdal", "riprocess"])
+@pytest.mark.parametrize(
+    "key", others_long(["applanix", "riprocess", "qinsy", "hypack", "pdal"], 2)
+)
 def test_report_has_values_and_their_uncertainty(
     project: Project, key: str, tmp_path: Path
 ) -> None:

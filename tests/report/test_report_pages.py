@@ -34,6 +34,7 @@ from lispac.report.pdf import preview_of, write_pdf
 from lispac.report.short_report import MAX_NOTES, MAX_PICTURED_PLANES, MAX_PLANES
 from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
+from tests.support.long_runs import others_long
 from tests.support.report_sample import (
     FULL_REPORT,
     sample_content,
@@ -132,9 +133,9 @@ def _filled_shares(pages: Sequence[bytes], page: Page) -> list[float]:
     return shares
 
 
-@pytest.mark.parametrize("has_views", [True, False])
+@pytest.mark.parametrize("has_views", others_long([True, False]))
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("page", PAGE_SIZES)
+@pytest.mark.parametrize("page", others_long(PAGE_SIZES))
 def test_the_short_report_has_at_most_four_well_filled_pages(
     project: Project, views: dict[str | LazyText, Path], page: Page, language: str, has_views: bool
 ) -> None:

@@ -12,6 +12,7 @@ from lispac.simulation.scene import Cylinder, Scene, tilted_rectangle, upright_r
 from lispac.simulation.simulated_survey import SimulatedLine, SimulatedSurvey, port_survey
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from tests.support.long_runs import LONG
 
 SPARSE_PULSES = 20_000.0  # pulses per second where density does not matter
 
@@ -40,7 +41,14 @@ def distances_to_surfaces(survey: SimulatedSurvey, line: SimulatedLine, points) 
 
 
 @pytest.mark.parametrize(
-    "boresight_deg", [(0.0, 0.0, 0.0), (2.0, 2.0, 2.0), (-1.7, 0.4, -2.9), (0.3, -3.1, 1.2)]
+    "boresight_deg",
+    [
+        (-1.7, 0.4, -2.9),
+        *(
+            pytest.param(angles, marks=LONG)
+            for angles in [(0.0, 0.0, 0.0), (2.0, 2.0, 2.0), (0.3, -3.1, 1.2)]
+        ),
+    ],
 )
 def test_points_without_errors_are_on_their_surfaces(boresight_deg):
     exact = port_survey(

@@ -37,6 +37,7 @@ from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStu
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.cli.test_cli import run, run_json
+from tests.support.long_runs import others_long
 
 ERROR = float(np.radians(2.0))
 UPRIGHT_BOARD = MARINE_SITE.board(0.0)
@@ -274,7 +275,7 @@ def test_best_configurations_compared_with_table_3_2(terrestrial: VisibilityStud
     assert rows["lever_z"].best.inclination is None
 
 
-@pytest.mark.parametrize("distance", [4.0, 8.0])
+@pytest.mark.parametrize("distance", others_long([4.0, 8.0]))
 def test_the_comparison_does_not_depend_on_values_missing_in_the_thesis(distance: float) -> None:
     """The thesis gives no distance for its terrestrial site; other values give the same results."""
     site = replace(

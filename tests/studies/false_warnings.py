@@ -126,7 +126,7 @@ def spinning_boresight_deg(seed: int) -> np.ndarray:
     return np.random.default_rng([37, seed]).normal(0, 1, 3)
 
 
-def spinning(seed: int) -> SurveyOutcome:
+def spinning(seed: int, *, cross_check: bool = True) -> SurveyOutcome:
     made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
         errors={"boresight_deg": tuple(spinning_boresight_deg(seed))},
@@ -139,7 +139,7 @@ def spinning(seed: int) -> SurveyOutcome:
         for row in seeds:
             place = np.array([float(row[axis]) for axis in "xyz"])
             project = pick_target(project, survey, place, name=row["name"])
-        solved = estimate(project, survey)
+        solved = estimate(project, survey, cross_check=cross_check)
     assert solved.result is not None
     truth = np.radians(spinning_boresight_deg(seed))
     return SurveyOutcome.of(solved.result, truth, all_warnings(solved))

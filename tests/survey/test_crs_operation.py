@@ -10,6 +10,7 @@ from lispac.errors import InputError
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.survey.crs import coordinate_system
+from tests.support.long_runs import others_long
 
 ITRF = "EPSG:7912"
 
@@ -21,7 +22,13 @@ def refusal(text: str) -> Message:
     return refused.value.message
 
 
-@pytest.mark.parametrize("text", ["EPSG:2949", "EPSG:2959", "EPSG:2949+6647", "EPSG:4617"])
+@pytest.mark.parametrize(
+    "text",
+    others_long(
+        ["EPSG:2949", "EPSG:2959", "EPSG:2949+6647", "EPSG:4617"],
+        lambda text: text in ("EPSG:2949", "EPSG:2949+6647"),
+    ),
+)
 def test_a_datum_ensemble_is_refused_with_its_realizations(text: str) -> None:
     message = refusal(text)
     compound = "+" in text

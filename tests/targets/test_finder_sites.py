@@ -26,13 +26,14 @@ from lispac.workflow.calibration.target_search import (
 )
 from tests.simulation.test_simulation import placed
 from tests.support.finder_scenes import WALL, Site, precision_and_recall, rippled, site
+from tests.support.long_runs import LONG, others_long
 from tests.targets.test_finder import SharedSurvey
 
 SETTINGS = FinderSettings()
 OFF_DEG = [
-    (0, 0, 0), (2, -2, 2),
-    *(pytest.param(off, marks=pytest.mark.long) for off in [(1, 1, 1), (-2, 2, -2)]),
-]  # fmt: skip
+    (2, -2, 2),
+    *(pytest.param(off, marks=LONG) for off in [(0, 0, 0), (1, 1, 1), (-2, 2, -2)]),
+]
 CLICK_OFFSET = np.array([-0.3, 0.0, -0.25])  # metres: the click, off the middle of the target
 
 
@@ -101,7 +102,7 @@ def test_a_rippled_sheet_is_separated_from_the_wall():
         assert patch.rms > 0.004
 
 
-@pytest.mark.parametrize("target", ["T1", "T2"])
+@pytest.mark.parametrize("target", others_long(["T1", "T2"]))
 @pytest.mark.parametrize(
     "off_deg",
     [
@@ -162,7 +163,7 @@ def test_a_line_without_points_near_the_seed_has_a_reason(defect):
 AMBIGUOUS = {("lanl_truck", "P6"), ("lanl_tent", "P4")}
 
 
-@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
+@pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))
 def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: str) -> None:
     """Before any calibration, line 2 is displaced by up to a metre and smeared by 0.1 to 0.2 m.
 

@@ -14,6 +14,7 @@ from lispac.targets.rough_alignment import Alignment
 from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphere_quality
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.sighting_assessment import assess_target
+from tests.support.long_runs import LONG
 from tests.support.message_codes import codes, texts
 from tests.targets.test_finder_sites import clicked_point, scenery
 
@@ -127,7 +128,7 @@ HALF_OCCLUDED = {
 LINES = tuple(HALF_OCCLUDED)
 
 
-@pytest.mark.parametrize("off_deg", [(0, 0, 0), (2, -2, 2)])
+@pytest.mark.parametrize("off_deg", [pytest.param((0, 0, 0), marks=LONG), (2, -2, 2)])
 @pytest.mark.parametrize(
     ("name", "expected"),
     [

@@ -13,6 +13,7 @@ from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 from tests.support.balls import BALL, CENTRE, cast, front
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 SETTINGS = FinderSettings()
@@ -28,7 +29,7 @@ SCENES = {
 
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
-@pytest.mark.parametrize("noise", [0.0, 0.002, 0.004])
+@pytest.mark.parametrize("noise", others_long([0.0, 0.002, 0.004], lambda noise: noise == 0.004))
 def test_a_ball_is_separated_from_its_surroundings(scene, searched, noise):
     rng = np.random.default_rng(1)
     points, label = cast(rng, [BALL], noise=noise, **SCENES[scene])
@@ -57,7 +58,9 @@ def test_balls_of_unknown_radius_are_found(radius):
 
 
 @pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
-@pytest.mark.parametrize("turn_deg", range(0, 360, 45))
+@pytest.mark.parametrize(
+    "turn_deg", others_long(range(0, 360, 45), lambda turn_deg: turn_deg % 90 == 45)
+)
 def test_a_seed_on_the_edge_or_slightly_off_the_ball_is_enough(searched, turn_deg):
     points, label = cast(np.random.default_rng(3), [BALL], mast=(MAST_TOP, 0.02), wall=20.6)
     angle = np.radians(turn_deg)
@@ -139,7 +142,7 @@ def post(radius):
     "make", [wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)]
 )
 @pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
-@pytest.mark.parametrize("draw", range(4))
+@pytest.mark.parametrize("draw", others_long(range(4)))
 def test_objects_that_are_not_balls_are_refused(make, searched, draw):
     points = make(np.random.default_rng(draw))
     seed = points[np.argmin(np.linalg.norm(points - CENTRE, axis=1))]

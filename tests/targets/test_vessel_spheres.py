@@ -14,6 +14,7 @@ from lispac.survey.georeferencing import Mounting, Poses, place_points
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
+from tests.support.long_runs import others_long
 
 ANY_RADIUS = RadiusRange()
 VESSEL = Mounting(np.array([-0.185596, 0.037658, 2.419063]), np.radians([0.4395, -1.8681, 0.3992]))
@@ -130,7 +131,9 @@ def test_real_balls_are_found_among_the_objects_of_a_line(vessel, searched, thre
 
 
 @pytest.mark.parametrize("searched", [KNOWN_RADIUS, ANY_RADIUS])
-@pytest.mark.parametrize("threshold", [0.01, 0.03])
+@pytest.mark.parametrize(
+    "threshold", others_long([0.01, 0.03], lambda threshold: threshold == 0.03)
+)
 def test_real_plates_are_not_taken_for_balls(vessel, searched, threshold):
     settings = FinderSettings(threshold=threshold)
     for line, labels in vessel.labels.items():

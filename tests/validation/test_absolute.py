@@ -38,6 +38,7 @@ from tests.support.absolute_sample import (
     true_offsets,
 )
 from tests.support.command_errors import is_refusal, refused_with
+from tests.support.long_runs import others_long
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 from tests.support.static_scans import on_plane, tripod_scan, write_pts
 
@@ -55,8 +56,8 @@ def sample(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 @pytest.fixture(scope="module")
-def known(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
-    return project_with_true_boresight(demo_project, sample)
+def known(denser_project: Project, sample: Project) -> tuple[Project, Survey]:
+    return project_with_true_boresight(denser_project, sample)
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +71,7 @@ def near_and_far() -> np.ndarray:
     return np.concatenate([tripod_scan((name,)) for name in ("V1", "V5")])
 
 
-@pytest.mark.parametrize("shift", SHIFTS)
+@pytest.mark.parametrize("shift", others_long(SHIFTS, lambda shift: shift == 0.020))
 def test_a_known_shift_of_a_scan_is_measured(
     known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path, shift: float
 ) -> None:

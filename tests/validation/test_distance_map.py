@@ -22,6 +22,7 @@ from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.plane_comparison import compare_plane
 from lispac.value_conversion import decode_value, encode_value
+from tests.support.long_runs import others_long
 from tests.support.report_sample import sample_content, sample_project
 
 OPPOSITE = {"L1": 0.0, "L2": np.pi}
@@ -215,7 +216,7 @@ def test_states_with_similar_distances_have_one_scale(
     "lines", [("L1_000", "L2_180"), ("20261122_0815_quay_n", "20261122_0823_s")]
 )
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])
-@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("language", others_long(["en", "fr"], lambda language: language == "fr"))
 def test_no_text_overlaps_another_or_the_margin(
     tmp_path: Path, lines: tuple[str, str], sides: tuple[float, float], language: str
 ) -> None:

@@ -134,7 +134,7 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
 @pytest.mark.parametrize(
     ("points", "times"),
     [
-        (50_000, 2),
+        pytest.param(50_000, 2, marks=pytest.mark.long),
         pytest.param(10_000_000, 50, marks=[pytest.mark.long, pytest.mark.timeout(7200)]),
     ],
 )

@@ -171,12 +171,12 @@ def test_compare_command(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> 
 
 
 def test_compare_with_compute_runs_and_saves_the_methods(
-    capsys: pytest.CaptureFixture[str], sparse_project: Project, tmp_path: Path,
+    capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     from lispac.workflow.calibration import patch_test, targetless
 
-    project = replace(sparse_project, folder=tmp_path / "p")
+    project = replace(demo_project, folder=tmp_path / "p")
     project.folder.mkdir()
     write_project(project)
     monkeypatch.setattr(targetless.targetless, "__kwdefaults__", {

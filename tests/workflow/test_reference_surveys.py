@@ -28,6 +28,7 @@ from lispac.workflow.importing.file_reading import detect_reading
 from lispac.workflow.project.projects import create_project, open_project, save_project
 from lispac.workflow.project.survey import load_survey
 from tests.cli.test_cli import run_json
+from tests.support.long_runs import others_long
 from tests.validation.test_truth import beside_truth
 from tests.workflow.test_reading import write_cloud
 
@@ -57,7 +58,27 @@ def angles(numbers: dict[str, Any], key: str) -> np.ndarray:
     return np.array([numbers[key][angle] for angle in ("roll", "pitch", "yaw")])
 
 
-def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path) -> None:
+def validate_beside_truth(
+    capsys: pytest.CaptureFixture[str],
+    folder: Path,
+    planes: Mapping[str, Any],
+    truth: Sequence[float],
+) -> None:
+    """Compare the validation planes of a survey and require the distances of the truth."""
+    opened = open_project(folder)
+    survey = load_survey(opened)
+    for name, plane in planes.items():
+        opened = pick_target(opened, survey, tuple(plane["centre"]), name=name, role="validation")
+    validated = validate(replace(opened, truth_deg=tuple(truth)), survey)
+    assert {plane.name for plane in validated.validation} == set(planes)
+    with capsys.disabled():
+        beside_truth(validated, survey)
+
+
+@pytest.mark.parametrize("validated", others_long([False, True]))
+def test_harbour(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, validated: bool
+) -> None:
     data, project = shared_data / "harbour", tmp_path / "harbour"
     truth = json.loads((data / "truth.json").read_text())["boresight_deg"]
     site = make(
@@ -81,17 +102,11 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     assert (np.abs(error) < 3 * angles(correlated, "sigma_deg")).all(), comparison
     assert angles(correlated, "sigma_deg")[1] <= 0.025, comparison
     assert np.abs(angles(uncorrelated, "boresight_deg") - truth).max() < 0.25, comparison
-    opened = open_project(project)
-    survey = load_survey(opened)
-    for name, plane in site["validation_nwu"].items():
-        opened = pick_target(opened, survey, tuple(plane["centre"]), name=name, role="validation")
-    validated = validate(replace(opened, truth_deg=tuple(truth)), survey)
-    assert {plane.name for plane in validated.validation} == set(site["validation_nwu"])
-    with capsys.disabled():
-        beside_truth(validated, survey)
+    if validated:
+        validate_beside_truth(capsys, project, site["validation_nwu"], truth)
 
 
-@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
+@pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))
 def test_drone(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, name: str
 ) -> None:
@@ -139,7 +154,9 @@ def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]
 
 
 @pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
-@pytest.mark.parametrize("loss", ["none", "huber", "tukey"])
+@pytest.mark.parametrize(
+    "loss", others_long(["none", "huber", "tukey"], lambda loss: loss == "tukey")
+)
 @pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 def test_drone_from_labelled_points(
     shared_data: Path,

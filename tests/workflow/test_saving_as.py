@@ -25,6 +25,7 @@ from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
+from tests.support.long_runs import others_long
 
 KILLED_SAVE_SCRIPT = """
 import os, signal, sys
@@ -73,7 +74,9 @@ def names(folder: Path) -> set[str]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="ends itself by a signal")
-@pytest.mark.parametrize("when", ["copying", "writing"])
+@pytest.mark.parametrize(
+    "when", others_long(["copying", "writing"], lambda when: when == "writing")
+)
 def test_files_of_a_killed_save_are_replaced(project: Project, tmp_path: Path, when: str) -> None:
     there = tmp_path / "office"
     command = [sys.executable, "-c", KILLED_SAVE_SCRIPT, str(project.folder), str(there), when]

@@ -18,6 +18,7 @@ from lispac.workflow.output.script import script_of, target_steps
 from lispac.workflow.output.script_text import call_text
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, picked_and_estimated
+from tests.support.long_runs import others_long
 
 
 class Steps:
@@ -137,7 +138,7 @@ def checked(tmp_path: Path) -> tuple[Project, Survey, Path]:
     return project, survey, path
 
 
-@pytest.mark.parametrize("beside", [True, False])
+@pytest.mark.parametrize("beside", others_long([True, False]))
 def test_a_check_is_repeated_with_the_original_file(
     checked: tuple[Project, Survey, Path], beside: bool
 ) -> None:

@@ -124,7 +124,7 @@ def test_a_reader_gets_a_consistent_state(folder: Path) -> None:
     ended = threading.Event()
 
     def save() -> None:
-        for k in range(20):
+        for k in range(8):
             write_project(states[k % 2])
         ended.set()
 
