@@ -18,6 +18,8 @@ from lispac.io.project.project_file import (
     read_unsaved,
     write_unsaved,
 )
+from lispac.project import Project
+from lispac.workflow.project.projects import save_project
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 from tests.support.concurrent_commands import pool, run
@@ -77,6 +79,21 @@ def test_unsaved_work_of_an_ended_program_is_recovered(driver: Driver, folder: P
     driver.window.actions_["save"].trigger()
     assert names(read_project(folder)) == names(renamed)
     wait_for_unsaved(driver, folder, exists=False)
+
+
+def test_the_lines_after_the_adjustment_are_shown_after_a_recovery(
+    driver: Driver, estimated: Project, demo_copy: Path
+) -> None:
+    project = replace(estimated, folder=demo_copy)
+    save_project(project)
+    write_unsaved(project.without_target(project.targets_of_role("validation")[0].name))
+    driver.dialogs.recovers = True
+    open_project_window(driver, demo_copy)
+    assert driver.dialogs.safety == [f"recover {demo_copy.name}"]
+    assert driver.project.result is not None
+    assert driver.window.scene.which == "estimated"
+    assert driver.window.actions_["after"].isChecked()
+    assert driver.window.scene.has_estimated
 
 
 def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None:

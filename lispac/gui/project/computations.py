@@ -150,7 +150,8 @@ class Computations(QObject):
         if project is None or survey is None or project.result is None:
             self._scene.show("prior")
             return
-        self._place_lines(project, survey, lambda: self._scene.show("estimated"), "placed")
+        # Again if the result has changed meanwhile, for example because unsaved changes were restored
+        self._place_lines(project, survey, lambda: self.show("estimated"), "placed")
 
     def run_with_placed_lines(
         self, project: Project, survey: Survey, then: Callable[[], None]

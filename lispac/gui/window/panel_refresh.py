@@ -31,7 +31,7 @@ from lispac.messages import Message
 TASK_STEPS = {ESTIMATE_KEY: ADJUST, VALIDATION_KEY: VALIDATE}
 """Step of the workflow by the key of its task."""
 PROJECT_ACTIONS = (
-    "before", "wipe", "seed_target", "seed_validation", "hover", "change_role", "fit",
+    "before", "seed_target", "seed_validation", "hover", "change_role", "fit",
     "fit_selection", *VIEWS, "normal", "orthographic", "larger", "smaller",
     *COLOUR_ACTIONS.values(), "colour_next", "picture", "copy_picture", "section",
     "section_points", "section_forward", "section_backward", "section_picture", "copy_section",
@@ -161,8 +161,7 @@ class PanelRefresh(QObject):
             "validate": steps[VALIDATE].reason or busy,
             "cancel": first_reason((not self._runner.active, Unavailable.NO_TASK)),
             **dict.fromkeys(PROJECT_ACTIONS, no_project),
-            "after": no_result,
-            "toggle": no_result,
+            **dict.fromkeys(("after", "toggle", "wipe"), no_result),
         }.items():
             self._actions.set_reason(name, reason)
         self._central_widget.start.set_reason(reason_text(busy))
