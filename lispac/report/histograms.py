@@ -109,9 +109,10 @@ def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: 
 
     Parameters
     ----------
-    is_narrow : whether the figure has half the width of the text
+    is_narrow : whether the figure has half the width of the text, or a third for one plane
     """
-    figure = blank_figure(None, (4.8, 3.0) if is_narrow else (6.3, 1.6))
+    narrow = (2.9, 2.1) if len(planes) == 1 else (4.8, 3.0)
+    figure = blank_figure(None, narrow if is_narrow else (6.3, 1.6))
     places = figure.subplots(1, len(planes), squeeze=False)[0]
     for axes, plane in zip(places, planes, strict=True):
         counted = _binned_distances(plane)

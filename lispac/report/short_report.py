@@ -155,12 +155,18 @@ def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
     """Views of the whole survey or the site plan, then the validation planes before and after."""
     whole, small = tuple(pictures[:2]), pictures[2 : 2 + 2 * MAX_PICTURED_PLANES]
-    histograms = _histograms(_planes_to_show(content, MAX_PICTURED_PLANES), is_narrow=not whole)
+    planes = _planes_to_show(content, MAX_PICTURED_PLANES)
+    histograms = _histograms(planes, is_narrow=not whole)
+    beside = [_histogram(plane) for plane in planes] if len(small) == 2 * len(planes) else []
     blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else []
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRows((row,), columns=2, tallest=MAX_PLAN_HEIGHT_MM))
     blocks += [
-        PictureRows((tuple(small[k : k + 2]),), columns=2, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
+        PictureRows(
+            ((*small[k : k + 2], *beside[k // 2 : k // 2 + 1]),),
+            columns=3 if beside else 2,
+            tallest=MAX_SMALL_PICTURE_HEIGHT_MM,
+        )
         for k in range(0, len(small), 2)
     ]
     if small and len(small) < 2 * len(content.validation):
@@ -172,7 +178,7 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks.append(Paragraph(pictured))
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in _planes_to_show(content, MAX_PICTURED_PLANES) if plane.maps]
-    if whole and histograms:
+    if whole and histograms and not beside:
         blocks.append(PictureRows((tuple(histograms),), tallest=MAX_HISTOGRAM_HEIGHT_MM))
     if shown:
         blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
@@ -216,6 +222,17 @@ def _histograms(planes: Sequence[ValidationPlane], *, is_narrow: bool) -> list[U
     caption = gettext("Distances between lines; the last bin includes larger values.")
     draw = partial(small_histograms_figure_of, is_narrow=is_narrow)
     return [UndrawnPictures(caption, draw, (tuple(planes),))]
+
+
+def _histogram(plane: ValidationPlane) -> UndrawnPictures:
+    """Histogram of one plane, beside its pictures before and after."""
+    from lispac.report.histograms import small_histograms_figure_of
+
+    caption = gettext(
+        "{plane}: distances between lines before and after the calibration.", plane=plane.name
+    )
+    draw = partial(small_histograms_figure_of, is_narrow=True)
+    return UndrawnPictures(caption, draw, ((plane,),))
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:
