@@ -101,7 +101,7 @@ class LocalFrame:
 
     @property
     def origin_deg_m(self) -> tuple[float, float, float]:
-        """Latitude and longitude of the origin, degrees, and its ellipsoidal height, metres."""
+        """Origin of the frame: latitude, longitude (degrees), ellipsoidal height (metres)."""
         return (
             float(np.degrees(self.latitude)),
             float(np.degrees(self.longitude)),
