@@ -99,6 +99,15 @@ class LocalFrame:
     longitude: float
     height: float
 
+    @property
+    def origin_deg_m(self) -> tuple[float, float, float]:
+        """Origin of the frame: latitude, longitude (degrees), ellipsoidal height (metres)."""
+        return (
+            float(np.degrees(self.latitude)),
+            float(np.degrees(self.longitude)),
+            float(self.height),
+        )
+
     @cached_property
     def _origin_ecef(self) -> Array:
         return geodetic_to_ecef(

@@ -128,7 +128,7 @@ TEXTS: Mapping[str, Template] = {
         "standard deviations were increased and are given with the result: {angles:names}."
     ),
     "adjustment.sigmas_raised_conservative": N_(
-        "The residuals are smaller than the given standard deviations predict, but angles computed "
+        "The residuals are smaller than the standard deviations used predict, but angles computed "
         "from subsets of the data scatter more. The standard deviations were therefore increased "
         "and are given with the result: {angles:names}."
     ),
@@ -262,7 +262,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.signs_agree": N_(
         "The residuals confirm the signs of roll and pitch that the import assumed. With the "
-        "opposite sign of roll, pitch or both, the residuals are at least {ratio:x.1} times as "
+        "opposite sign of roll, pitch or both, the residuals are at least {ratio:x.0} times as "
         "large, or the adjustment does not converge."
     ),
     "adjustment.radii_differ": N_(

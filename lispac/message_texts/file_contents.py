@@ -67,8 +67,9 @@ TEXTS: Mapping[str, Template] = {
     "fact.signs_not_checked": N_("signs could not be checked with the angular rates"),
     # -- assumptions about trajectories ------------------------------------------------------------
     "assumed.applanix": N_(
-        "Conventions of Applanix: roll positive starboard down, pitch positive bow up (its sign is "
-        "reversed), true heading = platform heading minus wander angle."
+        "Conventions of Applanix in the file: roll positive starboard down, pitch positive bow up, "
+        "true heading = platform heading minus wander angle. In the program and the report, pitch "
+        "is positive bow down."
     ),
     "assumed.heading_less_wander": N_(
         "The true heading is the platform heading minus the wander angle."
@@ -86,7 +87,8 @@ TEXTS: Mapping[str, Template] = {
         "In the file, roll is positive port down. LISPAC reverses its sign when reading it."
     ),
     "assumed.pitch_bow_up": N_(
-        "In the file, pitch is positive bow up. LISPAC reverses its sign when reading it."
+        "In the file, pitch is positive bow up. In the program and the report, it is positive bow "
+        "down."
     ),
     "assumed.pitch_bow_down": N_("Pitch is positive bow down."),
     "assumed.velocity_axes": N_("The axes of the velocities are {axes}."),

@@ -41,8 +41,13 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the data sheet or of the processing report, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The residuals are smaller than the standard deviations used predict, so that these are "
-        "probably too large. Those of the angles are computed with them and not reduced."
+        "The residuals are smaller than the standard deviations used predict, so those of the "
+        "angles are rather too large. Nothing has to be changed."
+    ),
+    "report.chi_square_low_estimated": N_(
+        "The LiDAR noise estimated from the data is one value for all targets, and some targets "
+        "have less noise, so the standard deviations of the angles are rather too large. Nothing "
+        "has to be changed."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."
@@ -109,6 +114,23 @@ TEXTS: Mapping[str, Template] = {
         "{offset:mm.1} mm, but the uncertainties of POS and boresight explain only {limit:mm.1} "
         "mm. Check the trajectory during this line."
     ),
+    "validation.offset_not_smaller": N_(
+        "The largest offset of two lines is not smaller after the calibration than before: "
+        "{items:names}. POS and boresight explain it: no shift of lines exceeds {ratio:x.1} times "
+        "its standard deviation (limit {limit:x.1})."
+    ),
+    "validation.offset_not_smaller_shifted": N_(
+        "The largest offset of two lines is not smaller after the calibration than before: "
+        "{items:names}. POS and boresight do not explain it: a shift of lines is {ratio:x.1} times "
+        "its standard deviation (limit {limit:x.1})."
+    ),
+    "validation.offset_not_smaller_unknown": N_(
+        "The largest offset of two lines is not smaller after the calibration than before: "
+        "{items:names}. Validate again to compare it with the uncertainties of POS and boresight."
+    ),
+    "validation.offset_on_plane": N_(
+        "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"
+    ),
     "validation.rms_below_offset": N_(
         "On validation plane {target}, the RMS of the distances between {line} and {other} after "
         "the calibration ({rms:mm.1} mm) is too small, because their offset is {offset:mm.1} mm. "
@@ -168,12 +190,12 @@ TEXTS: Mapping[str, Template] = {
     "acceptance_value.pitch_sigma": N_("standard deviation of pitch"),
     "acceptance_value.yaw_sigma": N_("standard deviation of yaw"),
     "acceptance_value.rms": N_("RMS on a validation plane"),
-    "acceptance_value.offset": N_("offset between two lines"),
+    "acceptance_value.offset": N_("largest offset of two lines"),
     "acceptance_field.roll_sigma": N_("Largest standard deviation of roll"),
     "acceptance_field.pitch_sigma": N_("Largest standard deviation of pitch"),
     "acceptance_field.yaw_sigma": N_("Largest standard deviation of yaw"),
     "acceptance_field.rms": N_("Largest RMS on a validation plane"),
-    "acceptance_field.offset": N_("Largest offset between two lines"),
+    "acceptance_field.offset": N_("Largest offset of two lines"),
     "acceptance_field.source": N_("Source of the criteria"),
     "report.methods_differ": N_("Comparison with an alternative method: {reason}"),
     "report.absolute_nearer": N_(

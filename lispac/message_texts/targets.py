@@ -188,9 +188,7 @@ TEXTS: Mapping[str, Template] = {
     "quality.uneven": N_(
         "The surface is not flat: it deviates by {rms:mm.1} mm (RMS) from a smooth shape."
     ),
-    "quality.oblique": N_(
-        "The angle between the beams and the surface normal is {angle:deg.0}°, which is oblique."
-    ),
+    "quality.oblique": N_("Oblique incidence ({angle:deg.0}°)."),
     "quality.sparse": N_(
         "The points cover only {share:percent.0} % of the area within the outline."
     ),

@@ -23,7 +23,7 @@ QUANTITY_TITLES: dict[Quantity, str] = {
     "pitch": N_("Standard deviation of pitch"),
     "yaw": N_("Standard deviation of yaw"),
     "rms": N_("RMS after the calibration"),
-    "offset": N_("Largest offset, all pairs of lines"),
+    "offset": N_("Largest offset of two lines"),
 }
 """Names of the judged values."""
 

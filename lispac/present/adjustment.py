@@ -116,13 +116,18 @@ TOO_LARGE_ASSUMED_TEXT = N_(
     "of the processing report."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict, so that "
-    "these are probably too large. The sigmas of the angles are computed with them and not reduced."
+    "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "
+    "of the angles are therefore rather too large; nothing has to be changed."
+)
+TOO_SMALL_ESTIMATED_TEXT = N_(
+    "Conservative: the LiDAR noise estimated from the data is one value for all targets, and some "
+    "targets have less noise. The sigmas of the angles are therefore rather too large; nothing has "
+    "to be changed."
 )
 TOO_SMALL_RAISED_TEXT = N_(
-    "Conservative: the residuals are smaller than the LiDAR and POS sigmas used predict, so that "
-    "these are probably too large. The sigmas of the angles were increased nevertheless, because "
-    "angles computed from subsets of the data scatter more than predicted."
+    "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "
+    "of the angles were increased nevertheless, because angles computed from subsets of the data "
+    "scatter more than predicted."
 )
 
 
@@ -149,6 +154,18 @@ def agreement_template(result: AdjustmentResult) -> str:
     return AGREE_ESTIMATED_TEXT if any(c.applied for c in result.components) else AGREE_TEXT
 
 
+def small_residuals_template(result: AdjustmentResult) -> str:
+    """Text of residuals that are smaller than predicted.
+
+    The points determine the variance factor, and POS errors contribute little to it. A LiDAR noise
+    estimated from all points makes it 1, unless the noise of some targets was raised above it.
+    """
+    if has_raised_sigmas(result):
+        return TOO_SMALL_RAISED_TEXT
+    is_estimated = any(c.applied and c.name == "LiDAR" for c in result.components)
+    return TOO_SMALL_ESTIMATED_TEXT if is_estimated else TOO_SMALL_TEXT
+
+
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
@@ -157,7 +174,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     if test.outcome == "passed":
         sentences, finding = [gettext_lazy(PASSED_TEXT)], agreement_template(result)
     elif test.outcome == "conservative":
-        finding = TOO_SMALL_RAISED_TEXT if has_raised_sigmas(result) else TOO_SMALL_TEXT
+        finding = small_residuals_template(result)
     elif result.unestimated_sigmas:
         finding = TOO_LARGE_ASSUMED_TEXT
     elif not result.model.correlated:

@@ -2,12 +2,16 @@
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import AdjustmentValues
+from lispac.present.parameters import COMPONENT_TITLES
 from lispac.present.tables import Fact
 from lispac.present.text_format import fixed_number, grouped_number
 
 FIT_TITLE = N_("Fit of the adjustment")
 VARIANCE_FACTOR_TEXT = N_(
     "{factor} = a posteriori variance / a priori variance (that of the LiDAR and POS sigmas used)"
+)
+ESTIMATED_VARIANCE_FACTOR_TEXT = N_(
+    "{factor} = a posteriori variance / a priori variance (estimated sigmas: {groups:names})"
 )
 AVERAGED_POINTS_TEXT = N_("{points:n}, averaged from {picked:n} points of the targets")
 THINNED_POINTS_TEXT = N_("{points:n}, thinned from {picked:n} points of the targets")
@@ -58,7 +62,11 @@ def points_used_text(values: AdjustmentValues) -> str:
 def _variance_factor_text(values: AdjustmentValues) -> str | None:
     if values.variance_factor is None:
         return None
-    return gettext(VARIANCE_FACTOR_TEXT, factor=fixed_number(values.variance_factor, 4))
+    factor = fixed_number(values.variance_factor, 4)
+    groups = [gettext(COMPONENT_TITLES[c.name]) for c in values.components if c.applied]
+    if groups:
+        return gettext(ESTIMATED_VARIANCE_FACTOR_TEXT, factor=factor, groups=groups)
+    return gettext(VARIANCE_FACTOR_TEXT, factor=factor)
 
 
 def _interval_text(values: AdjustmentValues) -> str | None:

@@ -94,6 +94,20 @@ def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
     return [*named, *(SubsetRow(names[half.part], half) for half in halves)]
 
 
+def halves_sigma_deg(checks: CrossCheckValues) -> tuple[float, ...] | None:
+    """Standard deviations of roll, pitch and yaw of the difference between the halves, degrees.
+
+    None if the halves were not compared, or an angle does not differ.
+    """
+    halves = [each for each in checks.parts if each.kind == "half"]
+    if not halves or halves[-1].difference_deg is None or halves[-1].significance is None:
+        return None
+    pairs = list(zip(halves[-1].difference_deg, halves[-1].significance, strict=True))
+    if any(significance == 0.0 for _, significance in pairs):
+        return None
+    return tuple(difference / significance for difference, significance in pairs)
+
+
 def agreement_text(checks: CrossCheckValues) -> str:
     """Number of subsets that agree, and the tolerance: ``9 of 9 agree within 3 σ``."""
     found = [_agreement(row) for row in subset_rows(checks)]

@@ -87,6 +87,8 @@ class SettingsUsed:
     ``lidar_sigma_m`` applies to each axis. ``standard_deviations`` contains the source of each,
     and the values after the estimate of variance components. ``averaged``: close points are
     averaged, not thinned.
+    ``origin_deg_m`` contains latitude, longitude and ellipsoidal height of the origin of the local
+    frame; it is None if it is not given and the trajectory has not been read.
     ``surface_sigma_m`` is the value used; it is None before it is estimated and with uncorrelated
     POS errors. ``surface_from_data`` is None with uncorrelated POS errors. ``offset_sigma_m`` is
     None if it equals the surface sigma.
@@ -95,6 +97,7 @@ class SettingsUsed:
     lever_arm_m: tuple[float, ...]
     lever_arm_sigma_m: tuple[float, ...] | None
     origin_deg_m: tuple[float, ...] | None
+    origin_is_given: bool
     position_sigma_m: tuple[float, ...] | None
     attitude_sigma_deg: tuple[float, ...] | None
     lidar_sigma_m: float
@@ -120,8 +123,14 @@ class SettingsUsed:
     convention: str
 
 
-def settings_used(project: Project) -> SettingsUsed:
-    """Settings of the result, or of the project if it has no result yet."""
+def settings_used(project: Project, origin_deg_m: tuple[float, ...] | None = None) -> SettingsUsed:
+    """Settings of the result, or of the project if it has no result yet.
+
+    Parameters
+    ----------
+    origin_deg_m : tuple of float, degrees and metres, optional
+        Origin of the local frame of the loaded trajectory.
+    """
     settings, result = project.settings, project.result
     typed = project.accuracy is None
     model = result.model if result else settings.stochastic_model
@@ -130,7 +139,8 @@ def settings_used(project: Project) -> SettingsUsed:
     return SettingsUsed(
         lever_arm_m=settings.lever_arm,
         lever_arm_sigma_m=settings.lever_arm_sigma,
-        origin_deg_m=settings.origin_deg_m,
+        origin_deg_m=origin_deg_m or settings.origin_deg_m,
+        origin_is_given=settings.origin_deg_m is not None,
         position_sigma_m=settings.used_position_sigma if typed else None,
         attitude_sigma_deg=settings.used_attitude_sigma_deg if typed else None,
         lidar_sigma_m=settings.used_lidar_sigma,
@@ -165,7 +175,7 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         values = [Fact(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
     else:
         values = [Fact(gettext("Lever arm (forward, left, up)"), lever_arm)]
-    values.append(Fact(gettext("Origin of the local frame"), origin_text(used.origin_deg_m)))
+    values.append(origin_fact(used.origin_deg_m, is_given=used.origin_is_given))
     for name, value in (
         ("range_offset", used.range_offset_m),
         ("scan_angle_offset", used.scan_angle_offset_deg),
@@ -185,6 +195,15 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         values.append(Fact(gettext("Targets of a single orientation"), gettext("accepted")))
     has_spheres = adjustment is None or any(t.shape == "sphere" for t in adjustment.targets)
     return [*values, Fact(gettext("Point spacing"), _subsampling_text(used, has_spheres))]
+
+
+def origin_fact(origin_deg_m: tuple[float, ...] | None, *, is_given: bool) -> Fact:
+    """Position of the origin of the local frame, in the language in use."""
+    text = gettext(
+        "{origin}; target coordinates refer to it",
+        origin=origin_text(origin_deg_m, is_given=is_given),
+    )
+    return Fact(gettext("Origin of the local frame"), text)
 
 
 def _subsampling_text(used: SettingsUsed, has_spheres: bool) -> str:

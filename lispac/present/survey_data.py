@@ -1,7 +1,9 @@
 """Input files, lines, trajectory and picked surfaces of a survey, as values and tables."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
 
 from lispac.language import N_, gettext
 from lispac.messages import Message
@@ -67,7 +69,21 @@ def _plane_role_text(plane: PickedPlane) -> str:
     return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
 
 
-SEED_METRES = Format("m", 2, is_grouped=False)
+POSITION_METRES = Format("m", 2, is_grouped=False)
+
+
+def position_columns(point: Callable[[Any], Sequence[float]]) -> tuple[Column[Any], ...]:
+    """Columns of a position as read by surveyors: east, north, up.
+
+    Parameters
+    ----------
+    point : function of a row that returns north, west, up, metres
+    """
+    return (
+        Column(lambda row: -point(row)[1], N_("East"), POSITION_METRES),
+        Column(lambda row: point(row)[0], N_("North"), POSITION_METRES),
+        Column(lambda row: point(row)[2], N_("Up"), POSITION_METRES),
+    )
 
 
 def planes_table(lines: int) -> Table[PickedPlane]:
@@ -79,14 +95,12 @@ def planes_table(lines: int) -> Table[PickedPlane]:
         Number of lines of the survey.
     """
     return Table(
-        N_("Targets and validation planes (coordinates of the picked point in the local frame)"),
+        N_("Targets and validation planes (picked point, from the origin of the local frame)"),
         (
             Column("name", N_("Name")),
             Column(_plane_role_text, N_("Role")),
             Column(lambda plane: shape_text(plane.shape, plane.sphere_radius_m), N_("Shape")),
-            Column(lambda plane: plane.seed_local_m[0], N_("North"), SEED_METRES),
-            Column(lambda plane: plane.seed_local_m[1], N_("West"), SEED_METRES),
-            Column(lambda plane: plane.seed_local_m[2], N_("Up"), SEED_METRES),
+            *position_columns(attrgetter("seed_local_m")),
             Column("threshold_m", N_("Threshold"), MILLIMETRES),
             Column(
                 lambda plane: gettext(

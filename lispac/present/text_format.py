@@ -134,16 +134,29 @@ def parameter_name(name: str) -> str:
     return message_text(quantity_name(name))
 
 
-def origin_text(origin: Sequence[float] | None) -> str:
+def origin_text(origin: Sequence[float] | None, *, is_given: bool) -> str:
     """Text of the origin of the local frame: latitude and longitude in degrees, height in metres.
 
-    None is the default origin.
+    Parameters
+    ----------
+    origin : sequence of float or None
+        Latitude, longitude, ellipsoidal height; None if it is not known.
+    is_given : bool
+        Whether the user gave it; otherwise it is the mean position of the trajectory.
     """
     if origin is None:
         return gettext("mean position of the trajectory")
     latitude, longitude, height = origin
+    template = (
+        N_("latitude {latitude}°, longitude {longitude}°, ellipsoidal height {height} m (given)")
+        if is_given
+        else N_(
+            "latitude {latitude}°, longitude {longitude}°, ellipsoidal height {height} m (mean "
+            "position of the trajectory)"
+        )
+    )
     return gettext(
-        "latitude {latitude} deg, longitude {longitude} deg, height {height} m",
+        template,
         latitude=fixed_number(latitude, 8),
         longitude=fixed_number(longitude, 8),
         height=fixed_number(height, 3),

@@ -367,6 +367,13 @@ class ValidationPlane:
         return None if pair is None else pair.absolute_offset_m
 
     @property
+    def largest_offset_before_m(self) -> float | None:
+        """Absolute offset before the calibration of the lines of `largest_offset_m`, metres."""
+        pair = self._pair_of_largest_offset
+        signed = None if pair is None else pair.before.signed
+        return None if signed is None else abs(signed.median_m)
+
+    @property
     def largest_offset_lines(self) -> str:
         """Names of the two lines with the largest offset; empty if it is not known."""
         pair = self._pair_of_largest_offset
@@ -561,6 +568,7 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column("name", N_("Plane")),
         Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
+        Column("largest_offset_before_m", N_("Largest\noffset\nbefore"), PLAIN_MILLIMETRES),
         Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
         Column("largest_offset_lines", N_("between")),
     ),

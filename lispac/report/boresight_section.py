@@ -25,6 +25,7 @@ from lispac.present.conventions import (
 from lispac.present.displacement import DISPLACEMENTS_TABLE
 from lispac.present.error_budget import ErrorBudgetValues, budget_table
 from lispac.present.parameters import PARAMETERS_TABLE
+from lispac.present.sigmas import sigma_facts
 from lispac.present.text_format import (
     format_known,
     grouped_number,
@@ -40,6 +41,7 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.section_summaries import precision_summary
 
 
 def boresight_blocks(content: ReportContent) -> list[Block]:
@@ -47,7 +49,12 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     adjustment = content.adjustment
     if adjustment is None:
         return [Paragraph(gettext("No boresight has been estimated yet."))]
-    blocks: list[Block] = [facts_table(gettext(FIT_TITLE), fit_facts(adjustment))]
+    # The variance factor and its test depend on the LiDAR noise used.
+    lidar, *_ = sigma_facts(content.settings.standard_deviations, adjustment.sightings)
+    blocks: list[Block] = [
+        *precision_summary(adjustment),
+        facts_table(gettext(FIT_TITLE), [*fit_facts(adjustment), lidar]),
+    ]
     if adjustment.parameters:
         blocks += _parameter_blocks(adjustment)
     blocks += _correlation_blocks(adjustment)

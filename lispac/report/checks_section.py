@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
-from lispac.present.cross_checks import SUBSETS_TABLE, subset_rows
+from lispac.present.cross_checks import SUBSETS_TABLE, halves_sigma_deg, subset_rows
 from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
 from lispac.present.sightings import (
     MEAN_POS_SIGMAS_TABLE,
@@ -24,6 +24,7 @@ from lispac.report.document_blocks import (
     with_rows_below,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.section_summaries import cross_check_summary, reliability_summary
 
 SIGHTING_TEST_TEXT = N_(
     "Each sighting of a target is compared with the result of all others. Shift: distance of the "
@@ -57,6 +58,10 @@ SUBSET_DIFFERENCES_TEXT = N_(
     "disagrees with the full adjustment, or the two halves with each other, by more than chance "
     "explains."
 )
+HALVES_TEXT = N_(
+    "Each half determines the angles less precisely than all data: the sigma of the difference "
+    "between the halves is {roll}° in roll, {pitch}° in pitch and {yaw}° in yaw."
+)
 METHODS_TEXT = N_(
     "Other methods applied to the same lines: adjustment with the validation planes as targets "
     "(natural planes), adjustment with surfaces detected automatically in the scene (targetless), "
@@ -82,6 +87,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
         return [Paragraph(untested)]
     found = [each for each in adjustment.sightings if each.is_tested]
     return [
+        *reliability_summary(adjustment),
         Paragraph(
             gettext(
                 SIGHTING_TEST_TEXT, limit=fixed_number(adjustment.critical_w, 2), count=len(found)
@@ -145,10 +151,14 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
         return [Paragraph(gettext("The adjustment was not repeated with subsets of the data."))]
     rows = subset_rows(checks)
     blocks: list[Block] = [
+        *cross_check_summary(content),
         Paragraph(gettext(CROSS_CHECKS_TEXT)),
         report_table(SUBSETS_TABLE, rows),
         Paragraph(gettext(SUBSET_DIFFERENCES_TEXT)),
     ]
+    if (sigma := halves_sigma_deg(checks)) is not None:
+        roll, pitch, yaw = (fixed_number(each, 4) for each in sigma)
+        blocks.append(Paragraph(gettext(HALVES_TEXT, roll=roll, pitch=pitch, yaw=yaw)))
     reasons = tuple(
         gettext("{name}: {reason}", name=row.name, reason=sentence_text(row.subset.reason))
         for row in rows

@@ -61,6 +61,7 @@ def report_content(
     budget: ErrorBudget | None = None,
     trajectory: Sequence[LineTrajectorySummary] = (),
     refused: Message | str = "",
+    origin_deg_m: tuple[float, ...] | None = None,
     digests: bool = True,
     progress: Progress = no_progress,
 ) -> ReportContent:
@@ -81,6 +82,7 @@ def report_content(
     trajectory : motion and precision on each line
     refused : reason why a later estimate failed, so that the project still has the older result;
         empty if none failed
+    origin_deg_m : latitude, longitude and ellipsoidal height of the origin of the local frame
     digests : whether to read all input files once and compute their digests; if not, no files are
         listed
 
@@ -130,7 +132,7 @@ def report_content(
         acceptance=AcceptanceValues.of(project.judgement),
         planes=tuple(_picked_plane_values(target) for target in project.targets),
         lines=lines,
-        settings=settings_used(project),
+        settings=settings_used(project, origin_deg_m),
         files=_input_files(project, progress) if digests else (),
         notes=tuple(notes),
         qualities=tuple(

@@ -30,6 +30,9 @@ CURVE_LABELS: Mapping[tuple[str, str], str] = {
     ("p95", "after"): N_("95 % after"),
 }
 """Texts of the legend, by statistic and state."""
+MIN_PROFILE_SPAN_M = 0.25
+"""Smallest range of heights, or of ranges, for which a profile is drawn: less than the smallest
+boards and more than the deviations of a horizontal surface."""
 STATE_COLOURS = {"before": BEFORE_COLOUR, "after": AFTER_COLOUR}
 LINE_STYLES = {"median": "-", "p95": "--"}
 
@@ -43,12 +46,20 @@ def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) ->
         None if each is None else DistancesBySteps.of(each)
         for each in (comparison.by_height, comparison.by_range)
     ]
+    if any(map(is_drawn, profiles)):
+        profiles = [each if is_drawn(each) else None for each in profiles]
     return _draw_profiles(figure, comparison.name, profiles)
 
 
 def profile_figure_of(plane: ValidationPlane) -> Figure:
     """Draw `profile_figure` from the values of a report, whose caption has the name."""
-    return _draw_profiles(None, "", (plane.by_height, plane.by_range))
+    profiles = (plane.by_height, plane.by_range)
+    return _draw_profiles(None, "", [each if is_drawn(each) else None for each in profiles])
+
+
+def is_drawn(profile: DistancesBySteps | None) -> bool:
+    """Whether a profile is known and spans at least `MIN_PROFILE_SPAN_M`."""
+    return profile is not None and profile.edges_m[-1] - profile.edges_m[0] >= MIN_PROFILE_SPAN_M
 
 
 def _draw_profiles(

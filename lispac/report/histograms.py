@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
@@ -99,8 +100,40 @@ def histogram_figure(
 
 def validation_figure(plane: ValidationPlane) -> Figure:
     """Draw `histogram_figure` from the values of a report."""
+    title = _plane_title(plane.name, plane.pooled_from, message_text(plane.measured_to))
+    return _draw_histogram(None, title, _binned_distances(plane), share=False)
+
+
+def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: bool) -> Figure:
+    """Draw a small histogram for each of a few validation planes, side by side.
+
+    Parameters
+    ----------
+    is_narrow : whether the figure has half the width of the text, or a third for one plane
+    """
+    narrow = (2.9, 2.1) if len(planes) == 1 else (4.8, 3.0)
+    figure = blank_figure(None, narrow if is_narrow else (6.3, 1.6))
+    places = figure.subplots(1, len(planes), squeeze=False)[0]
+    for axes, plane in zip(places, planes, strict=True):
+        counted = _binned_distances(plane)
+        amount = gettext("Share of the points\n(% per mm)") if axes is places[0] else ""
+        style_axes(axes, gettext("Distance (mm)"), amount)
+        axes.xaxis.set_major_locator(MaxNLocator(3))
+        _HistogramBars(axes, counted, share=True).show(float(np.asarray(counted.edges)[-1]))
+        axes.set_title(short_name(plane.name), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
+    handles = [patch for patch in places[0].patches if patch.get_fill()]
+    figure.legend(
+        handles, [gettext("before"), gettext("after")],
+        loc="outside upper right" if is_narrow else "outside right center",
+        ncols=2 if is_narrow else 1, fontsize=SMALL_TEXT_SIZE, frameon=False,
+        labelcolor=INK_COLOUR,
+    )  # fmt: skip
+    return figure
+
+
+def _binned_distances(plane: ValidationPlane) -> _BinnedDistances:
     before, after = plane.before, plane.after
-    counted = _BinnedDistances(
+    return _BinnedDistances(
         plane.bin_edges_m,
         (plane.counts_before, plane.counts_after),
         [
@@ -110,8 +143,6 @@ def validation_figure(plane: ValidationPlane) -> Figure:
         before.n,
         ENLARGED_WIDTH * after.p95_m,
     )
-    title = _plane_title(plane.name, plane.pooled_from, message_text(plane.measured_to))
-    return _draw_histogram(None, title, counted, share=False)
 
 
 def _plane_title(name: str, pooled_from: str, model: str) -> str:

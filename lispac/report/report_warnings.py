@@ -17,7 +17,7 @@ from lispac.adjustment.model.parameters import (
 from lispac.message_texts import english_text
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.adjustment import VarianceFactorTest
+from lispac.present.adjustment import AdjustmentValues
 from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.present.survey_data import PickedPlane
@@ -25,6 +25,7 @@ from lispac.report.report_values import ReportContent
 from lispac.report.validation_warnings import (
     acceptance_warnings,
     distribution_warnings,
+    offset_notes,
     surface_model_warnings,
 )
 from lispac.validation.absolute_messages import NamedMean, list_items_with_means
@@ -34,7 +35,7 @@ DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (
     Cause.of_step(name) for name in ("Data", "Adjust", "Validate")
 )
 
-CHI_SQUARE_LOW_CODE = "report.chi_square_low"
+CHI_SQUARE_LOW_CODES = {"report.chi_square_low", "report.chi_square_low_estimated"}
 SMALL_RESIDUAL_CODES = {
     "adjustment.sigmas_raised_conservative", "adjustment.lidar_noise_conservative",
     "adjustment.lidar_noise_ratio_conservative",
@@ -66,7 +67,7 @@ def report_warnings(
             *(
                 each
                 for each in _fit_warnings(content)
-                if not (has_small_residuals_explained and each.code == CHI_SQUARE_LOW_CODE)
+                if not (has_small_residuals_explained and each.code in CHI_SQUARE_LOW_CODES)
             ),
             *warnings_found,
             *_parameter_warnings(content),
@@ -79,6 +80,7 @@ def report_warnings(
                 else ()
             ),
             *distribution_warnings(content.validation),
+            *offset_notes(content.validation),
             *surface_model_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),
@@ -110,8 +112,7 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
         return
     independent = content.settings.pos_errors == "independent"
     noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
-    test = content.adjustment.chi_square
-    yield from _chi_square_warnings(test, independent, noisy)
+    yield from _chi_square_warnings(content.adjustment, independent, noisy)
 
 
 def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
@@ -139,14 +140,19 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
 
 
 def _chi_square_warnings(
-    test: VarianceFactorTest, independent: bool, noisy: bool
+    adjustment: AdjustmentValues, independent: bool, noisy: bool
 ) -> Iterator[Message]:
+    test = adjustment.chi_square
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
     elif test.passed:
         return
     elif test.outcome == "conservative":
-        yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
+        is_estimated = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
+        yield note(
+            "report.chi_square_low_estimated" if is_estimated else "report.chi_square_low",
+            subject=RESULT_CAUSE,
+        )
     elif test.has_assumed_sigmas:
         yield note("report.chi_square_high_assumed", subject=Cause.of_field("lidar_sigma"))
     elif independent:

@@ -39,6 +39,7 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.section_summaries import quality_summary, residuals_summary
 from lispac.report.validation_section import reciprocal_pairs_note
 
 SYSTEM_FIELDS = (
@@ -53,6 +54,9 @@ NOISE_FACTOR_TEXT = N_(
     "Noise factor: LiDAR noise estimated from the residuals, without POS errors, divided by the "
     "given noise. If it is above 1, the sigmas of the angles are computed with the estimated "
     "noise."
+)
+LARGEST_W_TEXT = N_(
+    "Largest w: largest shift of a sighting divided by its sigma; see the section on reliability."
 )
 TRAJECTORY_COLUMNS_TEXT = N_(
     "Roll and pitch: motion of the vessel (standard deviation). The last four columns give the "
@@ -163,7 +167,8 @@ def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
 
 def _fit_text(adjustment: AdjustmentValues) -> str:
     return gettext(
-        "Targets: {targets:n}; their sightings: {sightings:n}, on {lines:n} lines. Points used: "
+        "Targets: {targets:n}; their sightings (a target on one line): {sightings:n}, on {lines:n} "
+        "lines. Points used: "
         "{points}. RMS distance of these points from the surfaces of the targets: "
         "{before:mm.1}\u00a0mm before, {after:mm.1}\u00a0mm after.",
         points=points_used_text(adjustment), before=adjustment.rms_before_m,
@@ -186,6 +191,8 @@ def _value_with_sigma(parameter: ParameterValues) -> str:
 def residual_blocks(content: ReportContent) -> list[Block]:
     """Blocks on targets, validation planes and residuals."""
     blocks: list[Block] = []
+    if content.adjustment is not None:
+        blocks += residuals_summary(content.adjustment)
     if content.planes:
         table = planes_table(len(content.lines))
         if all(plane.shape == "plane" for plane in content.planes):
@@ -210,7 +217,9 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
         residual_figures_of,
         (adjustment.sightings,),
     )
-    explained = [COMMON_SURFACE_TEXT, NOISE_FACTOR_TEXT] if correlated else [COMMON_SURFACE_TEXT]
+    explained = [COMMON_SURFACE_TEXT]
+    if correlated:
+        explained += [NOISE_FACTOR_TEXT, LARGEST_W_TEXT]
     return [targets, sightings, *(Paragraph(gettext(each)) for each in explained), bars]
 
 
@@ -317,6 +326,7 @@ def quality_blocks(content: ReportContent) -> list[Block]:
     if not content.calibrated:
         explained.append(BEFORE_CALIBRATION_TEXT)
     return [
+        *quality_summary(content),
         report_table(QUALITY_TABLE, content.qualities),
         *(Paragraph(gettext(each)) for each in explained),
     ]

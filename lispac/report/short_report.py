@@ -5,6 +5,7 @@ and the first notes are shown, with a sentence on what is omitted.
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from lispac.acceptance import planes_to_show
 from lispac.language import gettext
@@ -39,7 +40,8 @@ MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 64.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 50.0
+MAX_HISTOGRAM_HEIGHT_MM = 42.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
 
@@ -153,9 +155,18 @@ def _planes_to_show(content: ReportContent, count: int) -> list[ValidationPlane]
 def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]:
     """Views of the whole survey or the site plan, then the validation planes before and after."""
     whole, small = tuple(pictures[:2]), pictures[2 : 2 + 2 * MAX_PICTURED_PLANES]
-    blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else _site_plan(content)
+    planes = _planes_to_show(content, MAX_PICTURED_PLANES)
+    histograms = _histograms(planes, is_narrow=not whole)
+    beside = [_histogram(plane) for plane in planes] if len(small) == 2 * len(planes) else []
+    blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else []
+    if not whole and (row := (*_site_plan(content), *histograms)):
+        blocks.append(PictureRows((row,), columns=2, tallest=MAX_PLAN_HEIGHT_MM))
     blocks += [
-        PictureRows((tuple(small[k : k + 2]),), columns=2, tallest=MAX_SMALL_PICTURE_HEIGHT_MM)
+        PictureRows(
+            ((*small[k : k + 2], *beside[k // 2 : k // 2 + 1]),),
+            columns=3 if beside else 2,
+            tallest=MAX_SMALL_PICTURE_HEIGHT_MM,
+        )
         for k in range(0, len(small), 2)
     ]
     if small and len(small) < 2 * len(content.validation):
@@ -167,6 +178,8 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks.append(Paragraph(pictured))
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in _planes_to_show(content, MAX_PICTURED_PLANES) if plane.maps]
+    if whole and histograms and not beside:
+        blocks.append(PictureRows((tuple(histograms),), tallest=MAX_HISTOGRAM_HEIGHT_MM))
     if shown:
         blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     blocks += [PictureRows(((_map(plane),),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
@@ -187,15 +200,39 @@ def _overview(pictures: tuple[Picture, ...], *, is_alone: bool) -> PictureRows:
     return PictureRows((pictures,), tallest=MAX_OVERVIEW_HEIGHT_MM)
 
 
-def _site_plan(content: ReportContent) -> list[Block]:
+def _site_plan(content: ReportContent) -> list[UndrawnPictures]:
     from lispac.report.figures import site_figure_of
 
     if not any(line.track_local_m for line in content.lines) and not content.planes:
         return []
-    plan = UndrawnPictures(
-        gettext("Site plan in the local frame."), site_figure_of, (content.lines, content.planes)
+    return [
+        UndrawnPictures(
+            gettext("Site plan in the local frame."),
+            site_figure_of,
+            (content.lines, content.planes),
+        )
+    ]
+
+
+def _histograms(planes: Sequence[ValidationPlane], *, is_narrow: bool) -> list[UndrawnPictures]:
+    from lispac.report.histograms import small_histograms_figure_of
+
+    if not planes:
+        return []
+    caption = gettext("Distances between lines; the last bin includes larger values.")
+    draw = partial(small_histograms_figure_of, is_narrow=is_narrow)
+    return [UndrawnPictures(caption, draw, (tuple(planes),))]
+
+
+def _histogram(plane: ValidationPlane) -> UndrawnPictures:
+    """Histogram of one plane, beside its pictures before and after."""
+    from lispac.report.histograms import small_histograms_figure_of
+
+    caption = gettext(
+        "{plane}: distances between lines before and after the calibration.", plane=plane.name
     )
-    return [PictureRows(((plan,),), tallest=MAX_PLAN_HEIGHT_MM)]
+    draw = partial(small_histograms_figure_of, is_narrow=True)
+    return UndrawnPictures(caption, draw, ((plane,),))
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:

@@ -40,6 +40,7 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
+from lispac.report.section_summaries import validation_summary
 
 DISTANCES_TEXT = N_(
     "Distances from each point of one line to the surface of the other, in both directions and for "
@@ -54,9 +55,9 @@ ROBUST_SIGMA_TEXT = N_(
 SIGNED_DISTANCES_TEXT = N_(
     "Distance of the first line from the second, positive towards the vessel, between means "
     "within cylinders along the local normal (M3C2); averaging reduces the noise of single "
-    "points. Offset: median of the places. The 95 % interval is that of one place, from the "
-    "scatter of its points. The last column of each state gives the percentage of places whose "
-    "distance exceeds this interval."
+    "points. A place is one cylinder. Offset: median of the places. The 95 % interval is that of "
+    "one place, from the scatter of its points. The last column of each state gives the "
+    "percentage of places whose distance exceeds this interval."
 )
 PLANE_OFFSETS_TEXT = N_(
     "The plane fitted to the points of the first line is compared with that of the second, with "
@@ -75,7 +76,8 @@ ACCEPTANCE_TEXT = N_(
 SHIFTS_TEXT = N_(
     "Mean distance of one line, or of several lines, from the others after the calibration; "
     "positive if nearer to the vessel. The sigma combines the POS errors of the lines, the "
-    "covariance of the boresight, the form error of the surface and the scatter of the distances. "
+    "covariance of the boresight, the form error of the surface (its change from line to line) and "
+    "the scatter of the distances. "
     "Lines with different shifts give the histograms several modes; a warning is given only if a "
     "shift exceeds its uncertainty."
 )
@@ -102,10 +104,10 @@ OVERLAP_TEXT = N_(
     "The swath overlap difference of the USGS Lidar Base Specification (2024 rev. A) is the root "
     "mean square of the height differences of overlapping swaths (RMSDz) on open ground. The "
     "differences given here are those along the normal of each validation plane, whatever its "
-    "orientation, between the means of both lines within cylinders, for every pair of overlapping "
-    "lines. Averaging reduces the noise of single points; after the calibration, the POS error of "
-    "each line remains. The quality levels of the specification apply to heights on the ground; "
-    "the differences are not compared with them."
+    "orientation, between the means of both lines within cylinders (places), for every pair of "
+    "overlapping lines. Averaging reduces the noise of single points; after the calibration, the "
+    "POS error of each line remains. The quality levels of the specification apply to "
+    "heights on the ground; the differences are not compared with them."
 )
 LOCAL_FRAME_NAME = "the local frame"
 """Value of `AbsoluteCheckValues.system` for a reference with coordinates in the local frame."""
@@ -128,6 +130,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         return [Paragraph(gettext("The lines have not been compared on any validation plane."))]
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
     blocks: list[Block] = [
+        *validation_summary(content),
         Paragraph(gettext(DISTANCES_TEXT)),
         Paragraph(gettext("Surface model of a line: {models:names}.", models=models)),
         report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
@@ -178,15 +181,16 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
 def _plane_figures(plane: ValidationPlane) -> PictureRows:
     """Histogram, profiles and maps of one plane."""
     from lispac.report.distance_maps import map_figure_of
-    from lispac.report.distance_profiles import profile_figure_of
+    from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
     caption = gettext(
         "{plane}: distances between lines before and after the calibration.", plane=plane.name
     )
     figures = [UndrawnPictures(caption, validation_figure, (plane,))]
-    if plane.by_height is not None or plane.by_range is not None:
-        caption = gettext(_profile_caption(plane), plane=plane.name)
+    by_height, by_range = is_drawn(plane.by_height), is_drawn(plane.by_range)
+    if by_height or by_range:
+        caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
         figures.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
         figures.append(
@@ -195,10 +199,10 @@ def _plane_figures(plane: ValidationPlane) -> PictureRows:
     return PictureRows(tuple((each,) for each in figures))
 
 
-def _profile_caption(plane: ValidationPlane) -> str:
-    if plane.by_range is None:
+def _profile_caption(by_height: bool, by_range: bool) -> str:
+    if not by_range:
         return N_("{plane}: median and 95th percentile of the distances by height.")
-    if plane.by_height is None:
+    if not by_height:
         return N_("{plane}: median and 95th percentile of the distances by range.")
     return N_("{plane}: median and 95th percentile of the distances by height and by range.")
 

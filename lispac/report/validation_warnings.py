@@ -166,6 +166,40 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
                 )  # fmt: skip
 
 
+def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+    """Note on planes on which the largest offset of two lines has not become smaller.
+
+    The note says whether POS and boresight explain the shifts of the lines on these planes.
+    """
+    found = []
+    for plane in planes:
+        before, after = plane.largest_offset_before_m, plane.largest_offset_m
+        if before is not None and after is not None and after > MIN_OFFSET_M and after >= before:
+            found.append((plane, before, after))
+    if not found:
+        return
+    items = tuple(
+        note(
+            "validation.offset_on_plane",
+            target=plane.name, lines=plane.largest_offset_lines, before=before, after=after,
+        )
+        for plane, before, after in found
+    )  # fmt: skip
+    where = Cause.of_target(found[0][0].name)
+    if not all(plane.shifts for plane, _, _ in found):
+        yield note("validation.offset_not_smaller_unknown", items=items, subject=where)
+        return
+    limit = shift_limit(planes)
+    ratio = max(_significance(shift) for plane, _, _ in found for shift in plane.shifts)
+    is_explained = ratio <= limit
+    yield note(
+        "validation.offset_not_smaller"
+        if is_explained
+        else "validation.offset_not_smaller_shifted",
+        items=items, ratio=ratio, limit=limit, subject=where,
+    )  # fmt: skip
+
+
 def surface_model_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
     """Warning on each plane on which the RMS of two lines is too small for their offset.
 

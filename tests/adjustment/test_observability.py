@@ -193,7 +193,13 @@ def test_directions_and_condition_agree_with_the_covariance() -> None:
     named = message.params["weakest"]
     assert isinstance(named, Message)
     assert named.params.get("first", named) == note(f"adjustment.angle_{weakest}")
-    assert message.params["weakest_sigma"] == pytest.approx(observability.eigenvalues[0] ** -0.5)
+    for which, column in (("weakest", 0), ("strongest", 2)):
+        # A direction named by one angle has the sigma of the table of angles.
+        name = message.params[which]
+        alone = [k for k, angle in enumerate(("roll", "pitch", "yaw"))
+                 if name == note(f"adjustment.angle_{angle}")]  # fmt: skip
+        expected = result.sigma[alone[0]] if alone else observability.eigenvalues[column] ** -0.5
+        assert message.params[f"{which}_sigma"] == pytest.approx(expected)
 
 
 def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:

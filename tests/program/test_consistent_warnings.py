@@ -248,7 +248,7 @@ CASES = [
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
     ("sigmas_raised", False, _raised, "the result: pitch from 0.0291 to 0.0728"),
     ("sigmas_raised_conservative", False, _raised_conservative, "The residuals are smaller than "
-     "the given standard deviations predict, but"),
+     "the standard deviations used predict, but"),
     ("cross_check_uncovered", True, _apart(4.1), "without line L2 (pitch -0.1512 deg, 4.1 times "
      "its standard deviation)"),
     ("cross_check", False, lambda project: _apart(4.1)(_raised(project)), "without line L2 (pitch "

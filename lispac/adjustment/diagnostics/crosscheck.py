@@ -45,12 +45,16 @@ def cross_checks(
     start = mounting.with_boresight(result.boresight)
     observations, result = apply_rejections_and_surfaces(observations, result.with_formal_sigmas)
     result, parameters = _fix_undetermined_parameters(observations, start, result, parameters)
-    parts = [*_leave_one_out_parts(observations), *_survey_halves(observations)]
+    omitted, halves = [*_leave_one_out_parts(observations)], [*_survey_halves(observations)]
+    parts = [*omitted, *halves]
+    count = len(omitted) + min(len(halves), 1)  # the comparison of the halves is one check
     found: list[CrossCheck] = []
     for k, (kind, name, keep) in enumerate(parts):
         progress(
             k / len(parts),
-            gettext_lazy("Cross-check {number:n} of {count:n}", number=k + 1, count=len(parts)),
+            gettext_lazy(
+                "Cross-check {number:n} of {count:n}", number=min(k + 1, count), count=count
+            ),
         )
         found.append(_cross_check_part(observations, start, result, parameters, kind, name, keep))
     progress(1.0)

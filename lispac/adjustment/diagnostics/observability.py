@@ -70,7 +70,8 @@ def assess_observability(
         own = _sigmas_without_groups(linearised, omitted)
         without[line] = None if own is None else factors * own
     notes = (
-        _extreme_directions_note(eigenvalues, directions), *_main_lines_by_angle(sigma, without),
+        _extreme_directions_note(eigenvalues, directions, sigma),
+        *_main_lines_by_angle(sigma, without),
         *_one_orientation_notes(linearised),
     )  # fmt: skip
     condition = float(eigenvalues[2] / eigenvalues[0])
@@ -196,14 +197,27 @@ def _sigmas_without_groups(linearised: LinearisedProblem, mask: NDArray[np.bool_
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
-def _extreme_directions_note(eigenvalues: Array, directions: Array) -> Message:
+def _extreme_directions_note(eigenvalues: Array, directions: Array, sigma: Array) -> Message:
+    weakest, weakest_sigma = _direction(eigenvalues[0], directions[:, 0], sigma)
+    strongest, strongest_sigma = _direction(eigenvalues[2], directions[:, 2], sigma)
     return note(
         "observability.directions",
-        weakest=angle_combination(directions[:, 0]),
-        weakest_sigma=float(eigenvalues[0] ** -0.5),
-        strongest=angle_combination(directions[:, 2]),
-        strongest_sigma=float(eigenvalues[2] ** -0.5),
-    )
+        weakest=weakest, weakest_sigma=weakest_sigma,
+        strongest=strongest, strongest_sigma=strongest_sigma,
+    )  # fmt: skip
+
+
+def _direction(eigenvalue: float, direction: Array, sigma: Array) -> tuple[Message, float]:
+    """Name of a direction and its standard deviation.
+
+    A direction that is named by one angle has the standard deviation of this angle, which is given
+    elsewhere; that of the eigenvector differs slightly.
+    """
+    name = angle_combination(direction)
+    for k, angle in enumerate(ANGLES):
+        if name == note(ANGLE_CODES[angle]):
+            return name, float(sigma[k])
+    return name, float(eigenvalue**-0.5)
 
 
 def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:

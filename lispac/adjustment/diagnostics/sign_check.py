@@ -76,4 +76,4 @@ def sign_agreement(
     if not np.isfinite(assumed) or min(opposite) < MIN_RESIDUAL_RATIO * assumed:
         return None
     ratio = min([each / assumed for each in opposite if np.isfinite(each)] or [MIN_RESIDUAL_RATIO])
-    return note(SIGNS_AGREE_CODE, ratio=float(ratio), subject=RESULT_CAUSE)
+    return note(SIGNS_AGREE_CODE, ratio=float(np.floor(ratio)), subject=RESULT_CAUSE)

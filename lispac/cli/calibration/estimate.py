@@ -127,6 +127,7 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.cli.calibration.estimate import print_weak_sightings
     from lispac.cli.calibration.result_output import (
+        print_origin,
         print_result,
         print_sigmas,
         project_result_values,
@@ -170,7 +171,13 @@ def run(arguments: Namespace) -> None:
             found = sighting_qualities(project, survey, progress=sub_progress(progress, 0.9, 1.0))
         projects.save_project(project)
     if arguments.json:
-        print_json(project_result_values(project) | {"qualities": json_values(quality_list(found))})
+        print_json(
+            project_result_values(project)
+            | {
+                "origin_deg_m": survey.trajectory.frame.origin_deg_m,
+                "qualities": json_values(quality_list(found)),
+            }
+        )
     else:
         assert project.result is not None
         print_result(
@@ -178,6 +185,7 @@ def run(arguments: Namespace) -> None:
             picked_points=project.picked_points,
         )  # fmt: skip
         print_sigmas(project)
+        print_origin(project, survey.trajectory.frame)
         print_weak_sightings(found)
 
 

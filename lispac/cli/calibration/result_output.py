@@ -8,6 +8,7 @@ from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.cli.console import print_facts, print_table
 from lispac.cli.messages import console_text
 from lispac.duplicate_targets import project_warnings
+from lispac.geometry.frames import LocalFrame
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
 from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
@@ -15,6 +16,7 @@ from lispac.present.angles import angles
 from lispac.present.cross_checks import cross_check_values
 from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
+from lispac.present.settings import origin_fact
 from lispac.present.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.project import Project
@@ -96,6 +98,12 @@ def print_sigmas(project: Project) -> None:
     values = None if project.result is None else adjustment_values(project.result)
     sightings = () if values is None else values.sightings
     print_facts(SIGMAS_TITLE, sigma_facts(sigmas_used(project), sightings))
+
+
+def print_origin(project: Project, frame: LocalFrame) -> None:
+    """Print the position of the origin of the local frame."""
+    is_given = project.settings.origin_deg_m is not None
+    print_facts("Local frame", [origin_fact(frame.origin_deg_m, is_given=is_given)])
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:

@@ -54,6 +54,7 @@ def report_content_of(
         budget=None if project.result is None else error_budget_of(project, survey),
         trajectory=trajectory_on_lines(survey),
         refused=refused,
+        origin_deg_m=survey.trajectory.frame.origin_deg_m,
     )
 
 

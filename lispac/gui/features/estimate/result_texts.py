@@ -10,7 +10,11 @@ from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, 
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.adjustment import TOO_LARGE_ASSUMED_TEXT, agreement_template
+from lispac.present.adjustment import (
+    TOO_LARGE_ASSUMED_TEXT,
+    agreement_template,
+    small_residuals_template,
+)
 from lispac.present.cross_checks import agreement_text, cross_check_values
 from lispac.present.parameters import (
     COMPONENT_TITLES,
@@ -68,17 +72,6 @@ FORM_ERROR_TEXT = N_(
     "The surfaces of the targets vary by {most:mm.1} mm from line to line, which is taken into "
     "account."
 )
-SMALL_RESIDUALS_TEXTS = (
-    N_(
-        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
-        "are too large, and the uncertainties are conservative."
-    ),
-    N_(
-        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
-        "are too large."
-    ),
-)
-"""Text for a result without warnings, and text for one with warnings."""
 
 
 def fit_verdict(
@@ -104,7 +97,7 @@ def fit_verdict(
             "for a target that is not flat or a sighting with points of another object, or "
             "enter larger standard deviations."
         )
-    return gettext(SMALL_RESIDUALS_TEXTS[0] if is_sure else SMALL_RESIDUALS_TEXTS[1])
+    return gettext(small_residuals_template(result))
 
 
 def chi_square_text(result: AdjustmentResult) -> str:
