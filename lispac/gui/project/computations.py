@@ -150,7 +150,7 @@ class Computations(QObject):
         if project is None or survey is None or project.result is None:
             self._scene.show("prior")
             return
-        # Again if the result has changed meanwhile, for example because unsaved changes were restored
+        # Again if the result has changed meanwhile, as after the recovery of unsaved changes
         self._place_lines(project, survey, lambda: self.show("estimated"), "placed")
 
     def run_with_placed_lines(
