@@ -22,7 +22,7 @@ from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
-from lispac.gui.features.help.manual import CHECK_SIGNS_ANCHOR, CHECK_SIGNS_PAGE, Manual
+from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -36,7 +36,7 @@ from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
-from lispac.gui.features.warnings.warnings_panel import CHECK_SIGN_ACTION, WarningsButton
+from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -60,6 +60,7 @@ from lispac.messages import Action, Message
 from lispac.picked_targets import Role
 from lispac.project import Project
 from lispac.warning_causes import Cause
+from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -458,9 +459,10 @@ class MainWindow(QMainWindow):
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     def _run_message_action(self, action: Action) -> None:
-        """Use the LiDAR noise found in the residuals, or show how to check a sign."""
-        if action.code == CHECK_SIGN_ACTION:
-            self.manual.open(CHECK_SIGNS_PAGE, CHECK_SIGNS_ANCHOR)
+        """Use the LiDAR noise found in the residuals, or show the signs of the attitude."""
+        if action.code == CHECK_SIGN_CODE:
+            if self.document.survey is not None:
+                self.dialogs.check_signs(self.document.survey)
             return
         project = self.document.project
         if project is None or project.result is None:

@@ -32,7 +32,7 @@ from lispac.workflow.importing.input_columns import (
     possible_meanings,
 )
 from lispac.workflow.importing.input_file import InputFile
-from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE, option_to_choose
 from lispac.workflow.importing.input_files import InputFiles
 
 _GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
@@ -88,13 +88,13 @@ class OptionsForm(QWidget):
             field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
         self._show_system(file)
 
-    def focus_option(self, name: str) -> None:
-        """Set the focus to the field of an option, and open its list of values."""
+    def focus_option(self, name: str, *, opens: bool = True) -> None:
+        """Set the focus to the field of an option; ``opens`` also opens its list of values."""
         field = self.fields.get(name)
         if field is None:
             return
         field.setFocus(Qt.FocusReason.OtherFocusReason)
-        if isinstance(field, QComboBox):
+        if opens and isinstance(field, QComboBox):
             field.showPopup()
 
     def _build(self, options: tuple[FormatOption, ...]) -> None:
@@ -254,6 +254,8 @@ class FilePage(QWidget):
     """Page with all details of one file."""
 
     action_chosen = Signal(object)
+    sign_check_requested = Signal(str)
+    """Option whose value the user wants to check: roll or pitch."""
     option_edited = Signal(str, str)
     meaning_chosen = Signal(int, str)
 
@@ -365,7 +367,10 @@ class FilePage(QWidget):
         self.facts.addRow(head, value)
 
     def _on_action_chosen(self, action: Action, _place: int) -> None:
-        if option := option_to_choose(action):
+        option = option_to_choose(action)
+        if action.code == CHECK_SIGN_CODE:
+            self.sign_check_requested.emit(option)
+        elif option:
             self.options.focus_option(option)
         else:
             self.action_chosen.emit(action)

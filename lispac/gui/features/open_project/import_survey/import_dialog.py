@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.app.questions import Questions
+from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.open_project.actions import ACTIONS
@@ -246,6 +246,7 @@ class ImportDialog(NumberDialog):
         page.action_chosen.connect(
             lambda chosen_action: self._apply_action(table.current, chosen_action)
         )
+        page.sign_check_requested.connect(self._check_sign)
         page.option_edited.connect(
             lambda name, value: edit(self.input_files.with_option(table.current, name, value))
         )
@@ -350,6 +351,17 @@ class ImportDialog(NumberDialog):
 
     def _apply_action(self, path: Path, action: Action) -> None:
         self.work.edit(self.input_files.with_action(path, action))
+
+    def _check_sign(self, option: str) -> None:
+        """Show the attitude, then focus the option of its sign."""
+        # Matplotlib is imported late, so that the dialogue starts without it.
+        from lispac.gui.features.open_project.import_survey.quality_figures import TrajectoryQuality
+        from lispac.gui.features.open_project.import_survey.sign_check_dialog import SignCheckDialog
+
+        record = TrajectoryQuality.of(self.input_files)
+        if record is not None:
+            run_dialog(SignCheckDialog(record, "import", self))
+        self.file_page.options.focus_option(option, opens=record is None)
 
     def _remove(self) -> None:
         path = self.table.current
