@@ -74,6 +74,9 @@ MISSED_TEXTS: Mapping[Role, str] = {
 }
 """Notes on a click beside the points, by the role of the surface to pick."""
 
+CLOSED_TEXT = N_("{panel} stays closed. Open it with View > Panels.")
+"""Note after the user has closed a panel, which then no longer opens by itself."""
+
 
 class MainWindow(QMainWindow):
     """Main window, assembled from document, tasks, viewport and panels.
@@ -294,11 +297,11 @@ class MainWindow(QMainWindow):
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
         self.histograms.plane_activated.connect(lambda name: self._go_to(name, ""))
-        section = self.tools.sections.panel
-        for panel in (self.histograms, section):
+        enlargeable = (self.results, self.histograms, self.tools.sections.panel)
+        for panel in enlargeable:
             panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))
-        self.histograms.enlarged.connect(section.enlarge.setChecked)  # in the same dock area
-        section.enlarged.connect(self.histograms.enlarge.setChecked)
+            for other in enlargeable:  # in the same dock area
+                panel.enlarged.connect(other.enlarge.setChecked)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)
@@ -316,6 +319,9 @@ class MainWindow(QMainWindow):
     def _connect_actions(self) -> None:
         actions = self.actions_
         self.dock_layout.opens_by_itself.connect(self.viewport.keep_picture)
+        self.dock_layout.closed_by_user.connect(
+            lambda title: self._note(gettext(CLOSED_TEXT, panel=gettext(title)))
+        )
         self.dock_layout.maximised_changed.connect(actions["maximise"].setChecked)
         for each in self.panel_windows.values():
             each.share_actions(actions.all)

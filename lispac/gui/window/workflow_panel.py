@@ -153,4 +153,7 @@ def _top_aligned(panel: QWidget) -> QWidget:
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(panel)
     layout.addStretch(1)
+    margins = panel.layout().contentsMargins()
+    margins.setRight(0)  # the reserved width of the scroll bar is the margin
+    panel.layout().setContentsMargins(margins)
     return holder
