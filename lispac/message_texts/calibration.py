@@ -238,6 +238,9 @@ TEXTS: Mapping[str, Template] = {
     "propose.target_needed": N_(
         "Observed on {lines:n} lines. Without this target the angles are not determined."
     ),
+    "propose.target_oblique": N_(
+        "{target} The beams are oblique on {lines:names}, up to {angle:deg.0}° from the normal."
+    ),
     "propose.validation_plane": N_(
         "Plane of {area:x.1} m² at a height of {height:m.0} m, observed on {lines:n} lines."
     ),

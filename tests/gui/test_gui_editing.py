@@ -138,7 +138,7 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         press(picked, Key.Key_F8)
 
     for step, words in (
-        (candidate, "detection of T3"),
+        (candidate, "addition of T3"),
         (lambda: control.rename("T1", "Board"), "renaming of T1"),
         (lambda: control.rename("Board", "T1"), "renaming of Board"),
         (role, "change of role of T1"),

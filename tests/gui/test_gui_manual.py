@@ -6,13 +6,12 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QUrl
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication
 
 from lispac import caches
-from lispac.messages import Action, warning
 from lispac.workflow.output import manual
 from tests.documents.manual_tables import folder, tables
-from tests.gui.support import WAIT_MS, Control, Driver, Key, click, open_step, press
+from tests.gui.support import Control, Driver, Key, open_step, press
 
 
 @pytest.fixture(scope="module")
@@ -55,26 +54,6 @@ def test_the_manual_is_opened_in_the_language_of_the_window(
     for step, url in enumerate(parts, start=1):
         assert (url.toLocalFile(), url.fragment()) == (str(panels), f"step-{step}")
         assert f'id="step-{step}"' in text
-
-
-def test_a_warning_about_unchecked_signs_leads_to_their_check(
-    opened: Driver, cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    urls: list[QUrl] = []
-    monkeypatch.setattr(caches, "default_folder", lambda: cache)
-    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: urls.append(url) or True)
-    unchecked = warning(
-        "sbet.zero_rates", actions=[Action("check_sign", {"name": "pitch"})], file="t.sbet"
-    )
-    opened.bot.waitUntil(lambda: opened.window.warning_list.is_current, timeout=WAIT_MS)
-    opened.window.warnings.show_warnings([unchecked])
-    press(opened, Key.Key_F12)
-    click(opened, opened.window.warnings.findChild(QPushButton, "message_check_sign"))
-    opened.rest()
-    (url,) = urls
-    page = Path(url.toLocalFile())
-    assert page.name == "conventions.html"
-    assert f'id="{url.fragment()}"' in page.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])

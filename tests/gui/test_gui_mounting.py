@@ -257,8 +257,12 @@ def test_the_import_dialogue_shows_warnings_on_every_page(
         qtbot.keyClicks(field, typed_in)
         warnings = page.view.warnings_label.text().splitlines()
         assert len(warnings) == file_warnings
+        assert filled.reason.text() == "", "shown once"
+        qtbot.waitUntil(lambda: is_whole(page.view.warnings_label))
+        filled.tabs.setCurrentIndex(0)
         assert filled.reason.text() == f"{warnings[0]} See the tab Mounting and accuracies{suffix}."
-        qtbot.waitUntil(lambda: is_whole(page.view.warnings_label) and is_whole(filled.reason))
+        qtbot.waitUntil(lambda: is_whole(filled.reason))
+        filled.tabs.setCurrentWidget(page)
     field.selectAll()
     qtbot.keyClicks(field, "2.419")
     assert filled.reason.text() == ""

@@ -213,7 +213,7 @@ def test_existing_targets_are_not_proposed_and_names_are_unique(
     ("picked_count", "words"),
     [
         (0, "deviations of the boresight with the ticked targets: roll 0.0"),
-        (1, "with the ticked and the existing targets (A1): roll 0.0"),
+        (1, "with the ticked targets and A1: roll 0.0"),
         (9, "already targets or validation planes: A1, A2"),
     ],
 )
@@ -228,6 +228,22 @@ def test_the_heading_names_the_targets_of_the_sigmas(
     assert words in panel.findChild(QLabel, "proposal_sigmas").text()
     names = cells(panel.table, 0)
     assert names[0] == ("V1" if picked_count == 9 else "T1")
+
+
+def test_the_heading_names_the_targets_that_the_sigmas_do_not_include(
+    qtbot, demo: Demo, proposal: Proposal
+) -> None:
+    first = next(target for target in proposal.targets if target.role == "target")
+    project = replace(demo.project, targets=(replace(first, name="A1"),))
+    panel = ProposedTargetsPanel()
+    qtbot.addWidget(panel)
+    shown = panel.findChild(QLabel, "proposal_sigmas")
+    left = remove_picked_surfaces(project, proposal)
+    panel.show_proposal(left, (), ["A1"])
+    without = shown.text()
+    panel.show_proposal(left, (), ["A1", "Q7"])
+    assert shown.text().startswith(without)
+    assert "Q7" in shown.text().removeprefix(without)
 
 
 def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
@@ -271,4 +287,4 @@ def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
     target = picked.project.target("T1")
     assert (target.threshold, target.radius) == (0.015, 1.5)
     assert not target.sighting(line).used
-    assert picked.window.document.undo_stack.undoText() == "detection of T1"
+    assert picked.window.document.undo_stack.undoText() == "addition of T1"

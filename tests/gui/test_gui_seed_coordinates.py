@@ -103,7 +103,7 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     opened.window.activateWindow()  # there is no window manager to do it
     opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
     press(opened, Key.Key_Return)
-    assert opened.window.document.undo_stack.undoText() == "detection of T1"
+    assert opened.window.document.undo_stack.undoText() == "addition of T1"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 

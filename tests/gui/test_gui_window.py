@@ -65,7 +65,7 @@ def test_escape_rejects_the_candidate(opened: Driver):
 def test_a_pick_is_one_undo_step(opened: Driver):
     seed(opened, "T1")
     click(opened, opened.window.targets.candidate.accept)
-    assert opened.window.actions_["undo"].text() == "&Undo detection of T1"
+    assert opened.window.actions_["undo"].text() == "&Undo addition of T1"
     press(opened, Key.Key_Z, Control)
     assert opened.project.targets == ()
     assert opened.window.table.sightings.rowCount() == 0
@@ -247,7 +247,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     table = picked.window.results.angles
     assert table.item(1, 1).text() == f"{np.degrees(result.boresight[1]):+.4f}".replace("-", "−")
     assert table.item(4, 1).text() == f"{truth[1]:+.4f}".replace("-", "−")
-    assert sentence(picked, 2) == f"done: variance factor {result.variance_factor:.2f}"
+    assert sentence(picked, 2) == f"done: variance factor {result.variance_factor:.3f}"
     assert picked.window.scene.which == "estimated"
     after = picked.viewport.clouds[picked.project.lines[0].name]
     open_step(picked, 3)

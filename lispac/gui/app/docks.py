@@ -122,6 +122,8 @@ class DockLayout(QObject):
     """
 
     maximised_changed = Signal(bool)
+    closed_by_user = Signal(str)
+    """The user has closed the dock with this title."""
     opens_by_itself = Signal()
     """A panel opens because it has something to show; the user did not ask for it."""
 
@@ -140,7 +142,7 @@ class DockLayout(QObject):
                 lambda visible, title=title: visible and self._on_shown(title)
             )
             dock.about_to_open.connect(lambda: self.set_maximised(False))
-            dock.closed.connect(lambda title=title: self._wanted.discard(title))
+            dock.closed.connect(lambda title=title: self._on_closed(title))
         self._initial_state = window.saveState()
 
     # -- content -----------------------------------------------------------------------------
@@ -197,6 +199,10 @@ class DockLayout(QObject):
         if not self._has_strip_height and title != WORKFLOW and self._window.isVisible():
             self._has_strip_height = True
             self._set_strip_height(self._docks[title])
+
+    def _on_closed(self, title: str) -> None:
+        self._wanted.discard(title)
+        self.closed_by_user.emit(title)
 
     def _set_strip_height(self, dock: QDockWidget) -> None:
         if self._window.dockWidgetArea(dock) == Area.BottomDockWidgetArea:

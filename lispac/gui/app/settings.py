@@ -287,27 +287,36 @@ class AppSettings:
         kept = list(others.items())[: MAX_COMPANIES - 1]
         self._store.setValue("companies", json.dumps({name: dict(details), **dict(kept)}))
 
-    def exported_report(self, folder: Path) -> tuple[Path, float, str] | None:
+    def exported_report(
+        self, folder: Path
+    ) -> tuple[Path, float, str, tuple[object, ...] | None] | None:
         """Report last exported from the project of a folder; None if there is none.
 
         Returns
         -------
-        tuple of (Path, float, str)
-            File, time of the export (seconds since 1970), and digest of the project file with the
-            content of the report; the digest is empty if that content was not saved.
+        tuple of (Path, float, str, tuple or None)
+            File, time of the export (seconds since 1970), digest of the project file with the
+            content of the report, and its options (`ReportChoice` as a tuple). The digest is empty
+            if that content was not saved; the options of older reports are not known.
         """
         stored = self._exported_reports().get(str(folder))
         match stored:
-            case [str(path), (int() | float()) as exported, str(digest)]:
-                return Path(path), float(exported), digest
+            case [str(path), (int() | float()) as exported, str(digest), *options]:
+                known = options and isinstance(options[0], list)
+                return Path(path), float(exported), digest, tuple(options[0]) if known else None
         return None
 
     def save_exported_report(
-        self, folder: Path, path: Path, exported: float, file_digest: str
+        self,
+        folder: Path,
+        path: Path,
+        exported: float,
+        file_digest: str,
+        options: tuple[object, ...] | None = None,
     ) -> None:
         """Store the report last exported from the project of a folder."""
         others = [each for each in self._exported_reports().items() if each[0] != str(folder)]
-        stored = {str(folder): [str(path), exported, file_digest]}
+        stored = {str(folder): [str(path), exported, file_digest, options]}
         stored.update(others[: MAX_EXPORTED_REPORTS - 1])
         self._store.setValue("exported_reports", json.dumps(stored))
 

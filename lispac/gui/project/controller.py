@@ -449,9 +449,7 @@ class Controller(QObject):
         self._discard_candidate()
         name, sightings = candidate.name, len(candidate.sightings)
         self._scene.select(name)  # a panel that opens now must not cover it
-        self._document.edit(
-            N_("detection of {target}"), project.with_target(candidate), target=name
-        )
+        self._document.edit(N_("addition of {target}"), project.with_target(candidate), target=name)
         found = Plural(
             "{target}: found in {sightings:n} of {count:n} line",
             "{target}: found in {sightings:n} of {count:n} lines",

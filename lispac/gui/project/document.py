@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from lispac.adjustment.result import AdjustmentResult
 from lispac.language import Template, gettext
 from lispac.messages import Message
 from lispac.project import Project
@@ -40,11 +41,15 @@ class ExportedReport:
     ----------
     exported : time of the export, seconds since 1970
     is_current : whether the project has not changed since then
+    options : options of the report as stored in the settings; None if they are not known
+    has_other_options : whether other options are chosen now
     """
 
     path: Path
     exported: float
     is_current: bool = True
+    options: tuple[object, ...] | None = None
+    has_other_options: bool = False
 
 
 @dataclass(frozen=True)
@@ -99,6 +104,9 @@ class Document(QObject):
         self._survey_announced = True
         self._report: ExportedReport | None = None
         self._reported_project: Project | None = None
+        self._report_options: tuple[object, ...] | None = None
+        self.unchecked_result: AdjustmentResult | None = None
+        """Result without advice and cross-checks, which are computed when no task runs."""
         self._had_result = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._on_clean_changed)
@@ -139,7 +147,18 @@ class Document(QObject):
         """Report that was last exported from the project; None if there is none."""
         if self._report is None or self.project is None:
             return None
-        return replace(self._report, is_current=self._reported_project is self.project)
+        known = self._report.options is not None and self._report_options is not None
+        return replace(
+            self._report,
+            is_current=self._reported_project is self.project,
+            has_other_options=known and self._report.options != self._report_options,
+        )
+
+    @property
+    def awaits_checks(self) -> bool:
+        """Whether the result of the project is not completely checked."""
+        result = None if self.project is None else self.project.result
+        return result is not None and result is self.unchecked_result
 
     @property
     def is_modified(self) -> bool:
@@ -247,6 +266,13 @@ class Document(QObject):
         """Record that a report of ``project`` was exported."""
         self._report, self._reported_project = report, project
         self.changed.emit()
+
+    def set_report_options(self, options: tuple[object, ...]) -> None:
+        """Set the options that are chosen for the next report."""
+        if options != self._report_options:
+            self._report_options = options
+            if self._report is not None:
+                self.changed.emit()
 
     def restore_report(self, report: ExportedReport) -> None:
         """Set the report that was exported before the project was opened; `changed` follows."""

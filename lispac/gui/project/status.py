@@ -111,6 +111,7 @@ def step_statuses(
     refusal: Message | str = "",
     report: ExportedReport | None = None,
     running: int | None = None,
+    checking: bool = False,
     opening: bool = False,
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
@@ -127,6 +128,8 @@ def step_statuses(
         Report that was last exported from the project; None if there is none.
     running : int or None
         Step whose task is running: `ADJUST` or `VALIDATE`.
+    checking : bool
+        Whether the checks of the result are not complete.
     opening : bool
         Whether a task runs without a project, which opens one.
     """
@@ -149,6 +152,8 @@ def step_statuses(
         _targets_status(project, survey),
         _estimating_status()
         if running == ADJUST
+        else _checking_status()
+        if checking and project.result is not None
         else _adjust_status(project, survey, waiting, refusal),
         _validating_status() if running == VALIDATE else _validation_status(project, survey),
         _report_status(project, survey, report, is_validating=running == VALIDATE),
@@ -246,7 +251,7 @@ def _adjust_status(
             sentence = gettext("done, with warnings (F12)")
             advice = gettext("Read the warnings (F12) before you use the angles.")
         else:
-            sentence = gettext("done: variance factor {factor:x.2}", factor=factor)
+            sentence = gettext("done: variance factor {factor:x.3}", factor=factor)
             advice = gettext("The result is in the panel Results.")
         if not serious and not fits:
             advice = gettext(
@@ -379,6 +384,15 @@ def _estimating_status() -> StepStatus:
     )
 
 
+def _checking_status() -> StepStatus:
+    """Status without a verdict, which the checks may change."""
+    return StepStatus(
+        "todo",
+        gettext("estimated, being checked …"),
+        gettext("The angles are in the panel Results. The checks of the result are running."),
+    )
+
+
 def _validating_status() -> StepStatus:
     return StepStatus(
         "todo",
@@ -435,6 +449,17 @@ def _report_status(
 
 def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool) -> StepStatus:
     file, date = report.path.name, local_datetime(report.exported)
+    if report.is_current and report.has_other_options:
+        return StepStatus(
+            "todo",
+            gettext("report options changed"),
+            gettext(
+                "The report {file} was exported with other options on {date}. Export it again to "
+                "apply the present ones.",
+                file=file, date=date,
+            ),
+            reason=reason,
+        )  # fmt: skip
     if report.is_current and is_failed:
         return StepStatus(
             "warning",

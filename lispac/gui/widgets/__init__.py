@@ -277,9 +277,20 @@ class VerticalScrollArea(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(inside)
+        self.verticalScrollBar().installEventFilter(self)
+        self._reserve_bar(is_shown=False)
+
+    def _reserve_bar(self, *, is_shown: bool) -> None:
+        """Keep the width of the content, whether the scroll bar is shown or not."""
+        bar = self.verticalScrollBar().sizeHint().width()
+        self.setViewportMargins(0, 0, 0 if is_shown else bar, 0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Update the width when the content becomes wider."""
+        """Update the width when the content becomes wider, or the scroll bar appears."""
+        if watched is self.verticalScrollBar() and event.type() in (
+            QEvent.Type.Show, QEvent.Type.Hide
+        ):  # fmt: skip
+            self._reserve_bar(is_shown=event.type() == QEvent.Type.Show)
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
             width = self.minimumSizeHint().width()
             if width != self._content_width:

@@ -143,6 +143,9 @@ class DiagnosticsTable(QTableWidget):
                 if row.tip:
                     item.setToolTip(widgets.wrapped_tip(row.tip))
                 self.setItem(number, column, item)
+        for column in range(1, len(self._columns)):
+            texts = (self.item(number, column).text() for number in range(len(rows)))
+            self.setColumnHidden(column, bool(rows) and not any(texts))
         header.setSortIndicatorShown(False)  # the arrow does not widen the columns
         header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)

@@ -20,9 +20,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
-from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
+from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.gui.widgets.scanner_axes_view import (
     SCANNER_AXES,
     exaggerated_rotation,
@@ -299,6 +299,12 @@ class MountingSketch(QWidget):
         painter.drawText(QPointF(7, y + 4), exaggeration_text(self.factor))
 
 
+LONGEST_ARM = (-10.0, -10.0, -10.0)
+"""Lever arm with the longest description."""
+DOUBTFUL_ARMS = ((0.0, 0.0, 0.0), (0.0, 0.0, -20.0), (0.0, 200.0, 0.0))
+"""A lever arm for each of the warnings."""
+
+
 class MountingView(QWidget):
     """The sketch with a description below it and warnings above it.
 
@@ -308,8 +314,12 @@ class MountingView(QWidget):
     def __init__(self, prefix: str) -> None:
         super().__init__()
         self.sketch = MountingSketch()
-        self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
-        self.warnings_label = widgets.label("", "warning", wrap=True, name=f"{prefix}_warnings")
+        # Sketch and fields stay in place while a lever arm is typed
+        self.text_label = ReservedLabel(
+            "muted", f"{prefix}_words", texts=[_description(LONGEST_ARM, (0.0, 0.0, 0.0))]
+        )
+        texts = [message_text(each) for arm in DOUBTFUL_ARMS for each in lever_arm_warnings(arm)]
+        self.warnings_label = ReservedLabel("warning", f"{prefix}_warnings", texts=texts)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
@@ -320,12 +330,16 @@ class MountingView(QWidget):
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
-        text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
+        text = _description(lever_arm, boresight_deg)
         self.text_label.setText(text)
         self.sketch.setAccessibleDescription(text)
         warnings = lever_arm_warnings(lever_arm)
         self.warnings_label.setText("\n".join(map(message_text, warnings)))
         self.warnings_label.setVisible(bool(warnings))
+
+
+def _description(lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> str:
+    return f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
 
 
 def length_with_unit(length: float, form: str) -> str:

@@ -45,6 +45,7 @@ class NumberField(NumberEntry, QDoubleSpinBox):
     committed = Signal(float)
     """The user changed the value, or confirmed an assumed one; emitted once, while `valueChanged`
     follows the typing."""
+    assumed_changed = Signal(bool)
     is_assumed = False
     """Whether the value is a default that nobody gave."""
     _before: float | None = None
@@ -99,6 +100,7 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         if self.is_assumed != is_assumed:
             self.is_assumed = is_assumed
             self.setProperty("assumed", is_assumed)
+            self.assumed_changed.emit(is_assumed)
             self.style().unpolish(self)
             self.style().polish(self)
 

@@ -22,7 +22,7 @@ from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
-from lispac.gui.features.help.manual import CHECK_SIGNS_ANCHOR, CHECK_SIGNS_PAGE, Manual
+from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -36,7 +36,7 @@ from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
-from lispac.gui.features.warnings.warnings_panel import CHECK_SIGN_ACTION, WarningsButton
+from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -60,6 +60,7 @@ from lispac.messages import Action, Message
 from lispac.picked_targets import Role
 from lispac.project import Project
 from lispac.warning_causes import Cause
+from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -72,6 +73,9 @@ MISSED_TEXTS: Mapping[Role, str] = {
     "validation": N_("No point under the cursor. Ctrl+click on a validation plane."),
 }
 """Notes on a click beside the points, by the role of the surface to pick."""
+
+CLOSED_TEXT = N_("{panel} stays closed. Open it with View > Panels.")
+"""Note after the user has closed a panel, which then no longer opens by itself."""
 
 
 class MainWindow(QMainWindow):
@@ -293,11 +297,11 @@ class MainWindow(QMainWindow):
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
         self.histograms.plane_activated.connect(lambda name: self._go_to(name, ""))
-        section = self.tools.sections.panel
-        for panel in (self.histograms, section):
+        enlargeable = (self.results, self.histograms, self.tools.sections.panel)
+        for panel in enlargeable:
             panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))
-        self.histograms.enlarged.connect(section.enlarge.setChecked)  # in the same dock area
-        section.enlarged.connect(self.histograms.enlarge.setChecked)
+            for other in enlargeable:  # in the same dock area
+                panel.enlarged.connect(other.enlarge.setChecked)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
         self.results.settings_edited.connect(control.change_settings)
@@ -315,6 +319,9 @@ class MainWindow(QMainWindow):
     def _connect_actions(self) -> None:
         actions = self.actions_
         self.dock_layout.opens_by_itself.connect(self.viewport.keep_picture)
+        self.dock_layout.closed_by_user.connect(
+            lambda title: self._note(gettext(CLOSED_TEXT, panel=gettext(title)))
+        )
         self.dock_layout.maximised_changed.connect(actions["maximise"].setChecked)
         for each in self.panel_windows.values():
             each.share_actions(actions.all)
@@ -458,9 +465,10 @@ class MainWindow(QMainWindow):
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     def _run_message_action(self, action: Action) -> None:
-        """Use the LiDAR noise found in the residuals, or show how to check a sign."""
-        if action.code == CHECK_SIGN_ACTION:
-            self.manual.open(CHECK_SIGNS_PAGE, CHECK_SIGNS_ANCHOR)
+        """Use the LiDAR noise found in the residuals, or show the signs of the attitude."""
+        if action.code == CHECK_SIGN_CODE:
+            if self.document.survey is not None:
+                self.dialogs.check_signs(self.document.survey)
             return
         project = self.document.project
         if project is None or project.result is None:

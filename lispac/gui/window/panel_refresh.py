@@ -28,6 +28,8 @@ from lispac.gui.window.panels import Panels, filled_docks
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
+MIN_TARGET_COUNT = 2
+"""Number of targets below which a project is opened at the step of the targets."""
 TASK_STEPS = {ESTIMATE_KEY: ADJUST, VALIDATION_KEY: VALIDATE}
 """Step of the workflow by the key of its task."""
 PROJECT_ACTIONS = (
@@ -112,6 +114,7 @@ class PanelRefresh(QObject):
             refusal=document.refusal,
             report=document.report,
             running=self._running_step(),
+            checking=document.awaits_checks,
             opening=project is None and self._runner.busy,
         )
         return ProjectState(
@@ -228,10 +231,9 @@ class PanelRefresh(QObject):
         project = self._document.project
         if project is None:
             return DATA
-        if not project.targets_of_role("target"):
-            return TARGETS
         if project.result is None:
-            return ADJUST
+            used = [target for target in project.targets_of_role("target") if target.used]
+            return ADJUST if len(used) >= MIN_TARGET_COUNT else TARGETS
         return REPORT if project.validation else VALIDATE
 
 

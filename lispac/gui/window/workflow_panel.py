@@ -50,7 +50,15 @@ class WorkflowPanel(QWidget):
             outer.addWidget(header)
             outer.addWidget(area, 1)
         self.opened = -1
+        self._width = 0
         self.open(0)
+
+    def minimumSizeHint(self) -> QSize:
+        """Smallest size in pixels: as wide as the widest step, so that no step moves the view."""
+        hint = super().minimumSizeHint()
+        widths = (area.minimumSizeHint().width() for area in self._areas)
+        self._width = max(self._width, hint.width(), *widths)
+        return QSize(self._width, hint.height())
 
     def open(self, step: int) -> None:
         """Open one step, numbered from 0, and close the others."""
@@ -145,4 +153,7 @@ def _top_aligned(panel: QWidget) -> QWidget:
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(panel)
     layout.addStretch(1)
+    margins = panel.layout().contentsMargins()
+    margins.setRight(0)  # the reserved width of the scroll bar is the margin
+    panel.layout().setContentsMargins(margins)
     return holder

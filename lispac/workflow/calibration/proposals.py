@@ -55,6 +55,9 @@ rating is poor in exactly this share, the plane is proposed only if there are to
 is poor in more, the plane is not proposed."""
 MAX_SHARED_POINT_SHARE = 0.01
 """Largest share of the points of a plane in common with another one that is not an overlap."""
+OBLIQUE_CODE = "quality.oblique"
+"""Code of the reason of a rating that the beams are oblique."""
+_Use = Literal["any", "at need", "not flat", "poor"]
 UNCHECKED_TARGET_CODES = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.targets_act_as_one",
     "adjustment.carried_by_one",
@@ -181,7 +184,9 @@ def propose_targets(
     reasons: dict[str, Message] = {}
     for number, name in enumerate(chosen, start=1):
         proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
-        reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
+        reasons[f"T{number}"] = _target_reason(
+            planes, chosen, name, len(named[name].found), judged[name]
+        )
     ordered = _choose_validation_planes({name: named[name] for name in separate}, separate, survey)
     for number, name in enumerate(ordered, start=1):
         plane, is_reciprocal = named[name], _has_reciprocal_lines(separate[name], survey)
@@ -353,6 +358,22 @@ def _candidate_planes(
 
 
 def _target_reason(
+    planes: CandidatePlanes,
+    chosen: Sequence[str],
+    name: str,
+    lines: int,
+    judged: "_PlaneAssessment",
+) -> Message:
+    """Reason for a target, with the lines on which its beams are oblique."""
+    found = _precision_reason(planes, chosen, name, lines)
+    if not judged.oblique:
+        return found
+    return note(
+        "propose.target_oblique", target=found, lines=judged.oblique, angle=judged.incidence
+    )
+
+
+def _precision_reason(
     planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int
 ) -> Message:
     """Reason for a target: the angle whose sigma would increase most without it."""
@@ -443,11 +464,15 @@ class _PlaneAssessment:
     use : "any"; "at need" if there are too few others; "not flat" and "poor" planes are not used
     poor : lines with a sighting of poor quality
     reason : reason for the rating of the first of these
+    oblique : lines with a sighting that is rated lower because the beams are oblique
+    incidence : largest angle between beams and surface normal on these lines, radians
     """
 
-    use: Literal["any", "at need", "not flat", "poor"]
+    use: _Use
     poor: tuple[str, ...]
     reason: Message | str
+    oblique: tuple[str, ...] = ()
+    incidence: float = 0.0
 
     @property
     def flat(self) -> bool:
@@ -473,12 +498,19 @@ def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
     uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
+    angles = {
+        line: quality.incidence or 0.0
+        for line, quality in lines.items()
+        if any(isinstance(each, Message) and each.code == OBLIQUE_CODE for each in quality.reasons)
+    }
+    use: _Use
     if len(uneven) >= MAX_POOR_SHARE * len(lines):
-        return _PlaneAssessment("not flat", poor, reason)
-    if len(poor) < MAX_POOR_SHARE * len(lines):
-        return _PlaneAssessment("any", poor, reason)
-    at_limit = len(poor) == MAX_POOR_SHARE * len(lines)
-    return _PlaneAssessment("at need" if at_limit else "poor", poor, reason)
+        use = "not flat"
+    elif len(poor) < MAX_POOR_SHARE * len(lines):
+        use = "any"
+    else:
+        use = "at need" if len(poor) == MAX_POOR_SHARE * len(lines) else "poor"
+    return _PlaneAssessment(use, poor, reason, tuple(angles), max(angles.values(), default=0.0))
 
 
 def _too_few_planes_message(

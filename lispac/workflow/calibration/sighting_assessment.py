@@ -11,7 +11,7 @@ from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, note
-from lispac.progress import Progress, no_progress
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
 from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
@@ -95,10 +95,8 @@ def assess_sightings(
     }
     placed = survey.placed(project, "estimated") if project.result is not None else None
     for k, target in enumerate(project.targets):
-        progress(
-            k / len(project.targets),
-            gettext_lazy("Assessing the sightings of {target}", target=target.name),
-        )
+        step = sub_progress(progress, k / len(project.targets), (k + 1) / len(project.targets))
+        step(0.0, gettext_lazy("Assessing the sightings of {target}", target=target.name))
         kept = {
             key: known[key]
             for key in ((target.name, sighting.line) for sighting in target.sightings)
@@ -116,7 +114,10 @@ def assess_sightings(
             sightings = tuple(replace(s, used=True) for s in target.sightings)
             every = replace(target, sightings=sightings, used=True)
             now = reselect_target(every, survey.clouds, placed, threshold_factor=1.0)
-        found = _target_qualities(project, survey, placings[target.role], target, now.sightings)
+            step(0.2)
+        found = _target_qualities(
+            project, survey, placings[target.role], target, now.sightings, step
+        )
         for picked, quality in zip(target.sightings, found, strict=True):
             judged[target.name, picked.line] = AssessedQuality(
                 quality,
@@ -212,16 +213,17 @@ def _target_qualities(
     placing: _SurveyPlacement,
     target: Target,
     sightings: tuple[PickedSighting, ...],
+    progress: Progress,
 ) -> list[SightingQuality]:
     """Quality of each selected sighting; the sightings of ``target`` are those that were picked."""
     seen = [_SightingPoints.of(survey, placing, sighting) for sighting in sightings]
     shown: list[ObservedExtent | None] = [None] * len(seen)
     if target.shape == "plane" and placing.is_nearly_aligned:
         shown = _observed_parts(target, placing, seen)
-    judged = [
-        _sighting_quality(project, placing, target, sighting, each, extent)
-        for sighting, each, extent in zip(sightings, seen, shown, strict=True)
-    ]
+    judged = []
+    for k, (sighting, each, extent) in enumerate(zip(sightings, seen, shown, strict=True)):
+        progress(0.3 + 0.7 * k / len(seen))
+        judged.append(_sighting_quality(project, placing, target, sighting, each, extent))
     if target.shape == "plane" and not placing.is_nearly_aligned:
         judged = [
             add_messages(quality, _ambiguity_note(target, survey, sighting))

@@ -43,9 +43,11 @@ OPTION_SETTING_ACTIONS = {
     "clear_time_base", "ignore_rollover",
 }  # fmt: skip
 """Codes of actions that give an option (parameter ``name``) a value (parameter ``value``)."""
+CHECK_SIGN_CODE = "check_sign"
+"""Code of the action that shows the attitude, so that the user can check its signs."""
 OPTION_CHOICE_ACTIONS = {
     "choose_system", "check_system", "choose_vertical_reference", "choose_frame",
-    "choose_time_base", "check_sign",
+    "choose_time_base", CHECK_SIGN_CODE,
 }  # fmt: skip
 """Codes of actions by which the user chooses the value of an option (parameter ``name``)."""
 BRIDGE_GAPS_CODE = "bridge_gaps"

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPoint, QTimer, Signal
+from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -25,6 +25,7 @@ from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.widgets.number_input import require_accepted_texts
+from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.project import Project, Settings
@@ -75,7 +76,8 @@ class AdjustPanel(QWidget):
         layout = widgets.vertical_layout(self)
         layout.setSpacing(6)
         layout.addLayout(self._distance_row())
-        self.count = widgets.label("", "muted", wrap=True, name="point_count", rich=True)
+        self.count = ReservedLabel("muted", "point_count", lines=2)
+        self.count.setTextFormat(Qt.TextFormat.RichText)
         layout.addWidget(self.count)
         layout.addWidget(widgets.label(gettext("POS errors"), "heading"))
         self._models = QButtonGroup(self)
@@ -87,7 +89,8 @@ class AdjustPanel(QWidget):
             choice.setChecked(k == 0)
             self._models.addButton(choice, k)
             layout.addWidget(choice)
-        self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
+        sentences = [gettext(sentence) for _model, _title, sentence in POS_ERROR_MODELS]
+        self.model_sentence = ReservedLabel("muted", "model_sentence", texts=sentences)
         layout.addWidget(self.model_sentence)
         self.parameters = ParameterSwitches()
         self.also = FoldableGroup(
@@ -107,9 +110,6 @@ class AdjustPanel(QWidget):
             )
         )
         layout.addWidget(self.cross_check)
-        self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
-        self.problem.hide()
-        layout.addWidget(self.problem)
         self.estimate = widgets.button(
             gettext("Estimate boresight"), "estimate", icon="calculator-variant-outline",
             primary=True,
@@ -117,6 +117,9 @@ class AdjustPanel(QWidget):
         )  # fmt: skip
         self.estimate.clicked.connect(self._request_estimate)
         layout.addWidget(self.estimate)
+        self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
+        self.problem.hide()
+        layout.addWidget(self.problem)
         layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)

@@ -6,7 +6,6 @@ from time import perf_counter
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
@@ -104,9 +103,9 @@ class Estimation(QObject):
         self._selection: _PointSelection | None = None
         self._automatic: tuple[Task, Project] | None = None
         self._cross_check = False
-        self._unchecked: AdjustmentResult | None = None
-        """Result without advice and cross-checks, which are computed when no task runs."""
         self._checking: Task | None = None
+        self._is_storing = False
+        """Whether a result is being stored, so that its checks have to wait."""
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
         self._debounce.setInterval(DEBOUNCE_MS)
@@ -152,11 +151,14 @@ class Estimation(QObject):
                 return
             self._selection, self._cross_check = found.selection, cross_check
             self._scene.keep_estimated(found.estimated.result, found.clouds)
+            # Checked when the runner is idle; set first, so that no verdict is shown before
+            self._document.unchecked_result = found.estimated.result
+            self._is_storing = True
             self._document.edit(N_("boresight estimate"), found.estimated, survey=found.replaced)
+            self._is_storing = False
             # Stored again, since the scene releases its data when the survey is replaced.
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._scene.show("estimated")
-            self._unchecked = found.estimated.result  # checked when the runner is idle
             self._note(found.estimated, ESTIMATED_TEXT)
             self.estimated.emit()
 
@@ -184,7 +186,7 @@ class Estimation(QObject):
 
     def _on_project_opened(self) -> None:
         project = self._document.project
-        self._selection, self._unchecked = None, None
+        self._selection, self._document.unchecked_result = None, None
         self._cross_check = project is not None and project.cross_checks is not None
 
     def _record_refusal(self, error: BaseException) -> None:
@@ -239,7 +241,7 @@ class Estimation(QObject):
                 return
             self._selection = found.selection
             self._scene.keep_estimated(found.estimated.result, found.clouds)
-            self._unchecked = found.estimated.result
+            self._document.unchecked_result = found.estimated.result
             self._document.complete_last_edit(found.estimated)
             self._note(found.estimated, SAME_POINTS_TEXT if selection else ESTIMATED_AGAIN_TEXT)
 
@@ -260,19 +262,22 @@ class Estimation(QObject):
 
         The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
         """
-        if self._runner.active:
+        if self._runner.active or self._is_storing:
             return
         last, self._checking = self._checking, None
         if last is not None:
             self.checking.emit(False)
             if last.cancel.is_set() and not last.superseded:
-                self._unchecked = None  # cancelled by the user
+                self._document.unchecked_result = None  # cancelled by the user
+                self._document.changed.emit()
         (project, survey), selection = self._document.current_data, self._selection
         if project is None or survey is None:
             return
-        if project.result is None or project.result is not self._unchecked:
+        if project.result is None or project.result is not self._document.unchecked_result:
             return
         if selection is None or not selection.covers_sightings(project, survey):
+            self._document.unchecked_result = None  # it cannot be checked any more
+            self._document.changed.emit()
             return
 
         cross_check = self._cross_check
@@ -286,7 +291,7 @@ class Estimation(QObject):
 
         def done(checked: Project) -> None:
             if self._document.project is project and checked.result is not None:
-                self._unchecked = None
+                self._document.unchecked_result = None
                 self._scene.reassign_estimated(project.result, checked.result)
                 self._document.complete_last_edit(checked)
 

@@ -9,6 +9,7 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
+    QHBoxLayout,
     QHeaderView,
     QScrollArea,
     QStackedLayout,
@@ -71,6 +72,8 @@ class ResultsPanel(QWidget):
 
     settings_edited = Signal(object)
     """`Settings` with the LiDAR noise found in the residuals."""
+    enlarged = Signal(bool)
+    """The user wants a higher panel, or the initial height."""
     cross_checks_requested = Signal()
     """The table of the cross-checks is to be shown."""
 
@@ -88,7 +91,16 @@ class ResultsPanel(QWidget):
         layout.addWidget(self._empty)
         layout.addStretch(1)
         self._stack.addWidget(empty)
-        self._stack.addWidget(self._create_body())
+        filled = QWidget()
+        row = QHBoxLayout(filled)
+        row.setContentsMargins(0, 0, 4, 0)
+        row.setSpacing(0)
+        row.addWidget(self._create_body(), 1)
+        self.enlarge = widgets.enlarge_button("enlarge_results")
+        self.enlarge.setToolTip(gettext("Enlarge the panel for all results, or restore its height"))
+        self.enlarge.toggled.connect(self.enlarged)
+        row.addWidget(self.enlarge, 0, Qt.AlignmentFlag.AlignTop)
+        self._stack.addWidget(filled)
 
     def show_checking(self, running: bool) -> None:
         """Show whether missing cross-checks are being computed."""
@@ -165,11 +177,14 @@ class ResultsPanel(QWidget):
         convention.setText(convention_html())
         self._body = ColumnFlow({
             "warnings": _block(self.warnings),
-            "angles": _block(self.angles, self._truth_note, self.rotation),
+            "angles": _block(self.angles, self.rotation),
             "parameters": _block(
                 widgets.label(gettext("Other estimated parameters"), "heading"), self.parameters
             ),
-            "weakest": _block(widgets.label(gettext("Weakest direction"), "heading"), self.weakest),
+            "weakest": _block(
+                widgets.label(gettext("Weakest direction"), "heading"), self.weakest,
+                self._truth_note,
+            ),
             "fit": _block(
                 widgets.label(gettext("Fit"), "heading"), self._fit_form(), self._verdict,
                 self.use_noise,

@@ -14,8 +14,6 @@ from lispac.progress import Progress
 
 STEPS_PAGE = "panels"
 """Page of the manual with a section for each step; its anchors are ``step-1`` to ``step-5``."""
-CHECK_SIGNS_PAGE, CHECK_SIGNS_ANCHOR = "conventions", "check-signs"
-"""Section of the manual that says how to check the signs of roll and pitch."""
 
 
 class Manual(QObject):

@@ -20,6 +20,7 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import TARGETS
 from lispac.gui.viewport.base import Sketch, Viewport
+from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
@@ -97,6 +98,10 @@ SAME_ORIENTATION_TEXT = N_(
 """Instruction shown instead of that of the step while all targets have the same orientation."""
 
 
+ALL_TEXTS = (*(step.text for step in TOUR_STEPS), *VERDICT_TEXTS.values(), SAME_ORIENTATION_TEXT)
+"""All instructions."""
+
+
 class TourCard(QFrame):
     """Card with the instruction of the current step, above the view."""
 
@@ -110,7 +115,8 @@ class TourCard(QFrame):
         layout.setContentsMargins(14, 8, 10, 8)
         texts = QVBoxLayout()
         self.head = widgets.label("", "heading", name="tour_head")
-        self.text = widgets.label("", wrap=True, name="tour_text")
+        # The view below does not move from step to step
+        self.text = ReservedLabel(name="tour_text", texts=[gettext(each) for each in ALL_TEXTS])
         texts.addWidget(self.head)
         texts.addWidget(self.text)
         layout.addLayout(texts, 1)

@@ -30,6 +30,9 @@ ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface 
 """Titles of the axes of an exaggerated picture of a plane."""
 LOW_TITLE_LENGTH = 14
 """Length after which the title of the vertical axis is wrapped in a low picture, characters."""
+FILLED_QUANTILE = 0.99
+"""Share of the points that an enlarged picture contains; single points off the surface may be out
+of it."""
 MAX_COMMON_RATIO = 2.5
 """Largest ratio of the automatic factors of two cuts for which both have the smaller one."""
 INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
@@ -62,7 +65,7 @@ def draw_section(
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
         that of each cut, or the smaller one if they differ little
     starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
-    labelled : whether there is space for titles of the horizontal axes
+    labelled : whether there is space for large titles of the axes
     has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
@@ -75,6 +78,9 @@ def draw_section(
         _CutView.of(cut, factor, start, is_natural=is_natural).widened(ratio)
         for cut, factor in zip(cuts, factors, strict=True)
     ]
+    # Cuts with one factor have one range, so that they can be compared
+    crops = {view.factor: min(v.crop for v in views if v.factor == view.factor) for view in views}
+    views = [replace(view, crop=crops[view.factor]) for view in views]
     title_length = LOW_TITLE_LENGTH
     if labelled:
         space = float(figure.get_size_inches()[1]) - AXIS_INCHES
@@ -87,8 +93,8 @@ def draw_section(
         first = first or axes
         _draw_cut(axes, view, colours, view.title(short=not has_long_titles))
         across, upward = view.axis_titles(titles)
-        if labelled:
-            axes.set_xlabel(across, fontsize=FONT_SIZE, color=theme.TEXT)
+        size, pad = (FONT_SIZE, 4.0) if labelled else (SMALL_SIZE, 1.0)
+        axes.set_xlabel(across, fontsize=size, color=theme.TEXT, labelpad=pad)
         if number == 1 or not is_shared:
             axes.set_ylabel(
                 fill(upward, title_length, break_long_words=False),
@@ -169,7 +175,7 @@ class _CutView:
         if not self.vertical or self.factor == 1 or not any(map(len, self.cut.points.values())):
             return self
         across = np.concatenate(list(self.cut.points.values())) @ self.rotation[:, 1]
-        filled = float(np.abs(across).max()) / (0.95 * self.half_extent[1])
+        filled = float(np.quantile(np.abs(across), FILLED_QUANTILE)) / (0.8 * self.half_extent[1])
         return replace(self, crop=max(min(ratio, 1.0 / max(filled, 1e-6)), 1.0))
 
     @property

@@ -38,7 +38,7 @@ MIN_PRINT_HEIGHT_INCHES = 3.2
 MIN_TEXT_WIDTH_PX = 260
 """Width with which the whole text without a section is visible in a low panel, pixels."""
 LOW_PANEL_PX = 230
-"""Height of the panel below which the horizontal axes have no titles, pixels."""
+"""Height of the panel below which the titles of the axes are small, pixels."""
 NARROW_PANEL_PX = 1200
 """Width of the panel below which the titles of the cuts are short, so that they do not overlap."""
 
@@ -109,7 +109,7 @@ class SectionPanel(QWidget):
         head.addWidget(self.through, 1)
         head.addWidget(self.enlarge)
         form.addRow(head)
-        form.addRow(gettext("Orientation"), self.orientation)
+        form.addRow(gettext("Cutting plane"), self.orientation)
         form.addRow(gettext("Exaggeration"), self.exaggeration_choice)
         sizes = QHBoxLayout()
         sizes.setSpacing(4)
@@ -148,7 +148,7 @@ class SectionPanel(QWidget):
         self._allow_pictures(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Omit the titles of the horizontal axes in a low panel, and shorten those of the cuts."""
+        """Make the titles smaller in a low panel, and shorten those of the cuts."""
         super().resizeEvent(event)
         form = self.height() < LOW_PANEL_PX, self.width() < NARROW_PANEL_PX
         if form != (self._is_low, self._is_narrow):

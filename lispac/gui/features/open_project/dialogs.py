@@ -15,6 +15,7 @@ from lispac.project import LineSource, Project
 
 if TYPE_CHECKING:
     from lispac.workflow.importing.input_files import ImportRequest
+    from lispac.workflow.project.survey import Survey
 
 
 class ProjectDialogs(Questions):
@@ -54,6 +55,13 @@ class ProjectDialogs(Questions):
         dialog = AddLinesDialog(settings, project, self.parent)
         dialog.add(paths)
         return dialog.sources() if run_dialog(dialog) else dialog.project
+
+    def check_signs(self, survey: "Survey") -> None:
+        """Show roll, pitch and heading of a survey, and the signs they must have."""
+        from lispac.gui.features.open_project.import_survey.quality_figures import AttitudeRecord
+        from lispac.gui.features.open_project.import_survey.sign_check_dialog import SignCheckDialog
+
+        run_dialog(SignCheckDialog(AttitudeRecord.of_survey(survey), "project", self.parent))
 
     def project_to_open(self, start: Path) -> Path | None:
         """Ask for the file of a project to open."""

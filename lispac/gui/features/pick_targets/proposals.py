@@ -102,12 +102,13 @@ class ProposedTargets(SurveyDependentActions):
         if not self._left.targets:
             self._close() if candidate is None else self._hide()
             return
+        existing = [each.name for each in project.targets_of_role("target") if each.used]
         self._targets.show_proposal(True)
         if candidate is None:
-            self._panel.show_proposal(self._left, unticked)
+            self._panel.show_proposal(self._left, unticked, existing)
             return
         with QSignalBlocker(self._panel):  # the candidate remains selected in the scene
-            self._panel.show_proposal(self._left, unticked)
+            self._panel.show_proposal(self._left, unticked, existing)
         self._show_in_scene()
 
     def _unticked_seeds(self) -> set[Triple]:

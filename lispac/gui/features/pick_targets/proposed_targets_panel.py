@@ -20,7 +20,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.widgets.tab_order import ENTER_KEYS
-from lispac.language import N_, gettext
+from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.picked_targets import Triple
 
@@ -48,6 +48,8 @@ class ProposedTargetsPanel(QFrame):
         self.setObjectName("proposal_box")
         self.setProperty("role", "candidate")
         self._proposal: Proposal | None = None
+        self._others: tuple[str, ...] = ()
+        """Used targets of the project that are not among the proposed surfaces."""
         layout = widgets.vertical_layout(self, 10)
         layout.addWidget(widgets.label(gettext(TITLE), "heading"))
         self._sigmas = widgets.label("", wrap=True, name="proposal_sigmas")
@@ -75,9 +77,20 @@ class ProposedTargetsPanel(QFrame):
         layout.addLayout(row)
         layout.addWidget(self._sigmas)
 
-    def show_proposal(self, proposal: "Proposal", unticked: Collection[Triple] = ()) -> None:
-        """Show a proposal; the targets with the ``unticked`` seeds are not ticked."""
+    def show_proposal(
+        self,
+        proposal: "Proposal",
+        unticked: Collection[Triple] = (),
+        existing: Collection[str] = (),
+    ) -> None:
+        """Show a proposal; the targets with the ``unticked`` seeds are not ticked.
+
+        Parameters
+        ----------
+        existing : targets of the project that the adjustment uses
+        """
         name = self.current
+        self._others = tuple(each for each in existing if each not in proposal.picked)
         self._proposal = proposal
         self._warnings.setText("\n".join(map(message_text, proposal.warnings)))
         self._warnings.setVisible(bool(proposal.warnings))
@@ -140,7 +153,7 @@ class ProposedTargetsPanel(QFrame):
         )
         self.accept_button.setEnabled(ticked > 0)
         if self._proposal is not None:
-            self._sigmas.setText(_targets_text(self._proposal, self.ticked_entries))
+            self._sigmas.setText(_targets_text(self._proposal, self.ticked_entries, self._others))
         self.ticks_changed.emit()
 
 
@@ -186,7 +199,7 @@ class _ProposalTable(QTableWidget):
             super().keyPressEvent(event)
 
 
-def _targets_text(proposal: "Proposal", ticked: Collection[str]) -> str:
+def _targets_text(proposal: "Proposal", ticked: Collection[str], others: Collection[str]) -> str:
     """Text on the precision predicted with the ticked targets, or that all are picked already."""
     if not any(target.role == "target" for target in proposal.targets):
         return gettext(
@@ -199,20 +212,31 @@ def _targets_text(proposal: "Proposal", ticked: Collection[str]) -> str:
         return gettext("The ticked targets do not determine the boresight. Tick more targets.")
     sigmas = dict(zip(ANGLES, map(_angle_text, sigma), strict=True))
     if proposal.picked:
-        return gettext(
-            "Predicted standard deviations of the boresight with the ticked and the existing "
-            "targets ({targets:names}): roll {roll}, pitch {pitch}, yaw {yaw}.",
+        predicted = gettext(
+            "Predicted standard deviations of the boresight with the ticked targets and "
+            "{targets:names}: roll {roll}, pitch {pitch}, yaw {yaw}.",
             targets=proposal.picked, **sigmas,
         )  # fmt: skip
-    return gettext(
-        "Predicted standard deviations of the boresight with the ticked targets: roll {roll}, "
-        "pitch {pitch}, yaw {yaw}.",
-        **sigmas,
-    )
+    else:
+        predicted = gettext(
+            "Predicted standard deviations of the boresight with the ticked targets: roll {roll}, "
+            "pitch {pitch}, yaw {yaw}.",
+            **sigmas,
+        )
+    if not others:
+        return predicted
+    upper = gettext(
+        Plural(
+            "They are upper limits, because {targets:names} is not included.",
+            "They are upper limits, because {targets:names} are not included.",
+        ),
+        targets=tuple(others), count=len(others),
+    )  # fmt: skip
+    return f"{predicted} {upper}"
 
 
 def _angle_text(radians: float) -> str:
     """Text of an angle in the unit that the user has chosen."""
     sign = units.shown_unit("°").sign
-    value = units.localised(units.figure(degrees(radians), "°", ".3f"))
+    value = units.localised(units.figure(degrees(radians), "°", ".4f"))
     return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -4,6 +4,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import astuple
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -81,6 +82,11 @@ class ReportExport(QObject):
     def show_choice(self) -> None:
         """Show the stored options in the panel."""
         self._panel.show_choice(self._settings.report_choice())
+        self._document.set_report_options(self._chosen_options)
+
+    @property
+    def _chosen_options(self) -> tuple[object, ...]:
+        return astuple(self._panel.choice)
 
     def ask_details(self, missing: Sequence[str] = ()) -> bool:
         """Ask for the details for the report, and store them as one undo step.
@@ -173,8 +179,8 @@ class ReportExport(QObject):
                 )  # fmt: skip
             return path
 
-        title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._on_exported, project), persistent=True)
+        title, chosen = gettext("Writing the report"), self._chosen_options
+        self._runner.run(title, work, partial(self._on_exported, project, chosen), persistent=True)
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -213,6 +219,8 @@ class ReportExport(QObject):
         )
 
     def _show_preview(self, project: Project, preview: "Preview") -> None:
+        chosen = self._chosen_options
+
         def save() -> str:
             path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
             if path is None:
@@ -224,18 +232,18 @@ class ReportExport(QObject):
             except InputError as error:
                 self._controller.refused.emit(error)
                 return ""
-            self._on_written(project, path)
+            self._on_written(project, chosen, path)
             return gettext("Wrote {path}", path=path)
 
         self._dialogs.preview(preview.pages, save)
 
-    def _on_exported(self, project: Project, path: Path) -> None:
-        self._on_written(project, path)
+    def _on_exported(self, project: Project, options: tuple[object, ...], path: Path) -> None:
+        self._on_written(project, options, path)
         if self._panel.opens.isChecked() and not self._dialogs.open_file(path):
             self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
 
-    def _on_written(self, project: Project, path: Path) -> None:
-        self._document.mark_reported(project, ExportedReport(path, time.time()))
+    def _on_written(self, project: Project, options: tuple[object, ...], path: Path) -> None:
+        self._document.mark_reported(project, ExportedReport(path, time.time(), options=options))
         self._store_report()
         self._controller.logged.emit(gettext("Wrote {path}", path=path))
 
@@ -246,9 +254,9 @@ class ReportExport(QObject):
             return
         stored = self._settings.exported_report(project.folder)
         if stored is not None and stored[0].exists():
-            path, exported, digest = stored
+            path, exported, digest, options = stored
             is_current = bool(digest) and digest == project.file_digest
-            self._document.restore_report(ExportedReport(path, exported, is_current))
+            self._document.restore_report(ExportedReport(path, exported, is_current, options))
 
     def _store_report(self) -> None:
         """Store the exported report for the next time the project is opened."""
@@ -257,7 +265,7 @@ class ReportExport(QObject):
             is_saved = report.is_current and not document.is_modified
             self._settings.save_exported_report(
                 document.project.folder, report.path, report.exported,
-                document.file_digest if is_saved else "",
+                document.file_digest if is_saved else "", report.options,
             )  # fmt: skip
 
     def _options(self) -> ReportOptions | None:
@@ -271,6 +279,7 @@ class ReportExport(QObject):
     def _store_choice(self) -> None:
         self._settings.save_report_choice(self._panel.choice)
         self._settings.opens_report = self._panel.opens.isChecked()
+        self._document.set_report_options(self._chosen_options)
 
     @property
     def _survey(self) -> Survey | None:

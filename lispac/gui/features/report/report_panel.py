@@ -49,8 +49,6 @@ class ReportPanel(QWidget):
         super().__init__()
         self._template: Path | None = None
         layout = widgets.vertical_layout(self)
-        self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
-        layout.addWidget(self.advice)
         self.details = widgets.button(
             gettext("Details for the report…"), "report_details",
             icon="card-account-details-outline",
@@ -58,11 +56,7 @@ class ReportPanel(QWidget):
                         "report"),
         )  # fmt: skip
         layout.addWidget(self.details)
-        self.missing = widgets.label("", "muted", wrap=True, name="report_missing")
-        layout.addWidget(self.missing)
         layout.addLayout(self._create_choice_form())
-        self.template_error = widgets.label("", "error", wrap=True, name="report_message")
-        layout.addWidget(self.template_error)
         self.report = widgets.button(
             gettext("Export report…"), "export_report", icon="file-document-outline", primary=True,
             tip=gettext(
@@ -93,6 +87,12 @@ class ReportPanel(QWidget):
         self.opens.toggled.connect(lambda _checked: self.changed.emit())
         layout.addWidget(self.opens)
         layout.addWidget(self.lines)
+        # Texts that change are below the controls, which then stay in place
+        self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
+        self.missing = widgets.label("", "muted", wrap=True, name="report_missing")
+        self.template_error = widgets.label("", "error", wrap=True, name="report_message")
+        for each in (self.template_error, self.advice, self.missing):
+            layout.addWidget(each)
         self.show_template(None)
 
     @property

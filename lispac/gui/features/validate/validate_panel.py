@@ -50,8 +50,6 @@ class ValidatePanel(QWidget):
                 "hint", wrap=True,
             )
         )  # fmt: skip
-        self.advice = widgets.label("", wrap=True, name="validate_advice")
-        layout.addWidget(self.advice)
         self.kind = widgets.ChoiceBox(
             "distance_to", [gettext(title) for _, title in SURFACE_MODELS],
             gettext(
@@ -83,12 +81,6 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
-        self.outcome = AcceptanceOutcome()
-        self.outcome.cause_requested.connect(self.cause_requested)
-        layout.addWidget(self.outcome)
-        self.acceptance = AcceptanceForm()
-        self.acceptance.edited.connect(self.acceptance_edited)
-        layout.addWidget(self.acceptance)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
             gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
@@ -107,6 +99,15 @@ class ValidatePanel(QWidget):
             row.addWidget(each)
         self.before.setChecked(True)
         layout.addLayout(row)
+        self.acceptance = AcceptanceForm()
+        self.acceptance.edited.connect(self.acceptance_edited)
+        layout.addWidget(self.acceptance)
+        # Texts that change with the criteria are below their fields, which then stay in place
+        self.outcome = AcceptanceOutcome()
+        self.outcome.cause_requested.connect(self.cause_requested)
+        layout.addWidget(self.outcome)
+        self.advice = widgets.label("", wrap=True, name="validate_advice")
+        layout.addWidget(self.advice)
 
     @property
     def model(self) -> LocalModel:

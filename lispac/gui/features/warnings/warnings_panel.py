@@ -24,10 +24,9 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import action_text, message_text
 from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
+from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 
 TITLE = N_("Messages")
-CHECK_SIGN_ACTION = "check_sign"
-"""Action for which the window shows how to check the sign of an angle."""
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
@@ -219,7 +218,7 @@ class _WarningListWidget(QListWidget):
 
 def _possible_actions(message: Message) -> tuple[Action, ...]:
     """Actions that the window can carry out; others on files belong to the import."""
-    possible = (*NOISE_ACTIONS, CHECK_SIGN_ACTION)
+    possible = (*NOISE_ACTIONS, CHECK_SIGN_CODE)
     return tuple(action for action in message.actions if action.code in possible)
 
 

@@ -1,5 +1,7 @@
 """Page of the selected file: messages, options, contents and first rows."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
@@ -32,7 +34,7 @@ from lispac.workflow.importing.input_columns import (
     possible_meanings,
 )
 from lispac.workflow.importing.input_file import InputFile
-from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE, option_to_choose
 from lispac.workflow.importing.input_files import InputFiles
 
 _GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
@@ -88,13 +90,13 @@ class OptionsForm(QWidget):
             field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
         self._show_system(file)
 
-    def focus_option(self, name: str) -> None:
-        """Set the focus to the field of an option, and open its list of values."""
+    def focus_option(self, name: str, *, opens: bool = True) -> None:
+        """Set the focus to the field of an option; ``opens`` also opens its list of values."""
         field = self.fields.get(name)
         if field is None:
             return
         field.setFocus(Qt.FocusReason.OtherFocusReason)
-        if isinstance(field, QComboBox):
+        if opens and isinstance(field, QComboBox):
             field.showPopup()
 
     def _build(self, options: tuple[FormatOption, ...]) -> None:
@@ -220,12 +222,15 @@ class FilePreview(QTableWidget):
         elif file.format is not None and file.format.key in FORMATS_WITH_COLUMN_NAMES:
             heads = names
         else:
-            heads = list(map(gettext, names))
+            heads = [_column_head(file, name) for name in names]
         self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
         for k in range(columns if mapped else 0):
             self._add_combo(file, k)
-        for row, cells in enumerate(rows[1:]):
-            for column, text in enumerate(cells[:columns]):
+        shown = [cells[:columns] for cells in rows[1:]]
+        if not mapped:  # the rows of a text file are shown as they are in the file
+            shown = _with_equal_decimals(shown)
+        for row, cells in enumerate(shown):
+            for column, text in enumerate(cells):
                 item = QTableWidgetItem(text)
                 item.setTextAlignment(_ALIGN_RIGHT)
                 item.setFont(theme.tabular_font(self.font()))
@@ -250,10 +255,52 @@ class FilePreview(QTableWidget):
         self.combos.append(combo)
 
 
+_LENGTHS = ("height", "north", "east", "down")
+_ANGLES = ("latitude", "longitude", "roll", "pitch", "heading", "wander")
+
+
+def _column_head(file: InputFile, name: str) -> str:
+    """Name of a column of an SBET or smrmsg file, with the unit of its values."""
+    is_accuracy = file.role == "accuracy"
+    if name == "time":
+        unit = "s"
+    elif name in _ANGLES:
+        degrees = file.options.get("unit") == "degrees"
+        unit = "′" if is_accuracy else "°" if degrees else "rad"
+    elif name.startswith("velocity"):
+        unit = "m/s"
+    elif name.startswith("acceleration"):
+        unit = "m/s²"
+    elif name.startswith("rate"):
+        unit = "rad/s"
+    elif name in _LENGTHS:
+        unit = "m"
+    else:
+        return gettext(name)
+    return gettext("{label} ({unit})", label=gettext(name), unit=unit)
+
+
+def _with_equal_decimals(rows: Sequence[Sequence[str]]) -> list[list[str]]:
+    """Rows with the same number of decimals in all numbers of a column, and no negative zeros."""
+    columns = []
+    for texts in zip(*rows, strict=False):
+        decimals = max(len(text.partition(".")[2]) for text in texts)
+        try:
+            # Adding zero removes the sign of a negative zero
+            columns.append([f"{float(text) + 0.0:.{decimals}f}" for text in texts])
+        except ValueError:
+            columns.append(list(texts))
+        if any("e" in text.lower() for text in texts):  # too small for a fixed number of decimals
+            columns[-1] = list(texts)
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
 class FilePage(QWidget):
     """Page with all details of one file."""
 
     action_chosen = Signal(object)
+    sign_check_requested = Signal(str)
+    """Option whose value the user wants to check: roll or pitch."""
     option_edited = Signal(str, str)
     meaning_chosen = Signal(int, str)
 
@@ -365,7 +412,10 @@ class FilePage(QWidget):
         self.facts.addRow(head, value)
 
     def _on_action_chosen(self, action: Action, _place: int) -> None:
-        if option := option_to_choose(action):
+        option = option_to_choose(action)
+        if action.code == CHECK_SIGN_CODE:
+            self.sign_check_requested.emit(option)
+        elif option:
             self.options.focus_option(option)
         else:
             self.action_chosen.emit(action)

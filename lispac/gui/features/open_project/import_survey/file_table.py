@@ -86,6 +86,12 @@ class FileTable(QTableWidget):
         rows = self.selectionModel().selectedRows()
         return self._paths[rows[0].row()] if rows else None
 
+    @property
+    def rows_height(self) -> int:
+        """Height of the table in which all rows are visible, pixels."""
+        head = self.horizontalHeader().sizeHint().height()
+        return head + self.verticalHeader().length() + 2 * self.frameWidth()
+
     def select(self, path: Path) -> None:
         """Select a file's row."""
         if path in self._paths:

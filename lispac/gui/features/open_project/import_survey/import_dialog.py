@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.app.questions import Questions
+from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.open_project.actions import ACTIONS
@@ -37,6 +37,7 @@ from lispac.gui.features.open_project.import_survey.timeline_page import Timelin
 from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
 from lispac.gui.widgets.number_input import NumberDialog
+from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.identity import EMPTY_IDENTITY
 from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
@@ -79,6 +80,7 @@ class ImportDialog(NumberDialog):
         self.project: Path | None = None
         """Dropped project that is to be opened instead of an import; None if there is none."""
         self._folder_is_typed = False
+        self._fitted_rows = 0
         self.setObjectName("import_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["new"]))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
@@ -202,7 +204,7 @@ class ImportDialog(NumberDialog):
         upper.addWidget(head)
         upper.addWidget(self.folder, 1)
         upper.addWidget(self.browse)
-        self.reason = widgets.label("", "error", wrap=True, name="new_reason")
+        self.reason = ReservedLabel("error", "new_reason", lines=2)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
@@ -246,6 +248,7 @@ class ImportDialog(NumberDialog):
         page.action_chosen.connect(
             lambda chosen_action: self._apply_action(table.current, chosen_action)
         )
+        page.sign_check_requested.connect(self._check_sign)
         page.option_edited.connect(
             lambda name, value: edit(self.input_files.with_option(table.current, name, value))
         )
@@ -261,6 +264,7 @@ class ImportDialog(NumberDialog):
             lambda gap: edit(replace(self.input_files, longest_gap=gap))
         )
         self.mounting.changed.connect(self._show_reason)
+        self.tabs.currentChanged.connect(self._show_reason)
         self.folder.textEdited.connect(self._on_folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
         self.buttons.accepted.connect(self.accept)
@@ -272,6 +276,7 @@ class ImportDialog(NumberDialog):
         input_files = self.input_files
         self._stack.setCurrentIndex(1 if input_files.files or self.work.busy else 0)
         self.table.show_files(input_files)
+        self._fit_table()
         self._show_selected()
         self.quality.show_files(input_files)
         accuracy = input_files.accuracy
@@ -298,6 +303,14 @@ class ImportDialog(NumberDialog):
         self.tabs.setTabText(TIMELINE, title)
         self._show_progress()
         self._show_reason()
+
+    def _fit_table(self) -> None:
+        """Make the table high enough for its rows, unless they need half of the dialogue."""
+        rows, height = self.table.rowCount(), self._split.height()
+        if rows != self._fitted_rows and height > 0:
+            self._fitted_rows = rows
+            table = min(max(self.table.rows_height, height * 3 // 10), height // 2)
+            self._split.setSizes([table, height - table])
 
     def _show_selected(self) -> None:
         current = self.table.current
@@ -331,7 +344,8 @@ class ImportDialog(NumberDialog):
 
     def _hint(self) -> str:
         """Warning about the mounting before the import."""
-        if not (warnings := self.mounting.mounting_warnings):
+        warnings = self.mounting.mounting_warnings
+        if not warnings or self.tabs.currentWidget() is self.mounting:  # which shows them
             return ""
         warning = message_text(warnings[0])
         if more := len(warnings) - 1:
@@ -350,6 +364,17 @@ class ImportDialog(NumberDialog):
 
     def _apply_action(self, path: Path, action: Action) -> None:
         self.work.edit(self.input_files.with_action(path, action))
+
+    def _check_sign(self, option: str) -> None:
+        """Show the attitude, then focus the option of its sign."""
+        # Matplotlib is imported late, so that the dialogue starts without it.
+        from lispac.gui.features.open_project.import_survey.quality_figures import TrajectoryQuality
+        from lispac.gui.features.open_project.import_survey.sign_check_dialog import SignCheckDialog
+
+        record = TrajectoryQuality.of(self.input_files)
+        if record is not None:
+            run_dialog(SignCheckDialog(record, "import", self))
+        self.file_page.options.focus_option(option, opens=record is None)
 
     def _remove(self) -> None:
         path = self.table.current

@@ -2,7 +2,15 @@
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFormLayout,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QWidget,
+)
 
 from lispac.adjustment.model.stochastic_model import ASSUMED_LIDAR_SIGMA
 from lispac.geometry.frames import LocalFrame
@@ -179,7 +187,7 @@ class MountingPage(QScrollArea):
         self.sensors.pos_chosen.connect(self._set_pos_sigmas)
         form.addRow(gettext("Scanner"), self.sensors.scanner)
         form.addRow("", self.sensors.scanner_origin)
-        form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
+        form.addRow(gettext("LiDAR noise (1 σ)"), self._noise_row())
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle_sigma)
         self.divergence = widgets.divergence_field("new_divergence")
         self.divergence.setMaximumWidth(140)
@@ -194,6 +202,21 @@ class MountingPage(QScrollArea):
         form.addRow(gettext("Lever arm (1 σ)"), self.lever_arm_sigma)
         form.addRow(widgets.label(gettext(widgets.LEVER_ARM_SIGMA_HINT), "muted", wrap=True))
         return form
+
+    def _noise_row(self) -> QHBoxLayout:
+        """The LiDAR noise, and whether it is only the default."""
+        hint = widgets.label(gettext("default, not given"), "muted", name="new_lidar_default")
+        policy = hint.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        hint.setSizePolicy(policy)
+        self.lidar_sigma.assumed_changed.connect(hint.setVisible)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        self.lidar_sigma.setMinimumWidth(self.lidar_sigma.maximumWidth())
+        row.addWidget(self.lidar_sigma)
+        row.addWidget(hint)
+        row.addStretch(1)
+        return row
 
     def _draw_mounting(self) -> None:
         self.view.show_mounting(self.lever_arm.value(), self.boresight.value())

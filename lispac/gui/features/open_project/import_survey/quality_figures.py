@@ -10,6 +10,7 @@ from matplotlib.ticker import FuncFormatter, MultipleLocator
 from numpy.typing import NDArray
 
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.colour_schemes import Colour
 from lispac.gui.features.open_project.import_survey.file_texts import time_axis_title
 from lispac.gui.widgets.ticks import (
     FONT_SIZE,
@@ -22,6 +23,7 @@ from lispac.io.trajectory.trajectory_facts import motion_of
 from lispac.language import gettext
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
@@ -33,22 +35,44 @@ LETTER_WIDTH_SHARE = 0.0065
 
 
 @dataclass(frozen=True, eq=False)
-class TrajectoryQuality:
-    """Data of the figures of a trajectory.
+class AttitudeRecord:
+    """Attitude of the vessel over time, with the times of the lines.
 
     Attributes
     ----------
+    time : ndarray of shape (n,), seconds
+    attitude : ndarray of shape (n, 3), radians
+        Roll, pitch (positive bow down), heading.
     lines : tuple of (str, float, float, str)
         Name, start and end in the trajectory's time base, colour.
     axis : str
         Title of the time axis.
     """
 
-    track: Trajectory
-    sigmas: TrajectoryAccuracy | None
+    time: Array
+    attitude: Array
     lines: tuple[tuple[str, float, float, str], ...]
     longest_gap: float
     axis: str
+
+    @classmethod
+    def of_survey(cls, survey: Survey) -> "AttitudeRecord":
+        """Collect the data of the survey of a project."""
+        path = survey.trajectory
+        colours = theme.line_colours(list(survey.lines))
+        lines = tuple(
+            (name, scan.first_time, scan.last_time, _hexadecimal(colours[name]))
+            for name, scan in survey.scans.items()
+        )
+        return cls(path.time, path.attitude, lines, path.longest_gap, time_axis_title(None))
+
+
+@dataclass(frozen=True, eq=False)
+class TrajectoryQuality(AttitudeRecord):
+    """Data of the figures of a trajectory in an import."""
+
+    track: Trajectory
+    sigmas: TrajectoryAccuracy | None
 
     @classmethod
     def of(cls, input_files: InputFiles) -> "TrajectoryQuality | None":
@@ -61,19 +85,17 @@ class TrajectoryQuality:
                 input_files.names[line.path],
                 line.content.start + line.shift,
                 line.content.end + line.shift,
-                "#{:02x}{:02x}{:02x}".format(*colours[str(line.path)]),
+                _hexadecimal(colours[str(line.path)]),
             )
             for line in input_files.lines
             if isinstance(line.content, LineTimes)
         )
+        path = input_files.trajectory_content
         axis = time_axis_title(input_files.time_base)
         return cls(
-            input_files.trajectory_content,
+            path.time, path.attitude, lines, input_files.longest_gap, axis, path,
             input_files.accuracy_content,
-            lines,
-            input_files.longest_gap,
-            axis,
-        )
+        )  # fmt: skip
 
 
 def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:
@@ -152,21 +174,38 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     _draw_series(top, quality, path.time[motion.index], motion.speed, 0, "")
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"))):
         _draw_series(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
-    # Unwrapped, so that the curve does not jump at north.
-    heading = np.degrees(np.unwrap(path.attitude[:, 2]))
-    _draw_series(bottom, quality, path.time, heading, 0, "")
-    span = float(np.ptp(heading))
-    step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if span / s <= 5), 360)
-    bottom.yaxis.set_major_locator(MultipleLocator(step))
-    bottom.yaxis.set_major_formatter(
-        FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
-    )
+    _draw_heading(bottom, quality)
     top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=FONT_SIZE)
     top.set_ylim(bottom=0)
     middle.set_ylabel(gettext("Roll, pitch\n(°)"), fontsize=FONT_SIZE)
     convert_axis_units(middle.yaxis, "°")
     _add_legend(middle)
-    bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
+
+
+def draw_signs(record: AttitudeRecord, figure: Figure) -> None:
+    """Draw roll, pitch and heading over time, with the motion that each positive sign means."""
+    top, middle, bottom = _time_axes(record, figure, 3)
+    for axes, angle, sign in ((top, 0, 1.0), (middle, 1, -1.0)):
+        values = sign * np.degrees(record.attitude[:, angle])
+        axes.axhline(0.0, color=theme.MUTED, linewidth=0.8)
+        _draw_series(axes, record, record.time, values, angle, "")
+        convert_axis_units(axes.yaxis, "°")
+    top.set_ylabel(gettext("Roll (°)\n+ starboard down"), fontsize=FONT_SIZE)
+    middle.set_ylabel(gettext("Pitch (°)\n+ bow up"), fontsize=FONT_SIZE)
+    _draw_heading(bottom, record)
+
+
+def _draw_heading(axes: Axes, record: AttitudeRecord) -> None:
+    # Unwrapped, so that the curve does not jump at north.
+    heading = np.degrees(np.unwrap(record.attitude[:, 2]))
+    _draw_series(axes, record, record.time, heading, 0, "")
+    span = float(np.ptp(heading))
+    step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if span / s <= 5), 360)
+    axes.yaxis.set_major_locator(MultipleLocator(step))
+    axes.yaxis.set_major_formatter(
+        FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
+    )
+    axes.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
 
 
 DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
@@ -174,7 +213,7 @@ DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
 }  # fmt: skip
 
 
-def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequence[Axes]:
+def _time_axes(quality: AttitudeRecord, figure: Figure, count: int) -> Sequence[Axes]:
     figure.clear()
     all_axes = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     for axes in all_axes:
@@ -182,7 +221,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
         axes.grid(axis="y", color=theme.GRID, linewidth=0.8)
         for _, start, end, colour in quality.lines:
             axes.axvspan(start, end, color=colour, alpha=0.16, linewidth=0)
-    start, end = float(quality.track.time[0]), float(quality.track.time[-1])
+    start, end = float(quality.time[0]), float(quality.time[-1])
     last = all_axes[-1]
     last.set_xlim(start, end)
     last.xaxis.set_major_formatter(
@@ -211,7 +250,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
 
 
 def _draw_series(
-    axes: Axes, quality: TrajectoryQuality, time: Array, values: Array, k: int, name: str
+    axes: Axes, quality: AttitudeRecord, time: Array, values: Array, k: int, name: str
 ) -> None:
     shown = envelope(
         time, values, longest_gap=max(quality.longest_gap, _longest_regular_step(time))
@@ -234,6 +273,10 @@ def _longest_regular_step(time: Array) -> float:
 def _show_text(figure: Figure, text: str) -> None:
     figure.clear()
     figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=FONT_SIZE + 1, color=theme.MUTED)
+
+
+def _hexadecimal(colour: Colour) -> str:
+    return "#{:02x}{:02x}{:02x}".format(*colour)
 
 
 def _escape_dollars(name: str) -> str:
