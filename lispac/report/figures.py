@@ -117,15 +117,17 @@ def site_figure(
     targets: Mapping[str, Sequence[float]],
     validation: Mapping[str, Sequence[float]],
     figure: Figure | None = None,
+    size: tuple[float, float] = (6.3, 3.6),
 ) -> Figure:
     """Plan view of the tracks of the lines, the targets and the validation planes; north is up.
 
     Parameters
     ----------
+    size : width and height of a new figure, inches
     tracks : north and west, shape (k, 2), metres, by name of the line
     targets, validation : seeds (north, west, up), metres, by name; up is not drawn
     """
-    figure = blank_figure(figure, (6.3, 3.6))
+    figure = blank_figure(figure, size)
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
         _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
@@ -150,12 +152,17 @@ def site_figure(
     return figure
 
 
-def site_figure_of(lines: Sequence[LineValues], planes: Sequence[PickedPlane]) -> Figure:
+def site_figure_of(
+    lines: Sequence[LineValues],
+    planes: Sequence[PickedPlane],
+    size: tuple[float, float] = (6.3, 3.6),
+) -> Figure:
     """Draw `site_figure` from the values of a report."""
     return site_figure(
         {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "target"},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "validation"},
+        size=size,
     )
 
 

@@ -111,14 +111,15 @@ def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: 
     ----------
     is_narrow : whether the figure has half the width of the text, or a third for one plane
     """
-    narrow = (2.9, 2.1) if len(planes) == 1 else (4.8, 3.0)
+    # The sizes on paper, so that texts are not reduced
+    narrow = (2.05, 1.5) if len(planes) == 1 else (3.2, 2.35)
     figure = blank_figure(None, narrow if is_narrow else (6.3, 1.6))
     places = figure.subplots(1, len(planes), squeeze=False)[0]
     for axes, plane in zip(places, planes, strict=True):
         counted = _binned_distances(plane)
         amount = gettext("Share of the points\n(% per mm)") if axes is places[0] else ""
         style_axes(axes, gettext("Distance (mm)"), amount)
-        axes.xaxis.set_major_locator(MaxNLocator(3))
+        axes.xaxis.set_major_locator(MaxNLocator(2 if is_narrow else 3))
         _HistogramBars(axes, counted, share=True).show(float(np.asarray(counted.edges)[-1]))
         axes.set_title(short_name(plane.name), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
     handles = [patch for patch in places[0].patches if patch.get_fill()]

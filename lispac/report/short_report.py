@@ -40,7 +40,9 @@ MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 50.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 60.0
+PLAN_SIZE_INCHES = 3.2, 2.35
+"""Width and height of the site plan, half as wide as the page."""
 MAX_HISTOGRAM_HEIGHT_MM = 42.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
@@ -208,7 +210,7 @@ def _site_plan(content: ReportContent) -> list[UndrawnPictures]:
     return [
         UndrawnPictures(
             gettext("Site plan in the local frame."),
-            site_figure_of,
+            partial(site_figure_of, size=PLAN_SIZE_INCHES),
             (content.lines, content.planes),
         )
     ]
