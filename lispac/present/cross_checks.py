@@ -25,8 +25,8 @@ class SubsetValues:
     """Result of a subset of the data; values are None if the subset does not determine the angles.
 
     ``kind`` is line, target or half; ``part`` is the omitted line or target, or the half that was
-    used. A half is compared with the other half, any other subset with the result of all points.
-    The difference is the result of this subset minus that one.
+    used. The difference is the result of this subset minus that of all points; that of the second
+    half is its result minus that of the first half, which itself has no difference.
     """
 
     kind: str
@@ -48,7 +48,14 @@ class CrossCheckValues:
 
 def cross_check_values(checks: CrossChecks) -> CrossCheckValues:
     """Results of the cross-checks with subsets of the data."""
-    return CrossCheckValues(tuple(map(_subset_values, checks.parts)))
+    return CrossCheckValues(
+        tuple(
+            replace(values, difference_deg=None, significance=None)
+            if (values.kind, values.part) == ("half", "first")
+            else values
+            for values in map(_subset_values, checks.parts)
+        )
+    )
 
 
 def _subset_values(part: CrossCheck) -> SubsetValues:

@@ -128,10 +128,7 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{v:+.4f}" for v in sighting["effect_deg"].values()]
         numbers += [f"{v:+.4f}" for v in sighting["pos_error"]["error_deg"]]
         numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error"]["error_m"]]
-    checks = data["cross_checks"]
-    # The difference of the first half is that of the second with the opposite sign.
-    parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
-    for part in parts:
+    for part in data["cross_checks"]["parts"]:
         numbers += [f"{v:+.4f}" for v in (part["difference_deg"] or {}).values()]
         numbers += [f"{v:+.1f}" for v in (part["significance"] or {}).values()]
     for plane in data["validation"]:
