@@ -72,6 +72,35 @@ def test_f9_estimates_with_the_value_being_typed(picked: Driver) -> None:
     assert picked.window.document.undo_stack.count() == 2  # the change and the estimate
 
 
+def test_f9_estimates_with_the_prior_angle_being_typed(picked: Driver) -> None:
+    picked.window.adjust.cross_check.setChecked(False)
+    open_step(picked, 0)
+    field = picked.window.data.boresight.fields[1]
+    type_into(picked, field, "-0,8°")
+    assert field.hasFocus()
+    picked.bot.keyClick(field, Key.Key_F9)
+    assert picked.project.settings.boresight_deg[1] == -0.8
+    picked.rest()
+    assert picked.project.result is not None
+    assert np.degrees(picked.project.result.boresight[1]) == pytest.approx(-1.14, abs=0.1)
+    assert picked.window.document.undo_stack.count() == 2  # the change and the estimate
+
+
+def test_f9_estimates_with_the_latency_being_typed(picked: Driver) -> None:
+    panel = picked.window.adjust
+    panel.cross_check.setChecked(False)
+    open_step(picked, 2)
+    click(picked, panel.also.head)
+    field = panel.parameters.priors["latency"]
+    type_into(picked, field, "2")
+    assert field.hasFocus()
+    picked.bot.keyClick(field, Key.Key_F9)
+    assert picked.project.settings.latency == pytest.approx(0.002)  # the field is in milliseconds
+    picked.rest()
+    assert picked.project.result is not None
+    assert picked.project.result.mounting.latency == pytest.approx(0.002)
+
+
 def test_the_estimate_button_uses_the_value_being_typed(picked: Driver) -> None:
     picked.window.adjust.cross_check.setChecked(False)
     type_lever_x(picked, "-0.15")
