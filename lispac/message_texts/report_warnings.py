@@ -115,18 +115,18 @@ TEXTS: Mapping[str, Template] = {
         "mm. Check the trajectory during this line."
     ),
     "validation.offset_not_smaller": N_(
-        "The largest offset of two lines is not smaller after the calibration than before: "
-        "{items:names}. POS and boresight explain it: no shift of lines exceeds {ratio:x.1} times "
-        "its standard deviation (limit {limit:x.1})."
+        "The uncertainties of POS and boresight explain that some lines are not closer to each "
+        "other than before: {items:names}. No line is shifted by more than {ratio:x.1} times its "
+        "standard deviation (limit {limit:x.1})."
     ),
     "validation.offset_not_smaller_shifted": N_(
-        "The largest offset of two lines is not smaller after the calibration than before: "
-        "{items:names}. POS and boresight do not explain it: a shift of lines is {ratio:x.1} times "
-        "its standard deviation (limit {limit:x.1})."
+        "Some lines are not closer to each other than before the calibration: {items:names}. The "
+        "uncertainties of POS and boresight do not explain it: a line is shifted by {ratio:x.1} "
+        "times its standard deviation (limit {limit:x.1})."
     ),
     "validation.offset_not_smaller_unknown": N_(
-        "The largest offset of two lines is not smaller after the calibration than before: "
-        "{items:names}. Validate again to compare it with the uncertainties of POS and boresight."
+        "Some lines are not closer to each other than before the calibration: {items:names}. "
+        "Validate again to compare the offset with the uncertainties of POS and boresight."
     ),
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"

@@ -368,6 +368,12 @@ class ValidationPlane:
 
     @property
     def largest_offset_before_m(self) -> float | None:
+        """Largest absolute offset of two lines before the calibration, metres."""
+        known = [pair.before.signed for pair in self.pairs if pair.before.signed is not None]
+        return max((abs(signed.median_m) for signed in known), default=None)
+
+    @property
+    def former_offset_m(self) -> float | None:
         """Absolute offset before the calibration of the lines of `largest_offset_m`, metres."""
         pair = self._pair_of_largest_offset
         signed = None if pair is None else pair.before.signed
@@ -570,7 +576,7 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         *distance_columns("before", "after"),
         Column("largest_offset_before_m", N_("Largest\noffset\nbefore"), PLAIN_MILLIMETRES),
         Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
-        Column("largest_offset_lines", N_("between")),
+        Column("largest_offset_lines", N_("after,\nbetween")),
     ),
 )
 RECIPROCAL_PAIRS_TEXT = N_(

@@ -167,13 +167,13 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
 
 
 def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
-    """Note on planes on which the largest offset of two lines has not become smaller.
+    """Note on planes on which the lines with the largest offset are not closer than before.
 
     The note says whether POS and boresight explain the shifts of the lines on these planes.
     """
     found = []
     for plane in planes:
-        before, after = plane.largest_offset_before_m, plane.largest_offset_m
+        before, after = plane.former_offset_m, plane.largest_offset_m
         if before is not None and after is not None and after > MIN_OFFSET_M and after >= before:
             found.append((plane, before, after))
     if not found:

@@ -121,13 +121,15 @@ def _with_offsets(
     return replace(plane, pairs=(changed, *plane.pairs[1:]), shifts=shifts)
 
 
-def test_the_largest_offset_is_given_with_that_before_for_the_same_pair(
+def test_the_largest_offsets_before_and_after_are_those_of_all_pairs(
     content: ReportContent,
 ) -> None:
     plane = _with_offsets(content.validation[0], -0.0392, -0.0415)
     assert plane.largest_offset_lines == "L1 / L2"
-    assert plane.largest_offset_before_m == 0.0392
+    assert plane.former_offset_m == 0.0392
     assert plane.largest_offset_m == 0.0415
+    before = [abs(pair.before.signed.median_m) for pair in plane.pairs if pair.before.signed]
+    assert plane.largest_offset_before_m == max(before)
 
 
 def test_a_largest_offset_that_did_not_decrease_is_noted(content: ReportContent) -> None:

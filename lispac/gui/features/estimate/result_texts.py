@@ -107,11 +107,13 @@ def chi_square_text(result: AdjustmentResult) -> str:
         number(value, 0) if value >= 1000 else units.localised(f"{value:.4g}")
         for value in (test.statistic, test.lower, test.upper)
     )
-    interval = N_("{value} not in [{lower}, {upper}]")
+    interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":
-        title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")
+        title, colour = gettext("passed"), theme.DONE
+        interval = N_("{value}, within {lower} to {upper}")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED
+        interval = N_("{value}, below {lower} to {upper}: residuals smaller than expected")
     elif result.unestimated_sigmas:
         title, colour = gettext("assumed values too small"), theme.MUTED
     else:
