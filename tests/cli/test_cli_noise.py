@@ -16,8 +16,8 @@ WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
 
 
 @pytest.fixture(scope="module")
-def raw(demo_project: Project) -> Path:
-    return demo_project.folder / "raw"
+def raw(denser_project: Project) -> Path:
+    return denser_project.folder / "raw"
 
 
 def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from tests.gui.support import Driver, Key, open_step, type_into
+from tests.gui.support import Demo, Driver, Key, open_step, type_into
 
 ASSUMED = ("LiDAR", "POS position", "POS attitude")
 
@@ -54,11 +54,14 @@ def test_assumed_values_are_grey_until_they_are_typed(picked: Driver) -> None:
     assert not any(field.is_assumed for field in data.pos_sigmas.position.fields)
 
 
-def test_an_assumed_noise_is_estimated_and_named_in_the_results(picked: Driver) -> None:
+def test_an_assumed_noise_is_estimated_and_named_in_the_results(
+    driver: Driver, denser_demo: Demo
+) -> None:
     """The noise of the demo is about 1.7 mm on each axis."""
     from dataclasses import replace
 
-    window = picked.window
+    picked, window = driver, driver.window
+    window.document.open(denser_demo.picked, denser_demo.survey)
     settings = replace(picked.project.settings, lidar_sigma=None, lidar_beam_sigma=None)
     window.document.edit("change", picked.project.with_settings(settings))
     picked.rest()

@@ -100,7 +100,7 @@ def test_candidates_and_edits_are_french(french: Driver, demo: Demo) -> None:
     all_french(window)
     window.controller.accept()
     french.rest()
-    assert window.actions_["undo"].text() == "&Annuler\u00a0: détection de T1"
+    assert window.actions_["undo"].text() == "&Annuler\u00a0: ajout de T1"
     all_french(window)
 
 

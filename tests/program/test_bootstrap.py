@@ -94,7 +94,7 @@ def test_the_required_state_follows_the_lock_files_and_the_version(tmp_path: Pat
     after_lock = environment.wanted_state(tmp_path)
     assert after_lock["locks"]["run"] == before["locks"]["run"]
     assert after_lock["locks"]["test"] != before["locks"]["test"]
-    (tmp_path / "lispac" / "__init__.py").write_text("second")
+    (tmp_path / "lispac" / "version.py").write_text("second")
     assert environment.wanted_state(tmp_path)["project"] != before["project"]
 
 

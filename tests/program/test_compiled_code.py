@@ -26,7 +26,7 @@ from lispac.computing_time import computing_time
 CHECKOUT = Path(__file__).resolve().parents[2]
 COPIED_FILES = (
     "__init__.py", "compiled_code.py", "compiled_code_locator.py", "computing_time.py",
-    "geometry/__init__.py",
+    "geometry/__init__.py", "version.py",
 )  # fmt: skip
 
 
