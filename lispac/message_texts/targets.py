@@ -127,16 +127,18 @@ TEXTS: Mapping[str, Template] = {
         "No sphere was found at the picked point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.line_few_points": Plural(
-        "The line has only {count:n} point within {radius:m} m (search radius and line shift) of "
-        "the picked point.",
-        "The line has only {count:n} points within {radius:m} m (search radius and line shift) of "
-        "the picked point.",
+        "There is only {count:n} point within {radius:m} m of the picked point, the distance that "
+        "the search allows for the shift of a line.",
+        "There are only {count:n} points within {radius:m} m of the picked point, the distance "
+        "that the search allows for the shift of a line.",
     ),
     "finder.line_no_points": N_(
-        "The line has no points within {radius:m} m (search radius and line shift) of the picked "
-        "point."
+        "There are no points within {radius:m} m of the picked point, the distance that the search "
+        "allows for the shift of a line."
     ),
-    "finder.not_alike": N_("No surface on this line resembles the target and its surroundings."),
+    "finder.not_alike": N_(
+        "The surfaces found there differ from the target in shape or surroundings."
+    ),
     "finder.too_few_where_expected": N_(
         "The line has too few points at the predicted position of the target."
     ),

@@ -200,7 +200,7 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
 def origin_fact(origin_deg_m: tuple[float, ...] | None, *, is_given: bool) -> Fact:
     """Position of the origin of the local frame, in the language in use."""
     text = gettext(
-        "{origin}; target coordinates refer to it",
+        "{origin}; east, north and up are measured from it",
         origin=origin_text(origin_deg_m, is_given=is_given),
     )
     return Fact(gettext("Origin of the local frame"), text)
