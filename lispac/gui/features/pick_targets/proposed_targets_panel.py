@@ -233,14 +233,15 @@ def _targets_text(proposal: "Proposal", ticked: Collection[str], others: Collect
         )
     if not others:
         return predicted
-    upper = gettext(
+    without = gettext(
         Plural(
-            "They are upper limits, because {targets:names} is not included.",
-            "They are upper limits, because {targets:names} are not included.",
+            "The search did not propose {targets:names}; with it, the real values will be smaller.",
+            "The search did not propose {targets:names}; with them, the real values will be "
+            "smaller.",
         ),
         targets=tuple(others), count=len(others),
     )  # fmt: skip
-    return f"{predicted} {upper}"
+    return f"{predicted} {without}"
 
 
 def _angle_text(radians: float) -> str:
