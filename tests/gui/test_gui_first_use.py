@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from PySide6.QtWidgets import QAbstractButton
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.features.estimate.results_panel import MIN_WIDTH_PX
 from lispac.gui.features.inspect.section_figure import draw_section
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST, REPORT, TARGETS
@@ -175,6 +176,24 @@ def test_cuts_of_a_flat_plane_have_one_range(adjusted: Driver) -> None:
         assert before.get_xlim() == after.get_xlim()
         assert before.get_ylim() == after.get_ylim()
         assert before.get_xlabel(), "also in a low panel"
+
+
+def test_the_signs_of_the_angles_are_visible_without_scrolling(
+    driver: Driver, demo: Demo, estimated: Project
+) -> None:
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    show_panel(driver.window, "Results")
+    table = driver.window.results.angles
+    header, side = table.horizontalHeader(), table.verticalHeader()
+    assert header.visibleRegion().boundingRect().height() == header.height()
+    widest = 0
+    for column, part in enumerate(("port", "bow", "clockwise")):
+        assert part in table.horizontalHeaderItem(column).text()
+        needed = header.sectionSizeFromContents(column)
+        assert needed.height() <= header.height()
+        widest = max(widest, needed.width())
+    assert side.width() + 3 * widest < MIN_WIDTH_PX - 12, "not cut off in the narrowest panel"
 
 
 def test_one_click_shows_all_results(driver: Driver, demo: Demo, estimated: Project) -> None:

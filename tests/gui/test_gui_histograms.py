@@ -336,6 +336,21 @@ def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPane
     assert not panel.enlarge.isChecked()
 
 
+def test_the_button_does_not_cover_the_legend_after_enlarging(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    window = driver.window
+    window.resize(1600, 1000)
+    driver.rest()
+    colours = panel.findChild(QLabel, "comparison_colours")
+    for _ in range(2):
+        driver.bot.mouseClick(panel.enlarge, Left)
+        driver.rest()
+    assert colours.isVisible()
+    assert not colours.geometry().intersects(panel.enlarge.geometry())
+    assert colours.width() >= colours.sizeHint().width()
+
+
 def test_the_section_follows_the_plane_of_the_histograms(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -116,6 +116,23 @@ def test_proposed_targets_are_shown_in_the_scene_and_selected_with_the_keys(
     opened.rest()
     grey = {marker.label for marker in view.markers if marker.colour == theme.UNUSED_COLOUR}
     assert grey == {f"{names[-1]}?"}
+
+
+def test_the_buttons_stay_in_place_when_another_row_is_selected(
+    opened: Driver, table: QTableWidget
+) -> None:
+    panel = opened.window.targets.proposal
+    places, needed = set(), set()
+    for _ in range(table.rowCount()):
+        opened.rest()
+        buttons = (panel.accept_button, panel.reject_button)
+        places.add(tuple(each.mapTo(opened.window, QPoint()).toTuple() for each in buttons))
+        unreserved = QLabel(panel.reason.text())
+        unreserved.setWordWrap(True)
+        needed.add(unreserved.heightForWidth(panel.reason.width()))
+        opened.bot.keyClick(table, Qt.Key.Key_Down)
+    assert len(needed) > 1, "the descriptions have different heights"
+    assert len(places) == 1
 
 
 def test_the_return_key_accepts_the_proposed_targets(opened: Driver, table: QTableWidget) -> None:

@@ -27,6 +27,7 @@ from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
+from lispac.report.pdf import Preview
 from lispac.targets.cross_section import common_normal
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
@@ -58,9 +59,12 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
     def cancel(dialog: QWidget) -> None:
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_cancel"), Left)
 
-    use_next_dialog(adjusted, cancel)
-    click(adjusted, panel.report)
-    adjusted.rest()
+    proposed = dialogs.proposed
+    for button in (panel.report, panel.preview):
+        use_next_dialog(adjusted, cancel)
+        click(adjusted, button)
+        adjusted.rest()
+        assert dialogs.proposed is proposed, "the file is asked for after the details"
     assert not dialogs.path.exists()
 
     def fill_in(dialog: QWidget) -> None:
@@ -275,6 +279,29 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     assert adjusted.dialogs.requests == [f"{adjusted.project.name}.pdf"] * 2
 
 
+def test_a_preview_has_the_details_that_were_asked_for(
+    adjusted: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    open_step(adjusted, REPORT_STEP)
+    adjusted.dialogs.fills_in_details = True
+    previewed: list[Project] = []
+
+    def preview_report(project: Project, *_arguments: object, **_named: object) -> Preview:
+        previewed.append(project)
+        return Preview((), b"")
+
+    def fill_in(dialog: QWidget) -> None:
+        type_into(adjusted, field(dialog, "vessel"), "Nordlys")
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+        use_next_dialog(adjusted, lambda shown: adjusted.bot.keyClick(shown, Key.Key_Escape))
+
+    monkeypatch.setattr("lispac.workflow.output.export.preview_report", preview_report)
+    use_next_dialog(adjusted, fill_in)
+    click(adjusted, adjusted.window.report.preview)
+    adjusted.rest()
+    assert [each.identity.vessel for each in previewed] == ["Nordlys"]
+
+
 def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: Path) -> None:
     open_step(adjusted, REPORT_STEP)
     (tmp_path / "file").write_text("")
@@ -341,7 +368,7 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
         if each.name in compared or (extent == "full" and each.role == "target")
     ]
     assert compared & set(targets)
-    views = ["Overview", *(f"{name} seen from the side" for name in targets)]
+    views = ["Overview", *(f"{name} seen obliquely" for name in targets)]
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     captions = re.findall(r"<figcaption>([^<]*) the calibration<", text)
     assert captions == [f"{view}, {when}" for view in views for when in ("before", "after")]
@@ -401,7 +428,7 @@ def test_real_pictures_show_the_calibration_of_a_validation_plane(
         grey = image.convertToFormat(QImage.Format.Format_Grayscale8)
         pictures[caption] = np.frombuffer(grey.constBits(), np.uint8).astype(int)
     (name,) = (plane.name for plane in validated.validation)
-    for view in ("Overview", f"{name} seen from the side"):
+    for view in ("Overview", f"{name} seen obliquely"):
         before, after = (
             pictures[f"{view}, {when} the calibration"] for when in ("before", "after")
         )

@@ -18,7 +18,7 @@ _FRAMES_TEXT = N_(
 )
 _FORMULA_TEXT = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATION_SYMBOLS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
-_SIGNS_TEXT = N_(
+SIGNS_TEXT = N_(
     "Roll is positive port side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
 )
@@ -37,7 +37,7 @@ def boresight_sentence(boresight: NDArray[np.float64]) -> str:
 def convention_html() -> str:
     """Definition of the three angles."""
     formula = gettext(_FORMULA_TEXT, **_ROTATION_SYMBOLS)
-    return f"{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(_SIGNS_TEXT)}"
+    return f"{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(SIGNS_TEXT)}"
 
 
 def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:

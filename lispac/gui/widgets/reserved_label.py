@@ -20,7 +20,8 @@ class ReservedLabel(QLabel):
         self, role: str = "", name: str = "", *, texts: Sequence[str] = (), lines: int = 1
     ) -> None:
         super().__init__()
-        self._texts = (*texts, "\n".join(["0"] * lines))
+        self._lines = "\n".join(["0"] * lines)
+        self._texts = (*texts, self._lines)
         self._heights: dict[tuple[int, str], int] = {}
         _style(self, role)
         self.setObjectName(name)
@@ -29,6 +30,12 @@ class ReservedLabel(QLabel):
         policy.setHeightForWidth(True)
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
+
+    def reserve(self, texts: Sequence[str]) -> None:
+        """Use other longest texts."""
+        self._texts = (*texts, self._lines)
+        self._heights.clear()
+        self.updateGeometry()
 
     def heightForWidth(self, width: int) -> int:
         """Height of the longest text, or of the present one if it is longer."""

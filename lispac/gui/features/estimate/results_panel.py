@@ -31,7 +31,7 @@ from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.column_flow import ColumnFlow
-from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
+from lispac.gui.widgets.mounting_texts import SIGNS_TEXT, boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
@@ -40,6 +40,8 @@ from lispac.present.tables import cell_text
 from lispac.project import Project, Settings, Triple
 
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+SIGN_TEXTS = (N_("+ port up"), N_("+ bow down"), N_("+ clockwise"))
+"""Directions of positive angles, below the names of the angles."""
 EMPTY_TEXT = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
     "step 3."
@@ -49,12 +51,14 @@ WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal distribution, in standard deviations."""
 _ROW_HEIGHT_PX = 21
+_SIGNS_HEIGHT_PX = 38
+"""Height of a header of two lines."""
 _MIN_VALUE_WIDTH_PX = 190
 """Smallest width of a value of the fit; longer texts are wrapped."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
-MIN_WIDTH_PX = 380
+MIN_WIDTH_PX = 420
 ARRANGEMENTS = (
     (("warnings", "angles", "parameters", "weakest", "fit", "correlation", "convention"),),
     (("angles", "correlation", "convention"), ("warnings", "fit", "parameters", "weakest")),
@@ -154,6 +158,7 @@ class ResultsPanel(QWidget):
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
         unit = units.shown_unit("°").sign
         self.angles = _create_table("angles_table", gettext("Boresight angles"), 4, unit)
+        _show_signs(self.angles)
         self._truth_note = widgets.label(
             gettext(
                 "Simulated survey with known true angles. Green: the true angle is within the 95 % "
@@ -386,6 +391,17 @@ def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWid
     header.setHighlightSections(False)
     header.setFixedHeight(_ROW_HEIGHT_PX + 2)
     return table
+
+
+def _show_signs(table: QTableWidget) -> None:
+    """Show the directions of positive angles in a second line of the headers."""
+    for column, text in enumerate(SIGN_TEXTS):
+        head = table.horizontalHeaderItem(column)
+        head.setText(f"{head.text()}\n{gettext(text)}")
+        head.setToolTip(widgets.plain_tip(gettext(SIGNS_TEXT)))
+    header = table.horizontalHeader()
+    header.setFixedHeight(_SIGNS_HEIGHT_PX)
+    header.setStyleSheet("QHeaderView::section { padding: 0px 4px; }")  # as that of the values
 
 
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:

@@ -27,7 +27,7 @@ from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey
 
 ASSUMED_TEXT = N_(
-    "Values in grey italics are assumed, because nobody gave them. Enter those of the data sheet "
+    "Values in grey italics are assumed, since no values were given. Enter those of the data sheet "
     "or of the processing report."
 )
 EMPTY_TEXT = N_(

@@ -218,9 +218,6 @@ class DetectedTargetPanel(QFrame):
             )
             for line, each in rated[:MAX_REASONS]
         ]  # fmt: skip
-        if rated[MAX_REASONS:]:
-            names = [line for line, _ in rated[MAX_REASONS:]]
-            texts.append(gettext("Also not good: {lines:names}.", lines=names))
         self.reasons.setText("\n".join(texts))
         is_new = bool(texts) and self.reasons.isHidden()
         self.reasons.setVisible(bool(texts))

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import ANGLES
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
+from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -58,8 +59,9 @@ class ProposedTargetsPanel(QFrame):
         self.table.itemChanged.connect(self._on_ticked)
         self.table.itemSelectionChanged.connect(self._on_selected)
         self.table.accepted.connect(self._accept)
-        self.reason = widgets.label("", wrap=True, name="proposal_reason")
-        for each in (self._warnings, self.table, self.reason):
+        # A panel that is scrolled to its end would move if it became lower
+        self.reason = ReservedLabel(name="proposal_reason")
+        for each in (self._warnings, self.table):
             layout.addWidget(each)
         self.accept_button = widgets.button(
             "", "accept_proposal", primary=True, tip=gettext("Add the ticked targets and planes")
@@ -74,7 +76,9 @@ class ProposedTargetsPanel(QFrame):
         row = QHBoxLayout()
         row.addWidget(self.accept_button, 1)
         row.addWidget(self.reject_button)
+        # Texts that change are below the buttons, which then stay in place
         layout.addLayout(row)
+        layout.addWidget(self.reason)
         layout.addWidget(self._sigmas)
 
     def show_proposal(
@@ -94,6 +98,7 @@ class ProposedTargetsPanel(QFrame):
         self._proposal = proposal
         self._warnings.setText("\n".join(map(message_text, proposal.warnings)))
         self._warnings.setVisible(bool(proposal.warnings))
+        self.reason.reserve([self._reason_of(target.name) for target in proposal.targets])
         self.table.blockSignals(True)
         self._fill(proposal, unticked)
         names = [target.name for target in proposal.targets]
@@ -140,11 +145,14 @@ class ProposedTargetsPanel(QFrame):
                 self.table.setItem(row, column, item)
 
     def _on_selected(self) -> None:
-        name, proposal = self.current, self._proposal
-        if proposal is not None and name is not None:
-            reason = message_text(proposal.reasons[name])
-            self.reason.setText(gettext("{title}: {summary}", title=name, summary=reason))
+        if self._proposal is not None and (name := self.current) is not None:
+            self.reason.setText(self._reason_of(name))
             self.selected.emit(name)
+
+    def _reason_of(self, name: str) -> str:
+        assert self._proposal is not None
+        summary = message_text(self._proposal.reasons[name])
+        return gettext("{title}: {summary}", title=name, summary=summary)
 
     def _on_ticked(self) -> None:
         ticked, total = len(self.ticked_entries), self.table.rowCount()
@@ -225,14 +233,15 @@ def _targets_text(proposal: "Proposal", ticked: Collection[str], others: Collect
         )
     if not others:
         return predicted
-    upper = gettext(
+    without = gettext(
         Plural(
-            "They are upper limits, because {targets:names} is not included.",
-            "They are upper limits, because {targets:names} are not included.",
+            "The search did not propose {targets:names}; with it, the real values will be smaller.",
+            "The search did not propose {targets:names}; with them, the real values will be "
+            "smaller.",
         ),
         targets=tuple(others), count=len(others),
     )  # fmt: skip
-    return f"{predicted} {upper}"
+    return f"{predicted} {without}"
 
 
 def _angle_text(radians: float) -> str:

@@ -69,7 +69,7 @@ class IdentityDialog(QDialog):
     dates : function that returns the days of the survey from the times of the lines, or ""
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
-    missing : names of empty fields to ask for before an export
+    missing : names of empty fields to ask for before an export or a preview
     """
 
     def __init__(
@@ -123,7 +123,7 @@ class IdentityDialog(QDialog):
         self.message_label.setText("\n".join("X" * MESSAGE_LINES))
         self.message_label.setFixedHeight(self.message_label.sizeHint().height())
         self.message_label.clear()
-        accept = gettext("Export") if missing else gettext("OK")
+        accept = gettext("Continue") if missing else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)

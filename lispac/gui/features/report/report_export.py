@@ -38,8 +38,6 @@ from lispac.workflow.project.survey_dates import survey_dates
 if TYPE_CHECKING:
     from lispac.report.pdf import Preview
 
-SIGNED_FORMATS = (".pdf", ".html")
-"""Formats of a report that can be signed."""
 PIXELS_PER_INCH = 96.0
 """Resolution of the previewed pages on a screen without scaling."""
 
@@ -67,7 +65,7 @@ class ReportExport(QObject):
         self._computations = computations
         self._panel, self._settings = panel, settings
         self._asked_for: Path | None = None
-        """Folder of the project whose missing details were asked for at an export."""
+        """Folder of the project whose missing details were asked for."""
         self.show_choice()
         panel.report_requested.connect(actions["report"].trigger)
         panel.preview_requested.connect(actions.guarded(self.preview))
@@ -93,7 +91,7 @@ class ReportExport(QObject):
 
         Parameters
         ----------
-        missing : names of empty fields, if an export follows
+        missing : names of empty fields, if an export or a preview follows
 
         Returns
         -------
@@ -131,33 +129,34 @@ class ReportExport(QObject):
 
     def export(self) -> None:
         """Ask for a file and write the report with pictures of the view."""
-        project, survey, options = self._document.project, self._survey, self._options()
-        if project is None or project.result is None or survey is None or options is None:
+        if (found := self._complete_input()) is None:
             return
+        project, survey, options = found
         path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
-        if path is not None and self._may_export(path):
-            project = self._document.project
-            assert project is not None
+        if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
                 project, survey, lambda: self._pictures.capture(project, options.extent, write)
             )
 
-    def _may_export(self, path: Path) -> bool:
-        """Ask once for the missing details of a report to be signed; False if cancelled."""
-        project = self._document.project
-        assert project is not None
+    def _complete_input(self) -> tuple[Project, Survey, ReportOptions] | None:
+        """Project, survey and options of a report, after a request for missing details.
+
+        None if there is no result or the options cannot be used, or if the user cancelled. The
+        details are requested before the file, and before a preview, which is saved as it is shown.
+        """
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return None
         missing = project.identity.missing
-        if (
-            not missing
-            or path.suffix.lower() not in SIGNED_FORMATS
-            or self._asked_for == project.folder
-        ):
-            return True
-        if not self.ask_details(missing):
-            return False
-        self._asked_for = project.folder
-        return True
+        if missing and self._asked_for != project.folder:
+            if not self.ask_details(missing):
+                return None
+            self._asked_for = project.folder
+        project, survey = self._document.project, self._survey  # edited meanwhile
+        if project is None or project.result is None or survey is None:
+            return None
+        return project, survey, options
 
     def _write(
         self,
@@ -184,9 +183,9 @@ class ReportExport(QObject):
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
-        project, survey, options = self._document.project, self._survey, self._options()
-        if project is None or project.result is None or survey is None or options is None:
+        if (found := self._complete_input()) is None:
             return
+        project, survey, options = found
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
             project, survey, lambda: self._pictures.capture(project, options.extent, set_pages)

@@ -53,7 +53,7 @@ class _View:
     normal: Array | None = None
 
     def show(self, viewport: Viewport) -> None:
-        """Move the camera; a surface is seen obliquely from the side."""
+        """Move the camera; a surface is seen obliquely."""
         if self.points is None or self.normal is None:
             viewport.clip(None)
             viewport.set_parallel(False)
@@ -186,10 +186,10 @@ def _views(
         yield _View(
             {
                 "prior": gettext_lazy(
-                    "{name} seen from the side, before the calibration", name=target.name
+                    "{name} seen obliquely, before the calibration", name=target.name
                 ),
                 "estimated": gettext_lazy(
-                    "{name} seen from the side, after the calibration", name=target.name
+                    "{name} seen obliquely, after the calibration", name=target.name
                 ),
             },
             np.concatenate([points for groups in placed for points in groups]),

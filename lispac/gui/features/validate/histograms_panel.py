@@ -269,6 +269,10 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         self.copy_numbers.clicked.connect(self._copy_numbers)
         self._colours = widgets.label("", name="comparison_colours", rich=True)
+        # It is shown and hidden during the layout of the plot, too late to get a place of its own
+        policy = self._colours.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._colours.setSizePolicy(policy)
         self.enlarge = widgets.enlarge_button("enlarge_histograms")
         self.enlarge.toggled.connect(self.enlarged)
         last = QHBoxLayout()
