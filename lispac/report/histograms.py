@@ -20,6 +20,7 @@ from lispac.report.figures import (
     HEADROOM_RATIO,
     INK_COLOUR,
     SMALL_TEXT_SIZE,
+    TEXT_SIZE,
     blank_figure,
     draw_title_and_legend,
     short_name,
@@ -118,10 +119,12 @@ def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: 
     for axes, plane in zip(places, planes, strict=True):
         counted = _binned_distances(plane)
         amount = gettext("Share of the points\n(% per mm)") if axes is places[0] else ""
-        style_axes(axes, gettext("Distance (mm)"), amount)
+        style_axes(axes, "", amount)
         axes.xaxis.set_major_locator(MaxNLocator(2 if is_narrow else 3))
         _HistogramBars(axes, counted, share=True).show(float(np.asarray(counted.edges)[-1]))
         axes.set_title(short_name(plane.name), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
+    # One label for all, which would not fit below each of them
+    figure.supxlabel(gettext("Distance (mm)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
     handles = [patch for patch in places[0].patches if patch.get_fill()]
     figure.legend(
         handles, [gettext("before"), gettext("after")],
