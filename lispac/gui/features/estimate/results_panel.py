@@ -401,7 +401,8 @@ def _show_signs(table: QTableWidget) -> None:
         head.setToolTip(widgets.plain_tip(gettext(SIGNS_TEXT)))
     header = table.horizontalHeader()
     header.setFixedHeight(_SIGNS_HEIGHT_PX)
-    header.setStyleSheet("QHeaderView::section { padding: 0px 4px; }")  # as that of the values
+    # The padding is that of the values; bold texts would be cut off
+    header.setStyleSheet("QHeaderView::section { padding: 0px 4px; font-weight: normal; }")
 
 
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
