@@ -14,6 +14,7 @@ from lispac.errors import PlaneNotFound, ProjectError
 from lispac.gui.appearance import theme
 from lispac.gui.features.validate.planes_table import RMS
 from lispac.gui.viewport.base import PickedPoint
+from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from tests.gui.support import (
@@ -102,7 +103,9 @@ def test_a_missing_sighting_is_seeded_on_its_line(opened: Driver, demo: Demo):
     panel, table = opened.window.targets, opened.window.table
     cell = table.sightings.index(0, 3)
     assert table.sightings.data(cell) == "–"
-    assert "resembles the target" in table.sightings.data(cell, Qt.ItemDataRole.ToolTipRole)
+    assert message_text(note("finder.not_alike")) in table.sightings.data(
+        cell, Qt.ItemDataRole.ToolTipRole
+    )
     opened.bot.mouseClick(
         panel.table.viewport(),
         Left,
