@@ -127,14 +127,14 @@ TEXTS: Mapping[str, Template] = {
         "No sphere was found at the picked point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.line_few_points": Plural(
-        "There is only {count:n} point within {radius:m} m of the picked point, the distance that "
-        "the search allows for the shift of a line.",
-        "There are only {count:n} points within {radius:m} m of the picked point, the distance "
-        "that the search allows for the shift of a line.",
+        "There is only {count:n} point within {radius:m} m of the picked point (search radius plus "
+        "possible shift of the line).",
+        "There are only {count:n} points within {radius:m} m of the picked point (search radius "
+        "plus possible shift of the line).",
     ),
     "finder.line_no_points": N_(
-        "There are no points within {radius:m} m of the picked point, the distance that the search "
-        "allows for the shift of a line."
+        "There are no points within {radius:m} m of the picked point (search radius plus possible "
+        "shift of the line)."
     ),
     "finder.not_alike": N_(
         "The surfaces found there differ from the target in shape or surroundings."
