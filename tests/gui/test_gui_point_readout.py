@@ -1,5 +1,7 @@
 """Tests of the values of the point under the mouse, and of the answers to a click in the view."""
 
+import threading
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -14,8 +16,12 @@ from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.appearance import units
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT, TOOLTIP_DELAY_MS
-from lispac.gui.viewport.base import PickedPoint
+from lispac.gui.viewport.base import Marker, PickedPoint
+from lispac.gui.viewport.point_picker import PICK_RADII_PX
+from lispac.picked_targets import Target
+from lispac.progress import Progress
 from lispac.project import Project
+from lispac.workflow.calibration import picking
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
 
@@ -201,21 +207,42 @@ def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> 
     assert readout.values == []
 
 
-def test_a_clicked_seed_is_marked_while_its_target_is_searched(opened: Driver) -> None:
-    window, view = opened.window, opened.viewport
-    line, (_, place) = window.document.survey.lines[0], demo_seeds()["T1"]
-    markers: list[tuple] = []
-    view.signals.seed_clicked.emit(PickedPoint(line, place))
-    assert [marker.position for marker in view.markers] == [place], "before the search has begun"
-    assert "T1" in view.markers[0].label
-    window.runner.progress_changed.connect(lambda: markers.extend(view.markers))
-    opened.rest()
-    labels = [marker.label for marker in markers if marker.position == place]
-    assert len(set(labels)) > 1, "the progress"
-    assert [marker.label for marker in view.markers] == ["T1?"]
-    press(opened, Key.Key_Return)
-    opened.rest()
-    assert [marker.label for marker in view.markers] == ["T1"]
+def test_a_clicked_seed_is_marked_while_its_target_is_searched(
+    board: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    find_target, progress_seen = picking.find_target, threading.Event()
+
+    def slow_search(*args: object, progress: Progress, **options: object) -> Target:
+        progress(0.25)
+        assert progress_seen.wait(WAIT_MS / 1000)
+        return find_target(*args, progress=progress, **options)
+
+    monkeypatch.setattr(picking, "find_target", slow_search)
+    window, view = board.window, board.viewport
+    place = board_pixel(board)
+    window.document.edit("removal of T1", board.project.without_target("T1"))
+    board.rest()
+    drawn: list[tuple[str, tuple]] = []
+    show_markers = view.show_markers
+
+    def record(markers: Sequence[Marker]) -> None:
+        drawn[:] = [(each.label, each.position) for each in markers]
+        if any("25" in label for label, _ in drawn):
+            progress_seen.set()
+        show_markers(markers)
+
+    monkeypatch.setattr(view, "show_markers", record)
+    board.bot.mouseClick(view.canvas, Left, Control, place)
+    name, searched = next(each for each in drawn if each[0].startswith("T1"))
+    assert name != "T1?", "before the search has begun"
+    offset = view.to_pixels(np.array([searched]))[0] - (place.x(), place.y())
+    assert np.hypot(*offset) < max(PICK_RADII_PX) + 1
+    board.rest()
+    assert progress_seen.is_set()
+    assert "T1?" in dict(drawn)
+    press(board, Key.Key_Return)
+    board.rest()
+    assert "T1" in dict(drawn)
 
 
 def test_the_mark_of_a_seed_ends_with_a_cancelled_or_failed_search(opened: Driver) -> None:
