@@ -29,7 +29,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import TIP_LENGTH
 from lispac.language import LANGUAGES
 from lispac.project import Project
-from tests.gui.support import Demo, Driver, show_panel
+from tests.gui.support import WAIT_MS, Demo, Driver, show_panel
 from tests.support.long_runs import LONG, others_long
 
 Left = Qt.MouseButton.LeftButton
@@ -44,7 +44,7 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
     driver.rest()
     shown = window.histograms
     shown.select("V1")
-    assert shown.canvas.isVisible()
+    driver.bot.waitUntil(shown.canvas.isVisible, timeout=WAIT_MS)
     return shown
 
 

@@ -4,13 +4,14 @@ import re
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QMessageBox
+from PySide6.QtWidgets import QLabel, QLineEdit, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.widgets.error_box import error_box
-from tests.gui.support import Driver, labels_that_guess
+from tests.gui.french_support import texts
+from tests.gui.support import Driver, labels_that_guess, open_step
 
 PICTURE = '<img src="https://example.org/x.png"> line'
 
@@ -38,6 +39,25 @@ def test_no_label_of_the_window_guesses_its_text_format(adjusted: Driver) -> Non
     plain = [label for label in adjusted.window.findChildren(QLabel) if is_plain(label)]
     assert len(plain) > 50
     assert [label.text() for label in plain if re.search(r"</?\w+>", label.text())] == []
+
+
+def test_a_backslash_in_a_name_is_not_doubled(adjusted: Driver, qtbot: QtBot) -> None:
+    """A target cannot have such a name; the message gives it as typed."""
+    name, table = r"Quai\nord", adjusted.window.targets.table
+    open_step(adjusted, 1)
+    table.setCurrentCell(0, 0)
+    table.setFocus()
+    adjusted.bot.keyClick(table, Qt.Key.Key_F2)
+    editor = table.findChild(QLineEdit)
+    editor.selectAll()
+    adjusted.bot.keyClicks(editor, name)
+    adjusted.bot.keyClick(editor, Qt.Key.Key_Return)
+    adjusted.bot.waitUntil(lambda: bool(adjusted.dialogs.errors))
+    box = error_box(None, adjusted.dialogs.errors.pop())
+    qtbot.addWidget(box)
+    found = [text for text in texts(box) if "Quai" in text]
+    assert found
+    assert [text for text in found if name not in text] == []
 
 
 @pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])

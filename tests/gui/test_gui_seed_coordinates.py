@@ -3,17 +3,23 @@
 import re
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
+from pytestqt.qtbot import QtBot
 
+from lispac.gui.app.language import set_language
 from lispac.gui.app.questions import CandidateChoice
+from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
-from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press, seed
+from tests.gui.french_support import english
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, seed
 from tests.support.message_codes import is_shown
 
 TARGETS_STEP = 1
@@ -75,6 +81,31 @@ def test_coordinates_are_read_as_in_all_number_fields(opened: Driver) -> None:
 
     use_next_dialog(opened, use_dialog)
     press(opened, Key.Key_F3)
+
+
+def test_the_dialogue_of_the_key_is_french_in_french(
+    qtbot: QtBot, qapp: QApplication, demo: Demo, tmp_path: Path
+) -> None:
+    theme.apply_theme(qapp)
+    set_language("fr")
+    try:
+        driver = Driver(qtbot, RecordingViewport(), tmp_path)
+        driver.window.document.open(demo.project, demo.survey)
+        driver.rest()
+        found: list[set[str]] = []
+
+        def use_dialog(dialog: SeedCoordinatesDialog) -> None:
+            assert isinstance(dialog, SeedCoordinatesDialog)
+            dialog.fields[0].setFocus()
+            driver.bot.keyClicks(dialog.fields[0], "12 kg")
+            found.append(english(dialog))
+
+        use_next_dialog(driver, use_dialog)
+        press(driver, Key.Key_F3)
+        assert found == [set()]
+        driver.leave()
+    finally:
+        set_language("en")
 
 
 def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:

@@ -22,7 +22,7 @@ from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
-from tests.gui.support import WAIT_MS, Control, Driver, in_front
+from tests.gui.support import WAIT_MS, Control, Driver, in_front, open_step, type_into
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import tripod_scan
 
@@ -196,6 +196,26 @@ def test_the_error_budget_is_shown(adjusted: Driver) -> None:
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
     use_next_dialog(adjusted, inspect_dialog)
+
+
+def test_a_typed_lever_arm_sigma_is_in_the_error_budget(adjusted: Driver) -> None:
+    open_step(adjusted, 0)
+    typed = adjusted.window.data.lever_arm_sigma.fields[2]
+    type_into(adjusted, typed, "0,04")
+    adjusted.bot.keyClick(typed, Key.Key_Return)
+    adjusted.rest()
+    shown: list[str] = []
+
+    def read_table(dialog: BudgetDialog) -> None:
+        rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
+        shown.extend(dialog.table.item(rows["Lever arm"], column).text() for column in range(10))
+
+    QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
+    use_next_dialog(adjusted, read_table)
+    assert adjusted.project.settings.lever_arm_sigma == pytest.approx((0.0, 0.0, 0.04))
+    horizontal, vertical = (float(text) for text in shown[1:3])  # centimetres
+    assert vertical == pytest.approx(4.0, abs=0.1)
+    assert horizontal < 0.5
 
 
 def test_the_visibility_study_is_shown_and_copied(

@@ -20,6 +20,7 @@ from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
+from lispac.validation.comparison_results import LineShift
 from lispac.warning_causes import Cause
 from tests.gui.support import (
     WAIT_MS,
@@ -353,3 +354,18 @@ def test_actions_on_files_have_no_button(driver: Driver) -> None:
 def row_with_code(driver: Driver, code: str) -> int:
     (row,) = (k for k, each in enumerate(listed(driver)) if each.code == code)
     return row
+
+
+def test_a_shift_of_a_line_on_a_validation_plane_is_listed(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    plane = validated.validation[0]
+    lines = tuple(dict.fromkeys(name for p in plane.pairs for name in (p.line_a, p.line_b)))
+    for offset, count in ((0.001, 0), (0.1, 1)):
+        shift = LineShift(lines[:1], lines[1:], offset, 0.01)
+        changed = replace(validated, validation=(replace(plane, shifts=(shift,)),))
+        driver.window.document.open(changed, demo.survey)
+        found = [each for each in listed(driver) if each.code == "validation.line_shifted"]
+        assert len(found) == count
+    click_row(driver, row_of(driver, message_text(found[0])))
+    assert driver.window.data.lines.currentItem().text() == lines[0]
