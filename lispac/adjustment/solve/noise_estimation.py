@@ -28,6 +28,9 @@ BLOCKS_PER_SIDE = 4
 A compromise between the number of blocks and the number of points in each.
 """
 
+MAX_SELECTED_ROWS = 500_000
+"""Largest number of points that are copied at a time, 0.1 GB."""
+
 MAX_SCALED_RESIDUAL = 3.0
 """Largest scaled residual that affects the noise; larger ones are clipped, or their sighting is
 not used."""
@@ -226,24 +229,39 @@ def form_error_noise(
     factors = np.full(len(observations.targets), np.nan)
     if not targets.any():
         return factors
-    points = points_local(observations, mounting)
     for k in np.flatnonzero(targets):
         sightings = np.flatnonzero(observations.target_of_sighting == k)
         parts = [np.flatnonzero(observations.sighting == s) for s in sightings]
         rows = np.concatenate(parts)
-        place = points[rows] @ plane_axes(fit_plane(points[rows]).normal).T
-        size = robust_scale(residuals[rows])
-        line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-        own = np.clip(residuals[rows], -MAX_SCALED_RESIDUAL * size, MAX_SCALED_RESIDUAL * size)
-        for each in range(len(parts)):
-            own[line == each] = _remove_plane_trend(place[line == each], own[line == each])
+        place = _places_on_plane(observations, mounting, rows)
+        own = residuals[rows]
+        size = robust_scale(own)
+        np.clip(own, -MAX_SCALED_RESIDUAL * size, MAX_SCALED_RESIDUAL * size, out=own)
+        ends = np.cumsum([len(part) for part in parts])
+        for part in map(slice, [0, *ends[:-1]], ends):
+            own[part] = _remove_plane_trend(place[part], own[part])
         size = robust_scale(own)
         shape = len(parts), BLOCKS_PER_SIDE**2
+        line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
         index = line * BLOCKS_PER_SIDE**2 + _plane_blocks(place)
         counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
         sums = np.bincount(index, own, shape[0] * shape[1]).astype(float).reshape(shape)
         factors[k] = _form_noise_factor(counts, sums, size)
     return factors
+
+
+def _places_on_plane(
+    observations: Observations, mounting: Mounting, rows: NDArray[np.int64]
+) -> Array:
+    """Coordinates of points within the plane fitted to them, shape (len(rows), 2), metres.
+
+    The rows are evaluated in parts, because a selection copies all columns of the observations.
+    """
+    points = np.empty((len(rows), 3))
+    for start in range(0, len(rows), MAX_SELECTED_ROWS):
+        part = slice(start, start + MAX_SELECTED_ROWS)
+        points[part] = points_local(observations.reordered(rows[part]), mounting)
+    return points @ plane_axes(fit_plane(points).normal).T
 
 
 def _remove_plane_trend(place: Array, residuals: Array) -> Array:

@@ -71,11 +71,12 @@ class Solution:
         lower, upper = chdtri(freedom, [0.975, 0.025]) if freedom > 0 else (0.0, 0.0)
         after, standardised = problem.residuals(state)
         statistic = _weighted_residual_sum(self.linearised, state, standardised)
+        form_noise = _form_error_noise(problem, state, standardised)
         targets, sightings, rms = _residual_statistics(
             observations, misclosures(observations, problem.prior, self.fitted), after,
             incidence_angles(observations, state.mounting, state.shapes),
             shapes_relative_to(state.shapes, -self.origins, observations.is_sphere),
-            problem.noise, _form_error_noise(problem, state, standardised),
+            problem.noise, form_noise,
         )  # fmt: skip
         estimates = _parameter_estimates(problem, state, normal.covariance, self.fixed)
         shown = [
