@@ -13,7 +13,9 @@ from lispac.messages import error, note
 from lispac.validation.comparison_results import PlaneComparison
 
 Verdict = Literal["pass", "fail", "not judged"]
-Quantity = Literal["roll", "pitch", "yaw", "rms", "offset"]
+Quantity = Literal["roll", "pitch", "yaw", "rms", "p95", "offset"]
+PLANE_QUANTITIES: tuple[Quantity, ...] = ("rms", "p95", "offset")
+"""Judged values of a validation plane."""
 
 ANGLE_LIMITS_DEG, LENGTH_LIMITS_M = (1e-6, 10.0), (1e-5, 10.0)
 """Smallest and largest accepted criterion: standard deviations, degrees; distances, metres."""
@@ -30,6 +32,8 @@ class AcceptanceCriteria:
     rms : float, metres, optional
         RMS of the distances between the lines on each validation plane after the calibration, as in
         `PlaneComparison.after`.
+    p95 : float, metres, optional
+        95th percentile of the same distances.
     offset : float, metres, optional
         Absolute value of the median signed distance between two lines on each validation plane
         after the calibration, as in `SignedStatistics`, for every pair of lines.
@@ -41,6 +45,7 @@ class AcceptanceCriteria:
     pitch_sigma_deg: float | None = None
     yaw_sigma_deg: float | None = None
     rms: float | None = None
+    p95: float | None = None
     offset: float | None = None
     source: str = ""
 
@@ -102,7 +107,7 @@ class AcceptanceCheck:
     Attributes
     ----------
     quantity : str
-        An angle, or ``rms`` or ``offset`` of a validation plane.
+        An angle, or ``rms``, ``p95`` or ``offset`` of a validation plane.
     limit : float
     value : float or None
         Degrees for angles, metres otherwise; None if there are not enough data.
@@ -185,10 +190,10 @@ def judge_calibration(
     for plane in validation:
         checks += _plane_checks(criteria, plane)
     for name in others if validation or others else ("",):
-        if criteria.rms is not None:
-            checks.append(AcceptanceCheck("rms", criteria.rms, None, name))
-        if criteria.offset is not None:
-            checks.append(AcceptanceCheck("offset", criteria.offset, None, name))
+        for quantity in PLANE_QUANTITIES:
+            limit = getattr(criteria, quantity)
+            if limit is not None:
+                checks.append(AcceptanceCheck(quantity, limit, None, name))
     names = (*(plane.name for plane in validation), *others)
     return Acceptance(criteria, tuple(checks), names)
 
@@ -197,6 +202,8 @@ def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[
     checks = []
     if criteria.rms is not None:
         checks.append(AcceptanceCheck("rms", criteria.rms, plane.after.rms, plane.name))
+    if criteria.p95 is not None:
+        checks.append(AcceptanceCheck("p95", criteria.p95, plane.after.p95, plane.name))
     if criteria.offset is not None:
         largest = largest_offset(plane)
         known = [pair for pair in plane.pairs if pair.after.signed is not None]

@@ -37,6 +37,10 @@ TEXTS: Mapping[str, Template] = {
         "Validation planes have points in common with targets: {pairs:names}. They do not check "
         "the angles independently, so exclude one of each pair.",
     ),
+    "targets.validation_in_plane": N_(
+        "Validation plane {plane} lies in the plane of {targets:names}. It checks the angles with "
+        "other points, but in the same orientation: add a validation plane in another orientation."
+    ),
     "targets.single_line_targets": N_(
         "Targets observed on one line only are excluded: {sightings:names}. Set seeds for them on "
         "other lines, or remove these targets."

@@ -45,9 +45,9 @@ TEXTS: Mapping[str, Template] = {
         "angles are rather too large. Nothing has to be changed."
     ),
     "report.chi_square_low_estimated": N_(
-        "The LiDAR noise estimated from the data is one value for all targets, and some targets "
-        "have less noise, so the standard deviations of the angles are rather too large. Nothing "
-        "has to be changed."
+        "The LiDAR noise was estimated from all targets and then increased for targets with a "
+        "noise factor above 1, so the standard deviations of the angles are rather too large. "
+        "Nothing has to be changed."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."
@@ -151,6 +151,11 @@ TEXTS: Mapping[str, Template] = {
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
         "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm."
     ),
+    "acceptance.p95": N_(
+        "Acceptance criterion not met: on validation plane {target} 5 % of the distances between "
+        "the lines after the calibration are larger than {p95:mm.2} mm, the limit is {limit:mm.2} "
+        "mm."
+    ),
     "acceptance.offset": N_(
         "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
         "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm."
@@ -160,10 +165,10 @@ TEXTS: Mapping[str, Template] = {
         "Add targets in another orientation or farther away, or more lines."
     ),
     "acceptance.cause_pos": N_(
-        "Probable cause on {planes:names}: the POS, because on {plane} the shift of {lines:names} "
-        "from the mean of {others:names} is {offset:mm.1} mm, the given uncertainties explain up "
-        "to {limit:mm.1} mm, and no error of the boresight is detected. Process the trajectory "
-        "again with a more accurate solution, or check the given POS accuracy."
+        "Probable cause on {planes:names}: the POS, because the given uncertainties explain all "
+        "shifts of lines there (largest: {lines:names} on {plane}, {offset:mm.1} mm from the mean "
+        "of {others:names}, {ratio:x.1} times its standard deviation, limit {limit:x.1}). Process "
+        "the trajectory again with a more accurate solution, or check the given POS accuracy."
     ),
     "acceptance.cause_scatter": N_(
         "Probable cause on {target}: the scatter of the points, because the offset of two lines "
@@ -190,11 +195,13 @@ TEXTS: Mapping[str, Template] = {
     "acceptance_value.pitch_sigma": N_("standard deviation of pitch"),
     "acceptance_value.yaw_sigma": N_("standard deviation of yaw"),
     "acceptance_value.rms": N_("RMS on a validation plane"),
+    "acceptance_value.p95": N_("95 % of the distances on a validation plane"),
     "acceptance_value.offset": N_("largest offset of two lines"),
     "acceptance_field.roll_sigma": N_("Largest standard deviation of roll"),
     "acceptance_field.pitch_sigma": N_("Largest standard deviation of pitch"),
     "acceptance_field.yaw_sigma": N_("Largest standard deviation of yaw"),
     "acceptance_field.rms": N_("Largest RMS on a validation plane"),
+    "acceptance_field.p95": N_("95 % of the distances on a validation plane"),
     "acceptance_field.offset": N_("Largest offset of two lines"),
     "acceptance_field.source": N_("Source of the criteria"),
     "report.methods_differ": N_("Comparison with an alternative method: {reason}"),

@@ -5,6 +5,7 @@ from typing import Literal
 
 from lispac.acceptance import (
     LIMIT_NAMES,
+    PLANE_QUANTITIES,
     Acceptance,
     AcceptanceCheck,
     AcceptanceCriteria,
@@ -23,6 +24,7 @@ QUANTITY_TITLES: dict[Quantity, str] = {
     "pitch": N_("Standard deviation of pitch"),
     "yaw": N_("Standard deviation of yaw"),
     "rms": N_("RMS after the calibration"),
+    "p95": N_("95 % of the distances after the calibration"),
     "offset": N_("Largest offset of two lines"),
 }
 """Names of the judged values."""
@@ -36,6 +38,7 @@ class AcceptanceCriteriaValues:
     pitch_sigma_deg: float | None
     yaw_sigma_deg: float | None
     rms_m: float | None
+    p95_m: float | None
     offset_m: float | None
     source: str
 
@@ -44,7 +47,7 @@ class AcceptanceCriteriaValues:
         """Values of the criteria."""
         return cls(
             criteria.roll_sigma_deg, criteria.pitch_sigma_deg, criteria.yaw_sigma_deg, criteria.rms,
-            criteria.offset, criteria.source,
+            criteria.p95, criteria.offset, criteria.source,
         )  # fmt: skip
 
     @property
@@ -70,7 +73,7 @@ class AcceptanceCheckValues:
     @classmethod
     def of(cls, check: AcceptanceCheck) -> "AcceptanceCheckValues":
         """Values of a check."""
-        unit: Literal["deg", "m"] = "m" if check.quantity in ("rms", "offset") else "deg"
+        unit: Literal["deg", "m"] = "m" if check.quantity in PLANE_QUANTITIES else "deg"
         return cls(
             check.quantity, check.plane, check.lines, unit, check.value, check.limit, check.verdict
         )

@@ -120,9 +120,9 @@ TOO_SMALL_TEXT = N_(
     "of the angles are therefore rather too large; nothing has to be changed."
 )
 TOO_SMALL_ESTIMATED_TEXT = N_(
-    "Conservative: the LiDAR noise estimated from the data is one value for all targets, and some "
-    "targets have less noise. The sigmas of the angles are therefore rather too large; nothing has "
-    "to be changed."
+    "Conservative: the LiDAR noise was estimated from all targets and then increased for targets "
+    "with a noise factor above 1. The sigmas of the angles are therefore rather too large; nothing "
+    "has to be changed."
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "

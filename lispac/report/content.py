@@ -63,6 +63,7 @@ def report_content(
     refused: Message | str = "",
     origin_deg_m: tuple[float, ...] | None = None,
     digests: bool = True,
+    also: Sequence[Message] = (),
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Content of the report of a project, calibrated or not.
@@ -85,6 +86,7 @@ def report_content(
     origin_deg_m : latitude, longitude and ellipsoidal height of the origin of the local frame
     digests : whether to read all input files once and compute their digests; if not, no files are
         listed
+    also : further warnings and notes about the project
 
     Raises
     ------
@@ -147,7 +149,7 @@ def report_content(
         methods=tuple(MethodValues.of(each) for each in methods),
         method_messages=comparison_messages(methods),
     )
-    also = (outdated_result_warning(refused),) if refused else ()
+    also = (*also, outdated_result_warning(refused)) if refused else also
     return replace(content, warnings=report_warnings(content, all_warnings(project, also)))
 
 

@@ -82,7 +82,6 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
         )  # fmt: skip
     known = [plane for plane in others if plane.shifts]
     if known:
-        limit = shift_limit(planes)
         where, shift = max(
             ((plane.name, each) for plane in known for each in plane.shifts),
             key=lambda found: _significance(found[1]),
@@ -91,7 +90,7 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
             "acceptance.cause_pos",
             planes=tuple(plane.name for plane in known),
             plane=where, lines=shift.lines, others=shift.others,
-            offset=abs(shift.offset_m), limit=limit * shift.sigma_m,
+            offset=abs(shift.offset_m), ratio=_significance(shift), limit=shift_limit(planes),
             subject=Cause.of_field("position_sigma"),
         )  # fmt: skip
     unknown = tuple(plane.name for plane in others if not plane.shifts)
@@ -100,13 +99,13 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
 
 
 def _is_scatter(plane: ValidationPlane, offset: float, values: AcceptanceValues) -> bool:
-    """Whether the RMS fails because of the scatter of the points, not of offsets of the lines."""
+    """Whether RMS and 95 % fail because of the scatter of the points, not of offsets of lines."""
     quantities = {
         each.quantity
         for each in values.checks
         if each.plane == plane.name and each.verdict == "fail"
     }
-    return quantities == {"rms"} and offset < MAX_OFFSET_SHARE * plane.after.rms_m
+    return quantities <= {"rms", "p95"} and offset < MAX_OFFSET_SHARE * plane.after.rms_m
 
 
 def _largest_pooled_offset(plane: ValidationPlane) -> float | None:
@@ -131,6 +130,10 @@ def _failure(check: AcceptanceCheckValues) -> Message:
     if check.quantity == "rms":
         return warning(
             "acceptance.rms", target=check.plane, rms=check.value, limit=check.limit, subject=where
+        )
+    if check.quantity == "p95":
+        return warning(
+            "acceptance.p95", target=check.plane, p95=check.value, limit=check.limit, subject=where
         )
     line, other = check.lines
     return warning(

@@ -198,9 +198,10 @@ def _shift_of(
         weights[lines.index(pair.line_b)] -= sign / len(pairs)
         noise += (sigma_of_median(signed) / len(pairs)) ** 2
     variance = float(weights @ errors.covariance(lines) @ weights) + noise
+    in_order = dict.fromkeys(line for pair, _ in known for line in (pair.line_a, pair.line_b))
     return LineShift(
-        tuple(line for line in lines if line in group),
-        tuple(line for line in lines if line not in group),
+        tuple(line for line in in_order if line in lines and line in group),
+        tuple(line for line in in_order if line in lines and line not in group),
         offset,
         sqrt(max(variance, 0.0)),
         _is_reciprocal(group, [pair for pair, _ in known]),

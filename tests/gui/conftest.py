@@ -2,7 +2,8 @@
 
 import shutil
 import threading
-from collections.abc import Iterator
+from collections import defaultdict, deque
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,20 +17,27 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.pick_targets import target_actions
 from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session
 from lispac.io.project.project_file import UNSAVED_NAME
+from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.calibration.sighting_assessment import (
+    AssessedQuality,
+    SightingKey,
+    assess_sightings,
+)
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import save_project
-from lispac.workflow.project.survey import load_survey
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
@@ -39,6 +47,10 @@ from tests.support.sharing import make_once
 PICKED_NAMES = ("T1", "T2", "V1")
 WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)
 """Files that a window of another test process may keep in the shared demo folder."""
+
+QUALITY_FILES = {"test_gui_quality.py"}
+ASSESSED: defaultdict[SightingKey, deque[AssessedQuality]] = defaultdict(lambda: deque(maxlen=6))
+"""Last assessed qualities of each sighting in this process."""
 
 
 def _picked_demo(source: Project, factory: pytest.TempPathFactory, name: str) -> Demo:
@@ -106,6 +118,38 @@ def visibility_studies(tmp_path_factory: pytest.TempPathFactory) -> list[Visibil
 def _no_file_is_opened(monkeypatch: pytest.MonkeyPatch) -> None:
     """Do not start other programs with real dialogues."""
     monkeypatch.setattr(ReportDialogs, "open_file", lambda _self, _path: True)
+
+
+@pytest.fixture(autouse=True)
+def _share_qualities(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reuse qualities of sightings that another window assessed from the same arrays.
+
+    Most windows show the same few projects, and their assessment is a quarter of the time of a
+    test. The tests of the qualities themselves assess all sightings.
+    """
+    if request.path.name not in QUALITY_FILES:
+        monkeypatch.setattr(target_actions, "assess_sightings", _assess_once)
+
+
+def _assess_once(
+    project: Project,
+    survey: Survey,
+    *,
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
+    progress: Progress = no_progress,
+) -> dict[SightingKey, AssessedQuality]:
+    valid = {
+        (target.name, sighting.line): each
+        for target in project.targets
+        for sighting in target.sightings
+        for each in ASSESSED[target.name, sighting.line]
+        if each.is_current(project, target, sighting)
+    }
+    found = assess_sightings(project, survey, known={**(known or {}), **valid}, progress=progress)
+    for key, each in found.items():
+        if each is not valid.get(key):
+            ASSESSED[key].append(each)
+    return found
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from lispac.acceptance import NO_CRITERIA, largest_offset
+from lispac.gui.features.validate.planes_table import P95
 from lispac.gui.project.document import ExportedReport
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
@@ -98,7 +99,7 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert judged.project.judgement.verdict == "pass"
     assert state_of(judged) == "done"
     assert marks(judged) == [(True, "V1. Acceptance: pass")]
-    assert "pass (1 of 5 criteria given)" in outcome.verdict.text()
+    assert "pass (1 of 6 criteria given)" in outcome.verdict.text()
     assert outcome.verdict.property("role") == "success"
     assert outcome.icon.pixmap().toImage() != failed, "not the colour alone"
     field.selectAll()
@@ -106,6 +107,18 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     judged.bot.keyClick(field, Key.Key_Tab)
     assert judged.project.acceptance.is_empty
     assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+
+
+def test_a_limit_for_95_percent_is_typed_and_judged(judged: Driver) -> None:
+    (plane,) = judged.project.validation
+    field = judged.window.validate.acceptance.fields["p95"]
+    for factor, verdict in ((0.9, "fail"), (1.1, "pass")):
+        type_into(judged, field, f"{1000 * factor * plane.after.p95:.4f} mm")
+        judged.bot.keyClick(field, Key.Key_Return)
+        assert judged.project.acceptance.p95 == pytest.approx(factor * plane.after.p95, rel=1e-3)
+        assert judged.project.judgement.verdict == verdict
+        table = judged.window.histograms.table
+        assert table.item(0, P95).font().bold() == (verdict == "fail")
 
 
 def test_a_failed_calibration_names_its_cause_and_goes_there(judged: Driver) -> None:
@@ -139,6 +152,12 @@ def test_the_report_step_shows_a_failed_calibration(judged: Driver) -> None:
     type_into(judged, field, "0.1")
     judged.bot.keyClick(field, Key.Key_Return)
     assert (report_state(), report_state(exported)) == ("warning", "warning")
+    sentences = [
+        step_statuses(judged.project, judged.window.document.survey, report=each)[REPORT].sentence
+        for each in (None, exported)
+    ]
+    # The end of a long text is not visible, so that the verdict begins it.
+    assert [each.split(",")[0] for each in sentences] == ["not accepted"] * 2
 
 
 def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(
@@ -185,8 +204,8 @@ def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
     judged.rest()
     status = step_statuses(document.project, document.survey)[VALIDATE]
     assert status.state == "done"
-    assert status.sentence == "acceptance: pass (3 of 5 criteria given)"
-    every = limits.changed(rms=1.0, offset=1.0)
+    assert status.sentence == "acceptance: pass (3 of 6 criteria given)"
+    every = limits.changed(rms=1.0, p95=1.0, offset=1.0)
     document.edit("limits", judged.project.with_acceptance(every))
     judged.rest()
     assert "criteria given" not in judged.window.validate.outcome.verdict.text()

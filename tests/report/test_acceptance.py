@@ -85,6 +85,18 @@ def test_each_plane_is_judged_by_its_rms_and_its_largest_offset(project: Project
             assert check.verdict == "not judged"
 
 
+def test_each_plane_is_judged_by_its_95_percent(project: Project) -> None:
+    worst = max(project.validation, key=lambda plane: plane.after.p95)
+    assert verdict(project, p95=1.001 * worst.after.p95) == "pass"
+    failed = project.with_acceptance(AcceptanceCriteria(p95=0.999 * worst.after.p95))
+    assert failed.judgement.verdict_on(worst.name) == "fail"
+    found = [each for each in sample_content(failed).warnings if each.code == "acceptance.p95"]
+    assert [each.params["target"] for each in found] == [worst.name]
+    assert found[0].params["p95"] == worst.after.p95
+    without = failed.with_validation((), {"V9": note("project.single_target")})
+    assert without.judgement.verdict == "not judged"
+
+
 def test_a_line_without_a_known_offset_prevents_a_pass(project: Project) -> None:
     plane = next(p for p in project.validation if all(pair.after.signed for pair in p.pairs))
     assert len({line for pair in plane.pairs for line in (pair.line_a, pair.line_b)}) > 1
@@ -262,11 +274,11 @@ def test_the_table_of_planes_gives_the_largest_offset_and_its_lines(project: Pro
 
 def test_a_pass_by_some_criteria_says_how_many_are_given(project: Project) -> None:
     some = project.with_acceptance(AcceptanceCriteria(rms=1.0, offset=1.0))
-    every = AcceptanceCriteria(1.0, 1.0, 1.0, 1.0, 1.0)
-    assert "2 OF 5" in undrawn_document(sample_content(some), {}, FULL_REPORT).verdict
+    every = AcceptanceCriteria(1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    assert "2 OF 6" in undrawn_document(sample_content(some), {}, FULL_REPORT).verdict
     full = undrawn_document(sample_content(project.with_acceptance(every)), {}, FULL_REPORT)
-    assert "OF 5" not in full.verdict
-    assert calibration_verdict_text(AcceptanceValues.of(some.judgement)).startswith("pass (2 of 5")
+    assert "OF 6" not in full.verdict
+    assert calibration_verdict_text(AcceptanceValues.of(some.judgement)).startswith("pass (2 of 6")
     passed = AcceptanceValues.of(project.with_acceptance(every).judgement)
     assert calibration_verdict_text(passed) == "pass"
 

@@ -1,4 +1,4 @@
-"""Tests of the warning about targets with the same orientation before an estimate."""
+"""Tests of the warnings about targets of one orientation and validation planes on targets."""
 
 from dataclasses import replace
 
@@ -7,9 +7,14 @@ import pytest
 
 from lispac.errors import RankDeficient
 from lispac.project import PickedSighting, Project
+from lispac.warning_causes import Cause
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
+from lispac.workflow.calibration.orientation_check import (
+    have_targets_single_orientation,
+    validation_planes_on_targets,
+)
 from lispac.workflow.checking.warnings import warnings_of
+from lispac.workflow.output.export import report_content_of
 from lispac.workflow.project.survey import Survey
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
@@ -77,3 +82,35 @@ def test_points_on_one_straight_line_have_no_orientation() -> None:
     row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)
     thin = replace(upright, name="thin", sightings=(row,))
     assert not have_targets_single_orientation(replace(project, targets=(upright, thin)), survey)
+
+
+def test_a_validation_plane_on_the_surface_of_a_target_is_named(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """Also without common points; a parallel plane at another place is another surface."""
+    project, survey = calibrated
+    assert list(validation_planes_on_targets(project, survey)) == []
+    board = project.target("T1")
+    ordered = {
+        each.line: each.indices[np.argsort(survey.clouds[each.line][each.indices][:, 0])]
+        for each in board.sightings
+    }
+    halves = [
+        tuple(
+            replace(each, indices=np.sort(np.array_split(ordered[each.line], 2)[k]))
+            for each in board.sightings
+        )
+        for k in range(2)
+    ]
+    half = replace(board, sightings=halves[0])
+    other_half = replace(board, name="V9", role="validation", sightings=halves[1])
+    both = replace(project, targets=(half, project.target("T2"), other_half))
+    (found,) = validation_planes_on_targets(both, survey)
+    assert found.params == {"plane": "V9", "targets": ("T1",)}
+    assert found.subject == Cause.of_target("V9")
+    assert found in warnings_of(both, survey)
+    assert found in report_content_of(both, survey).warnings
+    swapped = replace(other_half, sightings=project.target("V1").sightings)
+    assert not list(validation_planes_on_targets(both.with_target(swapped), survey))
+    unused = replace(half, used=False)
+    assert not list(validation_planes_on_targets(both.with_target(unused), survey))

@@ -32,6 +32,11 @@ def add_arguments(parser: ArgumentParser) -> None:
              "calibration, metres, or none",
     )  # fmt: skip
     parser.add_argument(
+        "--p95", type=_limit, metavar="M",
+        help="95 %% of the distances between the lines on a validation plane after the "
+             "calibration must be smaller, metres, or none",
+    )  # fmt: skip
+    parser.add_argument(
         "--offset", type=_limit, metavar="M",
         help="largest median distance between two lines on a validation plane after the "
              "calibration, metres, or none",

@@ -427,7 +427,7 @@ def _report_status(
         return _exported_status(report, reason, is_failed=is_failed)
     if is_failed:
         return StepStatus(
-            "warning", gettext("ready, calibration not accepted"), _not_accepted_text(), reason
+            "warning", gettext("not accepted, ready to export"), _not_accepted_text(), reason
         )
     if project.validation:
         return StepStatus(
@@ -463,7 +463,7 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
     if report.is_current and is_failed:
         return StepStatus(
             "warning",
-            gettext("exported, calibration not accepted: {file}", file=file),
+            gettext("not accepted, exported: {file}", file=file),
             _not_accepted_text(),
             reason,
         )

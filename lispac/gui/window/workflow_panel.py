@@ -87,7 +87,7 @@ class WorkflowPanel(QWidget):
 
 
 class _ElidedLabel(QLabel):
-    """Label that shortens a text which is too wide in its middle, since a file name may end it."""
+    """Label that shortens the end of a text which is too wide."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -97,9 +97,7 @@ class _ElidedLabel(QLabel):
         return QSize(0, super().minimumSizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        text = self.fontMetrics().elidedText(
-            self.text(), Qt.TextElideMode.ElideMiddle, self.width()
-        )
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
         self.style().drawItemText(
             QPainter(self), self.rect(), self.alignment().value, self.palette(), self.isEnabled(),
             text, self.foregroundRole(),

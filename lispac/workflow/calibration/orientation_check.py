@@ -1,16 +1,24 @@
-"""Check before the estimation that the picked targets do not all have the same orientation."""
+"""Checks of the picked planes against each other: orientation of targets, place of others."""
+
+from collections.abc import Iterator
+from itertools import product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import fit_plane
-from lispac.project import Project
+from lispac.messages import Message, note
+from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
+from lispac.warning_causes import Cause
 from lispac.workflow.project.survey import Survey
 
 MAX_POINTS_PER_TARGET = 500
 """Largest number of points of a target used for its orientation."""
+MAX_JOINT_RMS_RATIO = 1.5
+"""Largest ratio of the RMS of one plane fitted to two surfaces and that of a plane for each."""
 
 
 def have_targets_single_orientation(project: Project, survey: Survey) -> bool:
@@ -34,9 +42,58 @@ def have_targets_single_orientation(project: Project, survey: Survey) -> bool:
         cloud: Cloud | None = survey.clouds.get(sighting.line)
         if cloud is None:
             return False
-        sample = sighting.indices[:: -(-len(sighting.indices) // MAX_POINTS_PER_TARGET)]
         try:
-            normals.append(fit_plane(cloud[sample]).normal)
+            normals.append(fit_plane(_sample(cloud, sighting)).normal)
         except PlaneNotFound:
             return False  # the quality of the sighting reports this
     return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))
+
+
+def validation_planes_on_targets(project: Project, survey: Survey) -> Iterator[Message]:
+    """Notes on validation planes that lie in the plane of a target.
+
+    Such a plane has other points than the target, but checks the angles in the same orientation.
+    """
+    compared = [t for t in project.targets_of_role("validation") if t.used]
+    planes = [t for t in project.targets_of_role("target") if t.used and t.shape == "plane"]
+    for plane in compared:
+        names = tuple(each.name for each in planes if _lie_in_one_plane(plane, each, survey))
+        if names:
+            yield note(
+                "targets.validation_in_plane",
+                plane=plane.name, targets=names, subject=Cause.of_target(plane.name),
+            )  # fmt: skip
+
+
+def _lie_in_one_plane(one: Target, other: Target, survey: Survey) -> bool:
+    """Whether one plane fits two targets, on the line with the most points of both.
+
+    On one line, an error of the boresight or of the position moves both alike.
+    """
+    pairs = [
+        (a, b)
+        for a, b in product(one.used_sightings, other.used_sightings)
+        if a.line == b.line and a.line in survey.clouds
+    ]
+    if not pairs:
+        return False
+    best = max(pairs, key=lambda pair: min(len(each.indices) for each in pair))
+    cloud = survey.clouds[best[0].line]
+    count = min(MAX_POINTS_PER_TARGET, *(len(each.indices) for each in best))
+    points = [_sample(cloud, each, count) for each in best]
+    try:
+        own = max(_plane_rms(each) for each in points)
+        return _plane_rms(np.concatenate(points)) <= MAX_JOINT_RMS_RATIO * own
+    except PlaneNotFound:
+        return False  # the quality of the sighting reports this
+
+
+def _sample(
+    cloud: Cloud, sighting: PickedSighting, count: int = MAX_POINTS_PER_TARGET
+) -> NDArray[np.float64]:
+    """At most ``count`` points placed with the prior boresight, shape (n, 3), metres."""
+    return cloud[sighting.indices[:: -(-len(sighting.indices) // count)]]
+
+
+def _plane_rms(points: NDArray[np.float64]) -> float:
+    return float(np.sqrt(np.mean(fit_plane(points).distances(points) ** 2)))

@@ -19,7 +19,10 @@ from lispac.report.report_warnings import report_warnings
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.warning_causes import Cause
-from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
+from lispac.workflow.calibration.orientation_check import (
+    have_targets_single_orientation,
+    validation_planes_on_targets,
+)
 from lispac.workflow.project.survey import Survey, file_cause
 
 DATA_STEP, ADJUST_STEP = Cause.of_step("Data"), Cause.of_step("Adjust")
@@ -162,7 +165,12 @@ def _targets_not_found(project: Project) -> Iterator[Message]:
 
 
 def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Notes on targets with which an estimation would fail, if there is no result yet."""
+    """Notes on planes that check or determine less than the user may expect.
+
+    Targets with which an estimation would fail are named if there is no result yet.
+    """
+    if survey is not None:
+        yield from validation_planes_on_targets(project, survey)
     if project.result is not None:
         return
     used = [target for target in project.targets_of_role("target") if target.used]

@@ -16,6 +16,7 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
+from lispac.workflow.calibration.orientation_check import validation_planes_on_targets
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import Survey
@@ -55,6 +56,7 @@ def report_content_of(
         trajectory=trajectory_on_lines(survey),
         refused=refused,
         origin_deg_m=survey.trajectory.frame.origin_deg_m,
+        also=tuple(validation_planes_on_targets(project, survey)),
     )
 
 

@@ -259,9 +259,10 @@ class SightingsModel(QAbstractTableModel):
             is_poor = quality is not None and quality.rating == "poor"
             light = "   " + gettext("poor") if is_poor else ""
             edited = f" {EDITED_SYMBOL}" if sighting.by_hand else ""
-            return (
-                f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
-            )
+            count, rms = len(sighting.indices), sighting.rms
+            if quality is not None and quality.smear is None:  # as in the report
+                count, rms = quality.points, quality.rms
+            return f"{number(count, 0)}   {_millimetres(rms)}{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.quality_icon(quality.rating)
         if role == Role.CheckStateRole:

@@ -36,6 +36,9 @@ _LIMITS = (
     ("rms", N_("RMS on a plane"), N_("Largest RMS on a plane"),
      N_("Largest RMS of the distances between the lines on each validation plane after the "
         "calibration")),
+    ("p95", N_("95 % on a plane"), N_("Largest 95 % on a plane"),
+     N_("95 % of the distances between the lines on each validation plane must be smaller, after "
+        "the calibration")),
     ("offset", N_("Offset of two lines"), N_("Largest offset of two lines"),
      N_("Largest median distance between any two lines on each validation plane after the "
         "calibration")),

@@ -57,9 +57,10 @@ _COLUMNS = (
 _LIMIT_HEADS = {
     RMS: N_("RMS ({unit})\nlimit {limit}"),
     OFFSET: N_("Offset ({unit})\nlimit {limit}"),
+    P95: N_("95 % ({unit})\nlimit {limit}"),
 }
 """Headings of the values that have a criterion."""
-_COLUMN_QUANTITIES: dict[Quantity, int] = {"rms": RMS, "offset": OFFSET}
+_COLUMN_QUANTITIES: dict[Quantity, int] = {"rms": RMS, "p95": P95, "offset": OFFSET}
 VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
 """Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -190,7 +191,7 @@ class PlanesTable(QTableWidget):
 
     def _show_heads(self, criteria: AcceptanceCriteria) -> None:
         unit = units.local_sign("mm")
-        limits = {RMS: criteria.rms, OFFSET: criteria.offset}
+        limits = {RMS: criteria.rms, P95: criteria.p95, OFFSET: criteria.offset}
         heads = []
         for column, (title, _) in enumerate(_COLUMNS):
             limit = limits.get(column)
