@@ -54,7 +54,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.seed": N_("The seed must be three finite numbers: north, west and up, in metres."),
     # -- search in one line ------------------------------------------------------------------------
-    "finder.place": N_("({north:m.2}; {west:m.2}; {up:m.2})"),
+    "finder.place": N_("(north {north:m.2} m; west {west:m.2} m; up {up:m.2} m)"),
     "finder.few_points": Plural(
         "Only {count:n} point lies within {radius:m} m of {place}, but a target needs at least "
         "{needed:n}. Move the seed, or increase the search radius.",
@@ -71,10 +71,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.no_plane": N_("No plane fits the points around {place} within {threshold:mm} mm."),
     "finder.plane_few_points": Plural(
-        "The plane around {place} has only {count:n} point, but a target needs at least "
-        "{needed:n}. Try a threshold above {threshold:mm} mm.",
-        "The plane around {place} has only {count:n} points, but a target needs at least "
-        "{needed:n}. Try a threshold above {threshold:mm} mm.",
+        "The plane around {place} has only {count:n} point within {threshold:mm} mm, but a "
+        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "the threshold of the search.",
+        "The plane around {place} has only {count:n} points within {threshold:mm} mm, but a "
+        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "the threshold of the search.",
     ),
     "finder.other_tilt": N_("The plane around {place} does not have the expected orientation."),
     "finder.sphere_of_radius": N_("sphere of radius {radius:m.3} m"),
@@ -87,10 +89,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.no_sphere": N_("No {sphere} fits the points around {place} within {threshold:mm} mm."),
     "finder.sphere_few_points": Plural(
-        "The sphere around {place} has only {count:n} point, but a target needs at least "
-        "{needed:n}. Try a threshold above {threshold:mm} mm.",
-        "The sphere around {place} has only {count:n} points, but a target needs at least "
-        "{needed:n}. Try a threshold above {threshold:mm} mm.",
+        "The sphere around {place} has only {count:n} point within {threshold:mm} mm, but a "
+        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "the threshold of the search.",
+        "The sphere around {place} has only {count:n} points within {threshold:mm} mm, but a "
+        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "the threshold of the search.",
     ),
     "finder.sphere_other_radius": N_(
         "The surface around {place} is curved with a radius of {radius:m.3} m, but a {sphere} is "

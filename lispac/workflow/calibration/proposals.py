@@ -158,7 +158,7 @@ def propose_targets(
     if len(flat) < 2:
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.45, gettext_lazy("Selecting the targets"))
-    rounds = progress_of_rounds(sub_progress(progress, 0.45, 0.8))
+    rounds = progress_of_rounds(_without_steps(sub_progress(progress, 0.45, 0.8)))
     with replace_suggested_actions(project.name, "propose"):
         chosen, solved, planes = _choose_flat_targets(project, survey, flat, named, judged, rounds)
     if len(chosen) < MIN_TARGETS:
@@ -484,14 +484,22 @@ def _assess_planes(
 ) -> dict[str, _PlaneAssessment]:
     """Assess each plane by the quality of its sightings."""
     found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
-
-    def without_step(fraction: float, step: Step | None = None) -> None:
-        progress(fraction)  # the names of the planes are not those of the proposal
-
-    qualities = sighting_qualities(project, survey, progress=without_step)
+    qualities = sighting_qualities(project, survey, progress=_without_steps(progress))
     for (name, line), quality in qualities.items():
         found[name][line] = quality
     return {name: _assess_plane(lines) for name, lines in found.items()}
+
+
+def _without_steps(progress: Progress) -> Progress:
+    """Report fractions only.
+
+    Steps of an adjustment, or names of planes that are not those of the proposal, would confuse.
+    """
+
+    def report(fraction: float, step: Step | None = None) -> None:
+        progress(fraction)
+
+    return report
 
 
 def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
