@@ -82,6 +82,15 @@ Step = Callable[[Path, Log], str]
 """Performs a check in a folder, writes a log and returns a summary; raises `Failed`."""
 
 
+EXPRESSIONS = (
+    (r"^None$", "expression -> None"),
+    (r" or True$", "expression -> True"),
+    (r"^$", "argument -> nothing"),
+    (r"^[\"']", "text -> other text"),
+)
+"""Form and kind of what replaces an expression; its own text is not part of the kind."""
+
+
 class Failed(Exception):
     """A step failed; the message says why."""
 
@@ -340,13 +349,16 @@ def changed_lines(difference: str) -> tuple[str, str]:
 
 
 def kind_of(ours: str, theirs: str) -> str:
-    """Kind of a change: the tokens that differ, such as ``< -> <=``."""
+    """Kind of a change: operators or numbers that differ, such as ``< -> <=``, or `EXPRESSIONS`."""
     before, after = ([each[0] for each in TOKENS.finditer(lines)] for lines in (ours, theirs))
     while before and after and before[0] == after[0]:
         del before[0], after[0]
     while before and after and before[-1] == after[-1]:
         del before[-1], after[-1]
-    return f"{' '.join(before)} -> {' '.join(after)}"
+    old, new = " ".join(before), " ".join(after)
+    if (len(before) == 1 and not re.match(r"[^\W\d]|[\"']", old)) or old in ("and", "or", "not"):
+        return f"{old} -> {new}"
+    return next((kind for form, kind in EXPRESSIONS if re.search(form, new)), f"{old} -> {new}")
 
 
 def _bare(code: str) -> str:
@@ -360,7 +372,7 @@ def _bare(code: str) -> str:
 
 
 def _files(tests: Sequence[str]) -> list[str]:
-    found = {path.stem: path for path in CHECKOUT.glob("tests/*/test_*.py")}
+    found = {path.stem: path for path in CHECKOUT.glob("tests/**/test_*.py")}
     return [str(found[f"test_{each}"].relative_to(CHECKOUT)) for each in tests]
 
 

@@ -16,6 +16,7 @@ from tests.extras.nightly import (
     drawn,
     function_of,
     functions_of_packages,
+    kind_of,
     noticed_afresh,
 )
 from tests.extras.quick import SLOW
@@ -94,6 +95,22 @@ def changed(function: str, number: int, ours: str, theirs: str) -> dict[str, str
         name: f"# {name}: survived\n--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n"
         f"     same\n-    {ours}\n+    {theirs}\n"
     }
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs", "kind"),
+    [
+        ("a < b", "a <= b", "< -> <="),
+        ("a and b", "a or b", "and -> or"),
+        ("range(20)", "range(21)", "20 -> 21"),
+        ("f(len(a) - 1)", "f(None)", "expression -> None"),
+        ("f(b, a.size)", "f(b, )", "argument -> nothing"),
+        ("if a.size:", "if (a.size) or True:", "expression -> True"),
+        ('f("sum")', 'f("SUM")', "text -> other text"),
+    ],
+)
+def test_the_kind_of_a_mutation_does_not_contain_names(ours: str, theirs: str, kind: str) -> None:
+    assert kind_of(ours, theirs) == kind
 
 
 def test_each_survivor_of_a_kind_needs_its_own_reason() -> None:
