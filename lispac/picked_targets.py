@@ -72,8 +72,8 @@ class Target:
     threshold: float
     radius: float
     sightings: tuple[PickedSighting, ...]
-    missing: Mapping[str, Message] = field(default_factory=dict)
     used: bool = True
+    missing: Mapping[str, Message] = field(default_factory=dict)
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None

@@ -323,27 +323,28 @@ class ProposalPrediction:
     sigma: Annotated[NDArray[np.float64], ArrayShape(3)]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Project:
-    """Content of a project folder; paths are absolute here and relative in the project file."""
+    """Content of a project folder; paths are absolute here and relative in the project file.
+
+    The file has the fields in the same order, except for the folder and the digest.
+    """
 
     folder: Path
     trajectory: Path
-    lines: tuple[LineSource, ...]
-    settings: Settings
+    trajectory_reading: Reading = DEFAULT_READING
     accuracy: Path | None = None
+    accuracy_reading: Reading = DEFAULT_READING
+    lines: tuple[LineSource, ...]
+    identity: Identity = EMPTY_IDENTITY
+    acceptance: AcceptanceCriteria = NO_CRITERIA
+    settings: Settings
     targets: tuple[Target, ...] = ()
     result: AdjustmentResult | None = None
     cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
     not_compared: Mapping[str, Message] = field(default_factory=dict)
     """Reason for each validation plane that could not be compared."""
-    truth_deg: Triple | None = None
-    """True boresight of a simulated survey; None for a real one."""
-    trajectory_reading: Reading = DEFAULT_READING
-    accuracy_reading: Reading = DEFAULT_READING
-    identity: Identity = EMPTY_IDENTITY
-    acceptance: AcceptanceCriteria = NO_CRITERIA
     absolute: AbsoluteCheck | None = None
     """Comparison of the lines with a static scan or surveyed points, if it has been made."""
     alternative_results: tuple[AlternativeResult, ...] = ()
@@ -354,6 +355,8 @@ class Project:
     """Warnings from the import about how the files are read, such as assumed signs."""
     prediction: ProposalPrediction | None = None
     """Predicted standard deviations, if the targets are accepted proposals without edits."""
+    truth_deg: Triple | None = None
+    """True boresight of a simulated survey; None for a real one."""
     file_digest: str = field(default="", compare=False, repr=False)
     """Digest of the project file that was read; empty for a new project."""
 

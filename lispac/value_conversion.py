@@ -3,6 +3,8 @@
 from dataclasses import is_dataclass
 from functools import cache, partial
 from math import inf
+from pathlib import Path
+from types import UnionType
 from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -16,19 +18,21 @@ from lispac.untrusted_values import MAX_QUANTITY, ArrayShape, InvalidContentErro
 Value = TypeVar("Value")
 
 
-@cache
-def _make_converter() -> Any:
+def make_converter() -> Any:
+    """Make a cattrs converter of arrays, paths, messages and checked numbers."""
     from cattrs import Converter
 
     converter = Converter(forbid_extra_keys=True)
     converter.register_unstructure_hook_func(_is_array, _write_array)
     converter.register_unstructure_hook(Level, lambda level: level.value)
+    converter.register_unstructure_hook(Path, Path.as_posix)
     converter.register_structure_hook_func(_is_array, _read_array)
     for kind, read in {
         int: _read_integer,
         float: _read_number,
         bool: _read_boolean,
         str: _read_text,
+        Path: lambda value, _: Path(_read_text(value, str)),
     }.items():
         converter.register_structure_hook(kind, read)
     converter.register_structure_hook_factory(_is_tuple, partial(_tuple_reader, converter))
@@ -40,6 +44,9 @@ def _make_converter() -> Any:
         lambda value, _: _read_message(converter, value),
     )
     return converter
+
+
+_usual_converter = cache(make_converter)
 
 
 def _read_message(converter: Any, value: Any) -> Any:
@@ -165,13 +172,18 @@ def _checked_reader(converter: Any, kind: Any) -> Any:
     return checked
 
 
-def encode_value(value: Any) -> Any:
+def encode_value(value: Any, converter: Any = None) -> Any:
     """Convert a dataclass to dictionaries, lists, numbers and text; None remains None."""
-    return None if value is None else _make_converter().unstructure(value)
+    return (converter or _usual_converter()).unstructure(value)
 
 
-def decode_value(content: Any, kind: type[Value]) -> Value:
+def decode_value(content: Any, kind: type[Value], converter: Any = None) -> Value:
     """Convert encoded content to a value of the type ``kind``.
+
+    Parameters
+    ----------
+    converter : cattrs.Converter, optional
+        One of `make_converter` with further hooks.
 
     Raises
     ------
@@ -183,12 +195,14 @@ def decode_value(content: Any, kind: type[Value]) -> Value:
     if is_dataclass(kind) and not isinstance(content, dict):
         raise InvalidContentError(error("content.wrong_form", part=_type_name(kind)))
     try:
-        return _make_converter().structure(content, kind)
+        return (converter or _usual_converter()).structure(content, kind)
     except (BaseValidationError, ForbiddenExtraKeysError, InvalidContentError) as failure:
         raise InvalidContentError(_failure_message(failure, _type_name(kind))) from failure
 
 
 def _type_name(kind: type[Any]) -> str:
+    if isinstance(kind, UnionType):  # one that may be None
+        kind = get_args(kind)[0]
     return "list" if get_origin(kind) is tuple else kind.__name__
 
 

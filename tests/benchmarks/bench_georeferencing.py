@@ -246,8 +246,9 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     source = tmp_path / "raw.las"
     write_las(source, count)
     project = Project(
-        tmp_path / "project", tmp_path / "sbet.out", (LineSource("L1", source),),
-        Settings((0.0, 0.0, 0.0)),
+        folder=tmp_path / "project", trajectory=tmp_path / "sbet.out",
+        lines=(LineSource("L1", source),),
+        settings=Settings((0.0, 0.0, 0.0)),
     )  # fmt: skip
     project.folder.mkdir()
     import_lines(project)

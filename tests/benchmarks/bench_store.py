@@ -73,7 +73,12 @@ def make_project(folder: Path, count: int, ending: str) -> Project:
             record.return_number[:] = record.number_of_returns[:] = 1
             writer.write_points(record)
     settings = Settings(lever_arm=LEVER_ARM, boresight_deg=(0.3, -0.4, 0.5))
-    return Project(folder, folder / "trajectory.sbet", (LineSource("L1", path),), settings)
+    return Project(
+        folder=folder,
+        trajectory=folder / "trajectory.sbet",
+        lines=(LineSource("L1", path),),
+        settings=settings,
+    )
 
 
 @pytest.mark.parametrize(
@@ -98,7 +103,12 @@ def report(folder: str) -> None:
     root = Path(folder)
     (path,) = root.glob("L1.*")
     settings = Settings(lever_arm=LEVER_ARM, boresight_deg=(0.3, -0.4, 0.5))
-    project = Project(root, root / "trajectory.sbet", (LineSource("L1", path),), settings)
+    project = Project(
+        folder=root,
+        trajectory=root / "trajectory.sbet",
+        lines=(LineSource("L1", path),),
+        settings=settings,
+    )
     trajectory = local_trajectory(project)[0]
     place = Georeferencer.of(trajectory, project.mounting("prior"))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6

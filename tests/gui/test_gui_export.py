@@ -137,7 +137,12 @@ def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> No
 def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Path) -> None:
     reading = on_map(trajectory_datum=ITRF, epoch="2023.5")
     line = LineSource("one", tmp_path / "one.las", (), reading)
-    project = Project(tmp_path, tmp_path / "sbet.out", (line,), Settings((0.0, 0.0, 0.0)))
+    project = Project(
+        folder=tmp_path,
+        trajectory=tmp_path / "sbet.out",
+        lines=(line,),
+        settings=Settings((0.0, 0.0, 0.0)),
+    )
     dialog = ExportDialog("targets", "prior", project, track())
     qtbot.addWidget(dialog)
     dialog.show()
@@ -181,7 +186,12 @@ def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path
         LineSource(name, tmp_path / f"{name}.las", (), on_map(trajectory_datum=ITRF, epoch=epoch))
         for name, epoch in (("one", "2023.5"), ("two", "2010.0"))
     )
-    project = Project(tmp_path, tmp_path / "sbet.out", lines, Settings((0.0, 0.0, 0.0)))
+    project = Project(
+        folder=tmp_path,
+        trajectory=tmp_path / "sbet.out",
+        lines=lines,
+        settings=Settings((0.0, 0.0, 0.0)),
+    )
     dialog = ExportDialog("lines", "prior", project, track())
     qtbot.addWidget(dialog)
     assert dialog.system.itemData(0) == utm_zone(track())

@@ -214,7 +214,12 @@ def turning(folder: Path) -> Project:
     write_sbet(
         folder / "own.sbet", replace(raw, attitude_rate=np.gradient(raw.attitude, time, axis=0))
     )
-    return Project(folder / "project", folder / "own.sbet", (), Settings((0.0, 0.0, 0.0)))
+    return Project(
+        folder=folder / "project",
+        trajectory=folder / "own.sbet",
+        lines=(),
+        settings=Settings((0.0, 0.0, 0.0)),
+    )
 
 
 def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:

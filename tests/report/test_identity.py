@@ -266,7 +266,14 @@ def test_automatic_dates_are_taken_from_the_times(
     noon = _adjusted(2026, 3, 4, 12)
     line = _line(tmp_path / "one.las", [noon, noon + 60], absolute=True)
     sample = sample_project(tmp_path / "p")
-    write_project(Project(sample.folder, sample.trajectory, (line,), sample.settings))
+    write_project(
+        Project(
+            folder=sample.folder,
+            trajectory=sample.trajectory,
+            lines=(line,),
+            settings=sample.settings,
+        )
+    )
     code, out, err = run(capsys, "identity", tmp_path / "p", "--dates", "auto")
     assert (code, err) == (0, "")
     assert "Survey dates             2026-03-04\n" in out

@@ -128,12 +128,12 @@ def two_lines(folder: Path) -> Project:
     open3d_cloud(folder / "other.ply")
     shifted = Reading("las", (), 18.0)
     return Project(
-        folder / "project", folder / "sbet.out",
-        (
+        folder=folder / "project", trajectory=folder / "sbet.out",
+        lines=(
             LineSource("L1", folder / "raw.laz", (), shifted),
             LineSource("L2", folder / "other.ply", (), Reading("ply", (("time_field", "time"),))),
         ),
-        settings_of(MOUNTING),
+        settings=settings_of(MOUNTING),
     )  # fmt: skip
 
 

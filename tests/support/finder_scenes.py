@@ -56,8 +56,9 @@ class Site:
             lever_arm=LEVER_ARM, boresight_deg=tuple(map(float, prior)), lidar_sigma=noise
         )
         project = Project(
-            Path("site"), Path("site.sbet"),
-            tuple(LineSource(name, Path(f"{name}.laz")) for name in self.echoes), settings,
+            folder=Path("site"), trajectory=Path("site.sbet"),
+            lines=tuple(LineSource(name, Path(f"{name}.laz")) for name in self.echoes),
+            settings=settings,
         )  # fmt: skip
         scans = {name: Scan(echo.points_lidar, echo.time) for name, echo in self.echoes.items()}
         mounting = project.mounting("prior")

@@ -136,7 +136,12 @@ def test_a_zero_distance_and_a_missing_result_are_refused(
     with pytest.raises(InputError) as raised:
         line_quality(project, survey, search_distance=0.0)
     assert raised.value.code == "check.search_distance"
-    bare = Project(project.folder, project.trajectory, project.lines, project.settings)
+    bare = Project(
+        folder=project.folder,
+        trajectory=project.trajectory,
+        lines=project.lines,
+        settings=project.settings,
+    )
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         line_quality(bare, survey, which="estimated")
 

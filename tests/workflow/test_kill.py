@@ -200,7 +200,13 @@ def project_in(folder: Path) -> Project:
         )
         for name in ("T1", "T2")
     )  # fmt: skip
-    project = Project(folder, folder / "t.sbet", lines, Settings((0.0, 0.0, 1.0)), targets=targets)
+    project = Project(
+        folder=folder,
+        trajectory=folder / "t.sbet",
+        lines=lines,
+        settings=Settings((0.0, 0.0, 1.0)),
+        targets=targets,
+    )
     write_project(project)
     return project
 

@@ -53,7 +53,12 @@ def test_coordinates_are_in_the_system_of_the_file(system: str, tmp_path: Path) 
     cloud = CloudInMemory.of(Scan(points_lidar=points, time=time), trajectory, MOUNTING)
     options = (("frame", "georeferenced"), ("crs", system)) if system else ()
     line = LineSource("L1", tmp_path / "line.laz", (), Reading("las", options))
-    project = Project(tmp_path, tmp_path / "sbet.out", (line,), Settings((0.0,) * 3, (0.0,) * 3))
+    project = Project(
+        folder=tmp_path,
+        trajectory=tmp_path / "sbet.out",
+        lines=(line,),
+        settings=Settings((0.0,) * 3, (0.0,) * 3),
+    )
     read = PointReader(project, trajectory).values("L1", cloud, 7, NONE_NEAR)
     values = [each.value for each in read.coordinates]
     if not system:

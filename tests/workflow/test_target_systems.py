@@ -61,7 +61,9 @@ def raw(tmp_path: Path) -> Project:
         latency=MOUNTING.latency,
     )  # fmt: skip
     line = LineSource("raw", tmp_path / "raw.las", (), Reading("las"))
-    return Project(tmp_path / "raw", tmp_path / "sbet.out", (line,), settings)
+    return Project(
+        folder=tmp_path / "raw", trajectory=tmp_path / "sbet.out", lines=(line,), settings=settings
+    )
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.message_texts import has_text
 from lispac.messages import Message, error
 from lispac.project import ROLES, SHAPES, Project, require_valid_target
@@ -52,12 +53,39 @@ def require_consistent(project: Project) -> None:
                 raise InvalidContentError(
                     error("content.invalid_sighting", target=target.name, line=sighting.line)
                 )
+    if project.result is not None:
+        _require_consistent_result(project.result)
     for alternative in project.alternative_results:
         if not alternative.is_sound():
             raise InvalidContentError(error("content.invalid_angles", method=alternative.method))
     for message in _stored_messages(project):
         if not has_text(message):
             raise InvalidContentError(error("content.unknown_message", code=message.code))
+
+
+def _require_consistent_result(result: AdjustmentResult) -> None:
+    """Refuse a result whose parts name different angles, targets or sightings.
+
+    Raises
+    ------
+    InvalidContentError
+        If they do.
+    """
+    sightings = {each.sighting for each in result.sightings}
+    targets = {each.target for each in result.targets}
+    without_line = result.observability.sigma_without_line if result.observability else {}
+    if (
+        len(result.covariance_all) != len(result.estimated)
+        or len(result.estimated) < len(ANGLES)
+        or not {each.target for each in sightings} <= targets
+        or not {each.sighting for each in result.reliability} <= sightings
+        or any(
+            each is not None and not (each.shape == (3,) and (each >= 0).all())
+            for each in without_line.values()
+        )
+        or not (np.diagonal(result.covariance_all) >= 0).all()
+    ):
+        raise InvalidContentError(error("content.inconsistent_result"))
 
 
 def _stored_messages(project: Project) -> Iterator[Message]:

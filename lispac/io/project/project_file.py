@@ -19,18 +19,15 @@ import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
+from functools import cache
 from io import BytesIO
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.acceptance import AcceptanceCriteria
-from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
-from lispac.alternative_methods import AlternativeResult
 from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
-from lispac.identity import Identity
 from lispac.io.files import (
     atomic_write,
     bad_name_error,
@@ -44,23 +41,11 @@ from lispac.io.project.project_lock import content_digest, project_lock
 from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
 from lispac.message_texts import has_text
 from lispac.messages import Message, error
-from lispac.project import (
-    LineSource,
-    PickedSighting,
-    Project,
-    ProposalPrediction,
-    Reading,
-    Settings,
-    Target,
-    Triple,
-)
+from lispac.project import PickedSighting, Project, Target
 from lispac.survey.store.layout import is_link, require_no_link
-from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.untrusted_values import InvalidContentError, json_values
-from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.validation.plane_comparison import PlaneComparison
-from lispac.value_conversion import decode_value, encode_value, failure_summary
+from lispac.value_conversion import decode_value, encode_value, failure_summary, make_converter
 
 UNSAVED_NAME = "unsaved.json"
 SIGHTINGS_FOLDER = "sightings"
@@ -156,14 +141,14 @@ def is_project_file(path: Path) -> bool:
 
 def _write_state(project: Project, name: str) -> set[str]:
     """Write a state of the project, and return the names of its files of points."""
-    files = {target.name: _indices_file_name(target) for target in project.targets}
-    text = json.dumps(_encode_project(project, files), indent=1) + "\n"
+    content = _encode_project(project)
+    text = json.dumps(content, indent=1) + "\n"
     _require_readable(project, text)
     for target in project.targets:
         _write_indices(project.folder, target)
     with atomic_write(project.folder / name) as temporary:
         temporary.write_text(text, encoding="utf-8")
-    return set(files.values())
+    return {target["indices"] for target in content["targets"]}
 
 
 def _require_readable(project: Project, text: str) -> None:
@@ -320,178 +305,99 @@ def _damage_message(failure: Exception) -> Message:
     return error("content.wrong_type")
 
 
-def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
-    return {
-        "schema_version": SCHEMA_VERSION,
-        "trajectory": _relative_path(project.trajectory, project.folder),
-        "trajectory_reading": encode_value(project.trajectory_reading),
-        "accuracy": project.accuracy and _relative_path(project.accuracy, project.folder),
-        "accuracy_reading": encode_value(project.accuracy_reading),
-        "lines": [
-            {
-                "name": line.name,
-                "path": _relative_path(line.path, project.folder),
-                "columns": list(line.columns),
-                "reading": encode_value(line.reading),
-            }
-            for line in project.lines
-        ],
-        "identity": encode_value(project.identity),
-        "acceptance": encode_value(project.acceptance),
-        "settings": encode_value(project.settings),
-        "targets": [
-            {
-                "name": target.name,
-                "role": target.role,
-                "seed": list(target.seed),
-                "threshold": target.threshold,
-                "radius": target.radius,
-                "used": target.used,
-                "missing": {line: encode_value(why) for line, why in target.missing.items()},
-                "shape": target.shape,
-                "sphere_radius": target.sphere_radius,
-                "expected": encode_value(target.expected),
-                "choices": None
-                if target.choices == DEFAULT_CHOICES
-                else encode_value(target.choices),
-                "indices": index_files[target.name],
-                "sightings": [
-                    {
-                        "line": s.line,
-                        "points": len(s.indices),
-                        "rms": s.rms,
-                        "used": s.used,
-                        "fingerprint": s.fingerprint,
-                        "one_in": s.one_in,
-                        **({"by_hand": True} if s.by_hand else {}),
-                    }
-                    for s in target.sightings
-                ],
-            }
-            for target in project.targets
-        ],
-        "result": encode_value(project.result),
-        "cross_checks": encode_value(project.cross_checks),
-        "validation": [encode_value(each) for each in project.validation],
-        "not_compared": {name: encode_value(why) for name, why in project.not_compared.items()},
-        "absolute": encode_value(project.absolute),
-        "alternative_results": [encode_value(each) for each in project.alternative_results],
-        "data_messages": [encode_value(each) for each in project.data_messages],
-        "reading_warnings": [encode_value(each) for each in project.reading_warnings],
-        "prediction": encode_value(project.prediction),
-        "truth_deg": project.truth_deg,
+@cache
+def _file_converter() -> Any:
+    """Converter of the parts of a project; the points of a sighting are in a file of their own.
+
+    When it writes, the file contains their number. When it reads, `_with_point_indices` has
+    replaced the number by the points.
+    """
+    from cattrs.gen import make_dict_structure_fn, make_dict_unstructure_fn, override
+
+    converter = make_converter()
+    unchanged = override(struct_hook=lambda value, _: value)
+    sighting: dict[str, Any] = {
+        "indices": override(rename="points", unstruct_hook=len, struct_hook=unchanged.struct_hook),
+        "by_hand": override(omit_if_default=True),
     }
+    # `require_consistent` refuses unknown roles and shapes, with the name of the target
+    target: dict[str, Any] = {
+        "role": unchanged,
+        "shape": unchanged,
+        "choices": override(
+            unstruct_hook=lambda value: None if value == DEFAULT_CHOICES else encode_value(value),
+            struct_hook=lambda content, kind: (
+                decode_value(content, kind) if content else DEFAULT_CHOICES
+            ),
+        ),
+    }
+    for kind, fields in ((PickedSighting, sighting), (Target, target)):
+        converter.register_unstructure_hook(
+            kind, make_dict_unstructure_fn(kind, converter, **fields)
+        )
+        converter.register_structure_hook(kind, make_dict_structure_fn(kind, converter, **fields))
+    return converter
+
+
+@cache
+def _stored_fields() -> dict[str, Any]:
+    """Types of the fields of a project that are in its file, in the order of the file."""
+    kinds = get_type_hints(Project, include_extras=True)
+    return {name: kind for name, kind in kinds.items() if name not in ("folder", "file_digest")}
+
+
+OPTIONAL_FIELDS = frozenset({"absolute", "data_messages", "reading_warnings", "prediction"})
+"""Fields that may be missing in the file, because earlier programs wrote this version without."""
+
+
+def _encode_project(project: Project) -> dict[str, Any]:
+    stored = _with_paths(project, lambda path: _relative_path(path, project.folder))
+    content = {
+        name: encode_value(getattr(stored, name), _file_converter()) for name in _stored_fields()
+    }
+    for target, encoded in zip(project.targets, content["targets"], strict=True):
+        sightings = encoded.pop("sightings")
+        encoded |= {"indices": _indices_file_name(target), "sightings": sightings}
+    return {"schema_version": SCHEMA_VERSION, **content}
 
 
 def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) -> Project:
-    return Project(
-        folder=folder,
-        trajectory=_absolute_path(content["trajectory"], folder),
-        accuracy=_absolute_path(content["accuracy"], folder) if content["accuracy"] else None,
-        lines=tuple(
-            LineSource(
-                decode_value(line["name"], str),
-                _absolute_path(decode_value(line["path"], str), folder),
-                decode_value(line["columns"], tuple[str, ...]),
-                decode_value(line["reading"], Reading),
-            )
-            for line in content["lines"]
-        ),
-        settings=decode_value(content["settings"], Settings),
-        identity=decode_value(content["identity"], Identity),
-        acceptance=decode_value(content["acceptance"], AcceptanceCriteria),
-        targets=tuple(_decode_target(folder, target, points) for target in content["targets"]),
-        result=_decode_result(content["result"]) if content["result"] else None,
-        cross_checks=(
-            decode_value(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
-        ),
-        validation=tuple(decode_value(each, PlaneComparison) for each in content["validation"]),
-        not_compared=decode_value(content["not_compared"], dict[str, Message]),
-        truth_deg=_decode_triple(content["truth_deg"]) if content["truth_deg"] else None,
-        trajectory_reading=decode_value(content["trajectory_reading"], Reading),
-        accuracy_reading=decode_value(content["accuracy_reading"], Reading),
-        absolute=decode_value(absolute, AbsoluteCheck)
-        if (absolute := content.get("absolute"))
-        else None,
-        alternative_results=tuple(
-            decode_value(each, AlternativeResult) for each in content["alternative_results"]
-        ),
-        data_messages=_decode_messages(content.get("data_messages", [])),
-        reading_warnings=_decode_messages(content.get("reading_warnings", [])),
-        prediction=decode_value(prediction, ProposalPrediction)
-        if (prediction := content.get("prediction"))
-        else None,
-    )
+    """Decode the present version of the content.
 
-
-def _decode_messages(content: Any) -> tuple[Message, ...]:
-    """Decode messages; those of another version, which have no text in this one, are omitted."""
-    messages = (decode_value(each, Message) for each in decode_value(content, list[dict[str, Any]]))
-    return tuple(message for message in messages if has_text(message))
-
-
-def _decode_result(content: Any) -> AdjustmentResult:
-    """Decode a result, and check that its parts name the same angles, targets and sightings.
-
-    Raises
-    ------
-    InvalidContentError
-        If they do not, or if the content is not a result.
+    Messages of another version, which have no text in this one, are omitted.
     """
-    result = decode_value(content, AdjustmentResult)
-    sightings = {each.sighting for each in result.sightings}
-    targets = {each.target for each in result.targets}
-    without_line = result.observability.sigma_without_line if result.observability else {}
-    if (
-        len(result.covariance_all) != len(result.estimated)
-        or len(result.estimated) < len(ANGLES)
-        or not {each.target for each in sightings} <= targets
-        or not {each.sighting for each in result.reliability} <= sightings
-        or any(
-            each is not None and not (each.shape == (3,) and (each >= 0).all())
-            for each in without_line.values()
-        )
-        or not (np.diagonal(result.covariance_all) >= 0).all()
-    ):
-        raise InvalidContentError(error("content.inconsistent_result"))
-    return result
+    targets = [_with_point_indices(each, folder, points) for each in content["targets"]]
+    content = content | {"targets": targets}
+    values = {
+        name: decode_value(content[name], kind, _file_converter())
+        for name, kind in _stored_fields().items()
+        if name in content or name not in OPTIONAL_FIELDS
+    }
+    stored = Project(folder=folder, **values)
+    return replace(
+        _with_paths(stored, lambda path: _absolute_path(path, folder)),
+        data_messages=tuple(each for each in stored.data_messages if has_text(each)),
+        reading_warnings=tuple(each for each in stored.reading_warnings if has_text(each)),
+    )
 
 
-def _decode_target(folder: Path, content: dict[str, Any], points: IndexReader) -> Target:
-    name = decode_value(content["name"], str)
-    path = folder / decode_value(content["indices"], str)
-    sightings = tuple(
-        PickedSighting(
-            decode_value(item["line"], str),
-            indices,
-            decode_value(item["rms"], float),
-            decode_value(item["used"], bool),
-            decode_value(item["fingerprint"], str),
-            decode_value(item.get("one_in", 1), int),
-            decode_value(item.get("by_hand", False), bool),
-        )
-        for item, indices in zip(
-            content["sightings"],
-            points(path, name, [_point_count(s) for s in content["sightings"]]),
-            strict=True,
-        )
+def _with_paths(project: Project, convert: Callable[[Path], Path]) -> Project:
+    return replace(
+        project,
+        trajectory=convert(project.trajectory),
+        accuracy=project.accuracy and convert(project.accuracy),
+        lines=tuple(replace(line, path=convert(line.path)) for line in project.lines),
     )
-    return Target(
-        name,
-        content["role"],
-        _decode_triple(content["seed"]),
-        decode_value(content["threshold"], float),
-        decode_value(content["radius"], float),
-        sightings,
-        decode_value(content["missing"], dict[str, Message]),
-        decode_value(content["used"], bool),
-        content["shape"],
-        None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
-        decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
-        decode_value(choices, FinderChoices)
-        if (choices := content["choices"])
-        else DEFAULT_CHOICES,
-    )
+
+
+def _with_point_indices(target: Any, folder: Path, points: IndexReader) -> dict[str, Any]:
+    """Content of a target with the indices of its points instead of the name of their file."""
+    name, file_name = (decode_value(target[key], str) for key in ("name", "indices"))
+    sightings = target["sightings"]
+    indices = points(folder / file_name, name, [_point_count(each) for each in sightings])
+    return {key: value for key, value in target.items() if key != "indices"} | {
+        "sightings": [each | {"points": own} for each, own in zip(sightings, indices, strict=True)]
+    }
 
 
 def _point_count(sighting: dict[str, Any]) -> int:
@@ -638,17 +544,13 @@ def _has_named_content(path: Path) -> bool:
         return False
 
 
-def _relative_path(path: Path, folder: Path) -> str:
+def _relative_path(path: Path, folder: Path) -> Path:
     try:
-        return Path(os.path.relpath(path, folder)).as_posix()
+        return Path(os.path.relpath(path, folder))
     except ValueError:  # another drive on Windows
-        return path.as_posix()
+        return path
 
 
-def _absolute_path(path: str, folder: Path) -> Path:
+def _absolute_path(path: Path, folder: Path) -> Path:
     # Lexical, not resolved: a file reached through a link keeps the name the user knows.
     return Path(os.path.normpath(folder / path))
-
-
-def _decode_triple(values: list[float]) -> Triple:
-    return decode_value(values, cast(type[Triple], Triple))

@@ -15,7 +15,7 @@ import secrets
 import stat
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, BinaryIO
 from zlib import crc32
@@ -26,7 +26,7 @@ from lispac.errors import ProjectError, failure_reason, system_reason
 from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
-from lispac.value_conversion import decode_value
+from lispac.value_conversion import decode_value, encode_value
 
 MANIFEST_VERSION = 3
 NEW_NAMES_OF_VERSION_2 = {"": {"left_out": "excluded_points"}}
@@ -223,7 +223,7 @@ class Manifest:
 
 def write_manifest(folder: Path, manifest: Manifest) -> None:
     """Write the manifest and rename it to its final name, which completes the import."""
-    content = asdict(manifest)
+    content = encode_value(manifest)
     text = json.dumps(
         {"version": MANIFEST_VERSION, "checksum": _checksum(content), "store": content}, indent=1
     )

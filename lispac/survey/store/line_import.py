@@ -7,7 +7,7 @@ are complete.
 
 from collections.abc import Callable, Iterator
 from contextlib import closing
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +40,7 @@ from lispac.survey.store.layout import (
 from lispac.survey.store.point_blocks import Place, PointPiece, gather_blocks
 from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.spool import Spool, SpoolSummary, remove_spool
+from lispac.value_conversion import encode_value
 
 READING_PROGRESS_SHARE = 0.6
 """Share of the reading of the file in the progress of an import."""
@@ -140,7 +141,7 @@ def _import_line(
     expected = _ExpectedSize()
     try:
         with writing_errors_as_project_errors(folder, expected.bytes):
-            spool = Spool(folder, asdict(recipe))
+            spool = Spool(folder, encode_value(recipe))
             reading = sub_progress(progress, 0.0, READING_PROGRESS_SHARE)
             end = _fill_spool(spool, recipe, pieces, place, findings, expected, reading)
             new = _make_columns_folder(folder, current)

@@ -9,7 +9,7 @@ import json
 import re
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -47,6 +47,7 @@ from lispac.survey.store.spatial_cells import (
     order_keys,
     stable_order,
 )
+from lispac.value_conversion import decode_value, encode_value
 
 READING_ERRORS = (OSError, ValueError, KeyError, TypeError, RecursionError)
 """Errors that a missing or damaged file of the spool raises."""
@@ -115,7 +116,7 @@ class SpoolSummary:
     """
 
     read: int
-    assumptions: tuple[Mapping[str, Any] | str, ...] = ()
+    assumptions: tuple[Any, ...] = ()
     audit: Mapping[str, Any] = field(default_factory=dict)
 
 
@@ -176,17 +177,15 @@ class Spool:
         """Summary of the imported file; None if it is not yet read to its end."""
         try:
             content = read_checked_json((self.folder / COMPLETION_FILE).read_text(encoding="utf-8"))
-            if content["points"] != self.points:
+            if content.pop("points") != self.points:
                 return None
-            return SpoolSummary(
-                int(content["read"]), tuple(content["assumptions"]), content["audit"]
-            )
+            return decode_value(content, SpoolSummary)
         except READING_ERRORS:
             return None
 
     def mark_complete(self, end: SpoolSummary) -> None:
         """Record that the imported file was read to its end."""
-        content = {"points": self.points, **asdict(end)}
+        content = {"points": self.points, **encode_value(end)}
         write_text_atomically(self.folder / COMPLETION_FILE, json_with_checksum(content))
 
     def add(self, block: PointBlock, place: Place) -> None:
@@ -224,7 +223,7 @@ class Spool:
             columns,
             checksums,
         )
-        write_text_atomically(self._path(number, "json"), json_with_checksum(asdict(spooled)))
+        write_text_atomically(self._path(number, "json"), json_with_checksum(encode_value(spooled)))
         self.blocks.append(spooled)
 
     def keys(self, number: int) -> Keys:
@@ -279,16 +278,7 @@ class Spool:
             sums = [file_checksum(self._path(number, kind)) for kind in ("keys", "columns")]
             if sums != content["checksums"]:
                 return None
-            columns = tuple(
-                StoredColumn(**{**c, "shape": tuple(c["shape"])}) for c in content["columns"]
-            )
-            return SpooledBlock(
-                **{
-                    **content,
-                    "running": RunningFingerprint(**content["running"]),
-                    "columns": columns,
-                }
-            )
+            return decode_value(content, SpooledBlock)
         except READING_ERRORS:
             return None
 

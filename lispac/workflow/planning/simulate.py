@@ -5,7 +5,7 @@ import re
 import shutil
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from tempfile import mkdtemp
 
@@ -29,6 +29,7 @@ from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.untrusted_values import json_values
+from lispac.value_conversion import encode_value
 from lispac.workflow.planning.simulated_setup import SimulatedSetup
 from lispac.workflow.project.projects import create_project
 
@@ -291,7 +292,7 @@ def _write_truth(
         "seed": seed,
         **{kind: {"title": title, "file": simulation.files[kind].name}
            for kind, title in simulation.titles.items()},
-        "scanner_settings": asdict(simulation.setup.scanner),
+        "scanner_settings": encode_value(simulation.setup.scanner),
         "origin_deg_m": [np.degrees(latitude), np.degrees(longitude), height],
         "mounting": {
             "boresight_deg": [np.degrees(values[name]) for name in MOUNTING_VALUE_NAMES[:3]],

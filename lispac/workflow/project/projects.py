@@ -135,7 +135,13 @@ def new_project(
         As for `create_project` and `load_survey`; a folder created for the project is then removed.
     """
     settings.require_sound()
-    draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
+    draft = Project(
+        folder=Path(folder).absolute(),
+        trajectory=trajectory,
+        lines=tuple(lines),
+        settings=settings,
+        accuracy=accuracy,
+    )
     _require_new_folder(draft)
     notes: tuple[Message, ...] = ()
     known = tuple(lines)
