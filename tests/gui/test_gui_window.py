@@ -341,7 +341,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     picked.window.document.undo_stack.undo()
     picked.rest()
     assert picked.window.validate.model == DEFAULT_MODEL
-    assert picked.window.computations.distance_to == DEFAULT_MODEL
+    assert picked.window.validation.distance_to == DEFAULT_MODEL
     picked.window.document.undo_stack.redo()
     picked.rest()
     assert picked.window.validate.model == LocalModel("quadric", 60)

@@ -1,4 +1,4 @@
-"""Computations in the background: point counts, validation, georeferencing of the lines."""
+"""Computations in the background: point counts, georeferencing of the lines."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -6,28 +6,15 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import AdjustmentError, Cancelled
-from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import PriorOrEstimated, Scene
-from lispac.language import N_, Plural, Template, gettext
-from lispac.message_texts import message_text
+from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
-from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from lispac.workflow.project.survey import Survey
-
-VALIDATION_KEY = "validate"
-"""Key of the task that validates."""
-LOCAL_PLANES_EDIT_NAME = Plural(
-    "validation with local planes through {count:n} point",
-    "validation with local planes through {count:n} points",
-)
-LOCAL_QUADRICS_EDIT_NAME = Plural(
-    "validation with local quadrics through {count:n} point",
-    "validation with local quadrics through {count:n} points",
-)
 
 
 @dataclass(frozen=True)
@@ -49,17 +36,10 @@ class PointCount:
 
 
 class Computations(QObject):
-    """Runs long computations and stores their results in the document.
-
-    Attributes
-    ----------
-    distance_to : LocalModel
-        Surface model to which the next validation measures distances.
-    """
+    """Counts points and georeferences lines in the background."""
 
     counted = Signal(object)
     """`PointCount` of the current settings."""
-    validated = Signal()
 
     def __init__(
         self,
@@ -74,7 +54,6 @@ class Computations(QObject):
         self._subsample = 0.0
         self._outdated_count = False
         self._counting: Task | None = None
-        self.distance_to = DEFAULT_MODEL
         runner.idle.connect(self._count_again)
 
     def count(self, subsample: float) -> None:
@@ -107,39 +86,6 @@ class Computations(QObject):
 
         title = gettext("Counting points")
         self._counting = self._runner.run(title, work, done, quiet=True, key="count")
-
-    def set_surface_model(self, model: LocalModel) -> None:
-        """Set the surface model of the next validation."""
-        self.distance_to = model
-
-    def validate(self) -> None:
-        """Compare the lines on the validation planes."""
-        project, survey = self._document.current_data
-        if project is None or survey is None:
-            return
-
-        model = self.distance_to
-
-        def work(progress: Progress) -> Project:
-            from lispac.workflow.checking.validation import validate
-
-            preload_matplotlib()
-            return validate(project, survey, model=model, progress=progress)
-
-        def done(validated: Project) -> None:
-            if self._document.project is project:
-                self._document.edit(_validation_edit_name(model), validated, **_model_params(model))
-                self.validated.emit()
-                for reason in validated.not_compared.values():
-                    self._controller.logged.emit(message_text(reason))
-                compared = Plural(
-                    "Compared the lines on {count:n} validation plane",
-                    "Compared the lines on {count:n} validation planes",
-                )
-                self._controller.logged.emit(gettext(compared, count=len(validated.validation)))
-
-        task = self._runner.run(gettext("Validating"), work, done, key=VALIDATION_KEY)
-        self._controller.cancel_on_edit(task)
 
     def show(self, which: PriorOrEstimated) -> None:
         """Show the lines before or after the adjustment; georeference them first if necessary."""
@@ -192,22 +138,3 @@ class Computations(QObject):
 def _used_sightings(project: Project | None):
     targets = () if project is None else project.targets_of_role("target")
     return [sighting for target in targets for sighting in target.used_sightings]
-
-
-def _validation_edit_name(model: LocalModel) -> Template:
-    """Name of the undo step of a validation, by its surface model."""
-    if model.kind == "point":
-        return N_("validation with distances to the nearest point")
-    if model.radius is not None:
-        if model.kind == "plane":
-            return N_("validation with local planes within a radius of {radius:m} m")
-        return N_("validation with local quadrics within a radius of {radius:m} m")
-    if model.kind == "plane":
-        return LOCAL_PLANES_EDIT_NAME
-    return LOCAL_QUADRICS_EDIT_NAME
-
-
-def _model_params(model: LocalModel) -> dict[str, float]:
-    if model.radius is not None:
-        return {"radius": model.radius}
-    return {"count": model.neighbours}

@@ -35,6 +35,7 @@ from lispac.gui.features.pick_targets.target_actions import TargetActions, Targe
 from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
+from lispac.gui.features.validate.validation import Validation
 from lispac.gui.features.warnings.warning_list import WarningList
 from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.gui.project import status
@@ -184,6 +185,9 @@ class MainWindow(QMainWindow):
             lambda: self._show_in_targets_step(panels.targets.proposal)
         )
         control.accepted.connect(self._select_accepted)
+        self.validation = Validation(document, runner, control, actions, panels.validate)
+        self.validation.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
+        self.validation.validated.connect(partial(panels.workflow.open, status.VALIDATE))
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
         DataExport(document, runner, scene, control, dialogs, actions)
@@ -307,12 +311,6 @@ class MainWindow(QMainWindow):
         self.results.settings_edited.connect(control.change_settings)
         self.adjust.estimate_requested.connect(self.actions_["estimate"].trigger)
         self.adjust.cancel_requested.connect(self.runner.cancel)
-        self.validate.validate_requested.connect(self.actions_["validate"].trigger)
-        self.validate.shown_changed.connect(
-            lambda which: self.actions_["after" if which == "estimated" else "before"].trigger()
-        )
-        self.validate.model_changed.connect(self.computations.set_surface_model)
-        self.validate.acceptance_edited.connect(control.change_acceptance)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
@@ -331,13 +329,14 @@ class MainWindow(QMainWindow):
                 "seed_target": lambda: self._set_seed_role("target"),
                 "seed_validation": lambda: self._set_seed_role("validation"),
                 "estimate": self._estimate,
-                "validate": self.computations.validate,
                 "cancel": self.runner.cancel,
                 **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
                 "arrange": self.dock_layout.restore_default,
                 "maximise": lambda: self.dock_layout.set_maximised(actions["maximise"].isChecked()),
-                "diagnostics": partial(docks.raise_panel, self.diagnostics),
-                "convention": partial(docks.raise_panel, self.convention),
+                **{
+                    name: partial(docks.raise_panel, panel)
+                    for name, panel in self.panels.opened_by_actions().items()
+                },
                 "keys": self.dialogs.shortcuts,
                 "tour": lambda: self.tour.start(),
                 "log_file": self._open_log_file,
@@ -356,8 +355,6 @@ class MainWindow(QMainWindow):
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.logged.connect(self._note)
         self.actions_.stepped.connect(self._note)
-        self.computations.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
-        self.computations.validated.connect(partial(self.workflow.open, status.VALIDATE))
         self.estimation.estimated.connect(partial(self.workflow.open, status.ADJUST))
         self.estimation.checking.connect(self.results.show_checking)
         self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))

@@ -10,7 +10,8 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
-from lispac.gui.project.computations import VALIDATION_KEY, Computations, PointCount
+from lispac.gui.features.validate.validation import VALIDATION_KEY
+from lispac.gui.project.computations import Computations, PointCount
 from lispac.gui.project.controller import ESTIMATE_KEY, GEOREFERENCING_KEY, Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -76,8 +77,6 @@ class PanelRefresh(QObject):
         panels.targets.candidate.grown.connect(self._scroll_to_candidate)
         computations.counted.connect(self._show_count)
         scene.which_changed.connect(self._show_before_after)
-        for name in ("before", "after", "wipe"):
-            actions[name].toggled.connect(self._show_chosen_lines)
 
     def refresh(self) -> None:
         """Show the current document in all panels."""
@@ -221,11 +220,6 @@ class PanelRefresh(QObject):
         if shows_both and which == "estimated":
             return  # in a split view or beside each other
         self._actions["after" if which == "estimated" else "before"].setChecked(True)
-
-    def _show_chosen_lines(self) -> None:
-        self._panels.validate.show_before_after(
-            before=self._actions["before"].isChecked(), after=self._actions["after"].isChecked()
-        )
 
     def _first_open_step(self) -> int:
         project = self._document.project

@@ -77,9 +77,16 @@ def _dock(title: str, area: Area, content: Content, *, opens: bool = False) -> d
     return {"title": title, "area": area, "content": content, "opens": opens}
 
 
-def _window(title: str, width: int, height: int) -> dict[str, Any]:
-    """Metadata of a field of `Panels` with a window of its own: title and first size, pixels."""
-    return {"window": title, "size": QSize(width, height)}
+def _window(title: str, width: int, height: int, action: str) -> dict[str, Any]:
+    """Metadata of a field of `Panels` with a window of its own, which an action opens.
+
+    Parameters
+    ----------
+    title : English title
+    width, height : first size, pixels
+    action : name of the action
+    """
+    return {"window": title, "size": QSize(width, height), "action": action}
 
 
 class LogPanel(QPlainTextEdit):
@@ -135,10 +142,10 @@ class Panels:
     )
     log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, BOTTOM_AREA, _always))
     diagnostics: DiagnosticsPanel = field(
-        default_factory=DiagnosticsPanel, metadata=_window(DIAGNOSTICS, 1000, 620)
+        default_factory=DiagnosticsPanel, metadata=_window(DIAGNOSTICS, 1000, 620, "diagnostics")
     )
     convention: ConventionPanel = field(
-        default_factory=ConventionPanel, metadata=_window(CONVENTION, 460, 720)
+        default_factory=ConventionPanel, metadata=_window(CONVENTION, 460, 720, "convention")
     )
 
     def __post_init__(self) -> None:
@@ -167,6 +174,14 @@ class Panels:
             each.metadata["window"]: (getattr(self, each.name), each.metadata["size"])
             for each in fields(self)
             if "window" in each.metadata
+        }
+
+    def opened_by_actions(self) -> dict[str, QWidget]:
+        """Panels with a window of their own by the name of the action that opens it."""
+        return {
+            each.metadata["action"]: getattr(self, each.name)
+            for each in fields(self)
+            if "action" in each.metadata
         }
 
 
