@@ -11,9 +11,10 @@ from lispac.acceptance import Acceptance
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
 from lispac.former_names import accept_script_names
+from lispac.message_texts import message_text
 from lispac.messages import as_message, error
-from lispac.project import BoresightChoice, LineSource, Role, Shape, Target
-from lispac.scripting.loaded_project import LoadedProject
+from lispac.progress import Progress, no_progress
+from lispac.project import BoresightChoice, LineSource, Project, Role, Shape, Target, Triple
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.validation.absolute_check import AbsoluteCheck
@@ -37,21 +38,76 @@ from lispac.workflow.project import projects
 from lispac.workflow.project.coordinates import require_near_trajectory
 from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
 from lispac.workflow.project.project_copy import save_project_as
-from lispac.workflow.project.survey import data_key
+from lispac.workflow.project.survey import Survey, data_key, load_survey
 
 AnyPath = str | Path
 
 
-class OpenProject(LoadedProject):
+class OpenProject:
     """A project and its survey. Each step changes the project in memory; `save` writes it.
 
     A step that is not possible raises `lispac.LispacError` with the reason and changes nothing.
+
+    Parameters
+    ----------
+    progress : callable
+        Function that receives the progress of each step.
 
     Attributes
     ----------
     project : Project
         Present state of the project, an immutable value that each step replaces.
     """
+
+    def __init__(
+        self, project: Project, survey: Survey | None = None, *, progress: Progress = no_progress
+    ) -> None:
+        self.project = project
+        self._survey = survey
+        self._key = data_key(project)
+        self._progress = progress
+
+    def __repr__(self) -> str:
+        targets = len(self.project.targets)
+        return f"<lispac.{type(self).__name__} {self.project.name}: {targets} targets>"
+
+    @property
+    def survey(self) -> Survey:
+        """Trajectory and lines, read on first access and after a change of data settings."""
+        if self._survey is None or self._key != data_key(self.project):
+            self._survey = load_survey(self.project, progress=self._progress)
+            self._key = data_key(self.project)
+        return self._survey
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Notes on assumptions and excluded data of the reading, as texts."""
+        return tuple(map(message_text, self.survey.notes))
+
+    @property
+    def result(self) -> AdjustmentResult:
+        """Result of the adjustment; angles in radians.
+
+        Raises
+        ------
+        ProjectError
+            If nothing has been estimated, or an edit has cleared the result since.
+        """
+        self.project.mounting("estimated")
+        assert self.project.result is not None
+        return self.project.result
+
+    @property
+    def boresight_deg(self) -> Triple:
+        """Estimated roll, pitch, yaw in degrees."""
+        roll, pitch, yaw = np.degrees(self.result.angles).tolist()
+        return roll, pitch, yaw
+
+    @property
+    def sigma_deg(self) -> Triple:
+        """Standard deviations of roll, pitch, yaw in degrees."""
+        roll, pitch, yaw = np.degrees(self.result.sigma[:3]).tolist()
+        return roll, pitch, yaw
 
     # -- data --------------------------------------------------------------------------------
 

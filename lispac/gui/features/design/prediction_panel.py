@@ -1,4 +1,4 @@
-"""Panel of the predicted precision of the plan, which is computed in the background."""
+"""Predicted precision of the plan: computed in the background, and its panel."""
 
 from dataclasses import dataclass
 from html import escape
@@ -8,27 +8,68 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
 from lispac.adjustment.result import ANGLES
-from lispac.design.plan_search import InformationGain
+from lispac.design.objective import PlanObjective
+from lispac.design.plan import Plan
+from lispac.design.plan_choices import have_targets_one_orientation
+from lispac.design.plan_search import InformationGain, information_gains
+from lispac.design.prediction import predict
 from lispac.gui import widgets
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.design import edits, predicted_precision
-from lispac.gui.features.design.predicted_precision import PredictedPrecision
+from lispac.gui.features.design import edits
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
-from lispac.gui.widgets.result_tables import html_table, window_columns, window_rows
-from lispac.language import N_, current_language, gettext
+from lispac.gui.widgets.result_tables import html_table, local_number, window_columns, window_rows
+from lispac.io.config.plan_file import TitledPlan
+from lispac.language import N_, Plural, current_language, gettext
 from lispac.message_texts import message_text
-from lispac.messages import Message
+from lispac.messages import Message, note
 from lispac.present import planning
-from lispac.present.tables import cell_text, title_text
-from lispac.progress import Progress
-from lispac.workflow.planning.plan_checks import plan_warnings
+from lispac.present.planning import NOTHING_PREDICTED, PredictionValues
+from lispac.present.tables import DEGREES, cell_text, title_text
+from lispac.present.text_format import UNKNOWN_TEXT
+from lispac.progress import Progress, no_progress
+from lispac.workflow.planning.plan_checks import observability_messages, plan_warnings
 
 DEBOUNCE_MS = 250
 """Delay after an edit before the slow results are computed."""
 OUT_OF_DATE_MS = 400
 """Delay after which the values of an earlier plan are marked as out of date."""
+
+
+@dataclass(frozen=True, eq=False)
+class PredictedPrecision:
+    """Predicted precision, which is also shown while a line is dragged.
+
+    Attributes
+    ----------
+    refused : whether the adjustment would refuse such a survey
+    """
+
+    plan: Plan
+    prediction: PredictionValues
+    refused: bool
+
+    @classmethod
+    def of(cls, plan: Plan) -> "PredictedPrecision":
+        """Predict the precision of a plan."""
+        if not plan.targets or not plan.lines:
+            return cls(plan, NOTHING_PREDICTED, True)
+        found = PredictionValues.of(predict(plan))
+        return cls(plan, found, not found.determined or have_targets_one_orientation(plan))
+
+    @property
+    def sigmas(self) -> tuple[str, ...]:
+        """Standard deviations of roll, pitch and yaw as texts, in the unit of the user."""
+        sigma = self.prediction.sigma_deg
+        if sigma is None:
+            return (UNKNOWN_TEXT,) * 3
+        return tuple(local_number(value, DEGREES) for value in sigma)
+
+    @property
+    def largest_deg(self) -> float | None:
+        """Largest of the standard deviations; None if they are not determined."""
+        return None if self.prediction.sigma_deg is None else max(self.prediction.sigma_deg)
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +178,7 @@ class BackgroundPrediction(QObject):
 
         def work(progress: Progress) -> SlowResults:
             thesis = PredictedPrecision.of(edits.thesis_plan_at_wall(titled))
-            return SlowResults(predicted_precision.plan_messages(titled.plan, progress), thesis)
+            return SlowResults(_plan_messages(titled.plan, progress), thesis)
 
         def done(results: SlowResults) -> None:
             self.messages_current = True
@@ -155,7 +196,7 @@ class BackgroundPrediction(QObject):
 
         self._slow = self._runner.run(
             gettext("Computing the information gain"),
-            lambda progress: predicted_precision.plan_information_gains(plan, progress),
+            lambda progress: _information_gains(plan, progress),
             done,
             quiet=True,
         )
@@ -184,7 +225,7 @@ class PredictionPanel(QScrollArea):
         self.setMinimumWidth(330)
         self._work = workspace
         self.predictor = BackgroundPrediction(workspace, self)
-        self._last = PredictedPrecision(workspace.titled.plan, planning.NOTHING_PREDICTED, True)
+        self._last = PredictedPrecision(workspace.titled.plan, NOTHING_PREDICTED, True)
         body = QWidget()
         layout = widgets.vertical_layout(body, 12)
         unit = units.shown_unit("°").sign
@@ -266,7 +307,7 @@ class PredictionPanel(QScrollArea):
     def _show(self) -> None:
         """Show the values that need no computation."""
         titled = self._work.titled
-        self.minutes.setText(predicted_precision.time_on_site_text(titled))
+        self.minutes.setText(_time_on_site_text(titled))
         found = plan_warnings(titled)
         self.warnings.setText("\n".join(map(message_text, found)))
         self.warnings.setVisible(bool(found))
@@ -319,3 +360,32 @@ class PredictionPanel(QScrollArea):
     def stop(self) -> None:
         """Stop all computations."""
         self.predictor.stop()
+
+
+def _plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
+    """Messages on the observability of the angles, as after an adjustment."""
+    if not plan.targets or not plan.lines:
+        return (note("plan.empty"),)
+    return observability_messages(plan, progress=progress)
+
+
+def _time_on_site_text(titled: TitledPlan) -> str:
+    """Text of the time on site."""
+    plan = titled.plan
+    return gettext(
+        Plural(
+            "Time on site: {minutes:n} min for {count:n} line, turns included",
+            "Time on site: {minutes:n} min for {count:n} lines, turns included",
+        ),
+        minutes=round(plan.duration / 60) if plan.lines else 0,
+        count=len(plan.lines),
+    )
+
+
+def _information_gains(plan: Plan, progress: Progress = no_progress) -> tuple[InformationGain, ...]:
+    """Information gain of each target and line; empty if the plan lacks targets or lines."""
+    return (
+        information_gains(plan, PlanObjective(), progress=progress)
+        if plan.targets and plan.lines
+        else ()
+    )
