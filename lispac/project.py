@@ -199,6 +199,43 @@ class Settings:
         InputError
             If a setting is not finite, outside its limits or contradicts another one.
         """
+        self._require_within_limits()
+        self._require_sound_sigmas()
+        self._require_sound_parameters()
+        if self.pos_errors not in POS_ERROR_MODELS:
+            raise InputError(
+                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
+            )
+        if self.loss is not None and self.loss not in LOSS_NAMES:
+            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
+        if not min(self.position_time, self.attitude_time) > 0:
+            raise InputError(error("settings.zero_correlation_time"))
+        if not self.longest_gap > 0:
+            raise InputError(error("settings.zero_longest_gap"))
+        if not 0 <= (self.beam_divergence_mrad or 0.0) <= MAX_BEAM_DIVERGENCE_MRAD:
+            raise InputError(error("adjustment.budget_divergence", most=MAX_BEAM_DIVERGENCE_MRAD))
+        if abs(self.latency) > 10:
+            raise InputError(error("settings.latency_too_large", value=self.latency))
+        if abs(self.range_offset) > 10:
+            raise InputError(error("settings.range_offset_too_large", value=self.range_offset))
+        if np.abs(self.boresight_deg).max() > 360:
+            largest = float(np.radians(np.abs(self.boresight_deg).max()))
+            raise InputError(error("settings.boresight_too_large", value=largest))
+        if np.linalg.norm(self.lever_arm) > 100:
+            length = float(np.linalg.norm(self.lever_arm))
+            raise InputError(error("settings.lever_arm_too_long", length=length))
+        if self.origin_deg_m is not None and abs(self.origin_deg_m[0]) > 90:
+            latitude = float(np.radians(self.origin_deg_m[0]))
+            raise InputError(error("settings.latitude_out_of_range", latitude=latitude))
+
+    def _require_within_limits(self) -> None:
+        """Refuse numbers that are not finite or outside `SETTING_LIMITS`.
+
+        Raises
+        ------
+        InputError
+            If there is one.
+        """
         numbers = {
             "setting.lever_arm": self.lever_arm,
             "setting.boresight": self.boresight_deg,
@@ -231,13 +268,18 @@ class Settings:
         ):
             if value > 0 and not low <= value <= high:
                 raise InputError(_out_of_range("setting.lidar_beam_sigma", value, low, high, unit))
+
+    def _require_sound_sigmas(self) -> None:
+        """Refuse standard deviations that are negative or contradict each other.
+
+        Raises
+        ------
+        InputError
+            If there is one.
+        """
         smallest = min(*self.used_position_sigma, *self.used_attitude_sigma_deg, self.subsample)
         if smallest < 0:
             raise InputError(error("settings.negative"))
-        if self.pos_errors not in POS_ERROR_MODELS:
-            raise InputError(
-                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
-            )
         lidar = (
             self.used_lidar_sigma,
             *(self.lidar_sigma_xyz or ()),
@@ -249,20 +291,17 @@ class Settings:
             raise InputError(error("settings.two_lidar_sigmas"))
         if min(self.lever_arm_sigma or (0.0,)) < 0:
             raise InputError(error("estimate.lever_arm_sigma"))
-        if not 0 <= (self.beam_divergence_mrad or 0.0) <= MAX_BEAM_DIVERGENCE_MRAD:
-            raise InputError(error("adjustment.budget_divergence", most=MAX_BEAM_DIVERGENCE_MRAD))
-        if not min(self.position_time, self.attitude_time) > 0:
-            raise InputError(error("settings.zero_correlation_time"))
         if self.surface is not None and self.surface < 0:
             raise InputError(error("settings.negative_surface"))
-        if not self.longest_gap > 0:
-            raise InputError(error("settings.zero_longest_gap"))
-        if self.loss is not None and self.loss not in LOSS_NAMES:
-            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
-        if abs(self.latency) > 10:
-            raise InputError(error("settings.latency_too_large", value=self.latency))
-        if abs(self.range_offset) > 10:
-            raise InputError(error("settings.range_offset_too_large", value=self.range_offset))
+
+    def _require_sound_parameters(self) -> None:
+        """Refuse parameters that are unknown, given twice or have an impossible sigma.
+
+        Raises
+        ------
+        InputError
+            If there is one.
+        """
         for parameter in self.parameters:
             if parameter.name not in OPTIONAL_NAMES:
                 raise InputError(
@@ -277,15 +316,6 @@ class Settings:
             require_prior_sigma(parameter)
         if len({parameter.name for parameter in self.parameters}) < len(self.parameters):
             raise InputError(error("settings.parameter_twice"))
-        if np.abs(self.boresight_deg).max() > 360:
-            largest = float(np.radians(np.abs(self.boresight_deg).max()))
-            raise InputError(error("settings.boresight_too_large", value=largest))
-        if np.linalg.norm(self.lever_arm) > 100:
-            length = float(np.linalg.norm(self.lever_arm))
-            raise InputError(error("settings.lever_arm_too_long", length=length))
-        if self.origin_deg_m is not None and abs(self.origin_deg_m[0]) > 90:
-            latitude = float(np.radians(self.origin_deg_m[0]))
-            raise InputError(error("settings.latitude_out_of_range", latitude=latitude))
 
 
 def require_prior_sigma(parameter: Parameter) -> None:

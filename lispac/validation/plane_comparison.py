@@ -152,17 +152,7 @@ def compare_plane(
     """
     _require_same_points(name, before, after, headings)
     observed = _lines_with_enough_points(before)
-    if len(observed) < 2:
-        raise NotComparable(
-            error(
-                "validation.plane_in_one_line",
-                plane=name,
-                line=observed[0],
-                needed=MIN_OVERLAP_POINTS,
-            )
-            if observed
-            else error("validation.plane_in_no_line", plane=name, needed=MIN_OVERLAP_POINTS)
-        )
+    _require_two_lines(name, observed)
     lines = _ComparedLines.of(before, after, observed, model, ranges, facing)
     couples = sorted(
         combinations(observed, 2),
@@ -170,14 +160,12 @@ def compare_plane(
     )
     pairs: list[PairComparison] = []
     measured: list[_MeasuredDistances] = []
-    not_compared: list[tuple[str, str]] = []
     for i, (a, b) in enumerate(couples):
         progress(
             i / len(couples),
             gettext_lazy("Comparing {one} and {other} on {target}", one=a, other=b, target=name),
         )
         if (a, b) not in lines.common:
-            not_compared.append((a, b))
             continue
         distances, signed, states = lines.compare(a, b)
         reciprocal = are_reciprocal(headings[a], headings[b])
@@ -193,7 +181,7 @@ def compare_plane(
     return PlaneComparison(
         name=name,
         pairs=tuple(pairs),
-        not_compared=tuple(not_compared),
+        not_compared=tuple(couple for couple in couples if couple not in lines.common),
         pooled_from="all pairs",
         bin_edges=edges,
         counts_before=histogram_counts(pool.before, edges),
@@ -418,6 +406,29 @@ def _thin_evenly(points: Array) -> Array:
     """Every n-th point, so that at most 100 000 remain."""
     step = -(-len(points) // MAX_POINTS_PER_LINE)
     return np.ascontiguousarray(points[::step], dtype=np.float64)
+
+
+def _require_two_lines(plane: str, observed: Sequence[str]) -> None:
+    """Refuse a plane that fewer than two lines observe.
+
+    Raises
+    ------
+    NotComparable
+        If there are fewer.
+    """
+    if not observed:
+        raise NotComparable(
+            error("validation.plane_in_no_line", plane=plane, needed=MIN_OVERLAP_POINTS)
+        )
+    if len(observed) < 2:
+        raise NotComparable(
+            error(
+                "validation.plane_in_one_line",
+                plane=plane,
+                line=observed[0],
+                needed=MIN_OVERLAP_POINTS,
+            )
+        )
 
 
 def _lines_with_enough_points(points: Mapping[str, Array]) -> list[str]:

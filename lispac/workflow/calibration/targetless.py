@@ -17,6 +17,7 @@ from lispac.adjustment.diagnostics.line_shifts import LineShiftScores
 from lispac.adjustment.diagnostics.observability import assess_observability
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.result import AdjustmentResult
 from lispac.computing_time import computing_time
 from lispac.errors import AdjustmentError
@@ -27,6 +28,7 @@ from lispac.natural.patches import Patches, find_patches
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud, place_clouds
+from lispac.survey.georeferencing import Mounting
 from lispac.workflow.calibration.estimation import observations_of, reselect_points
 from lispac.workflow.calibration.method_errors import replace_suggested_actions
 from lispac.workflow.project.survey import Survey
@@ -132,11 +134,66 @@ def targetless(
     own = _targets_only(project) if with_targets else None
     started = computing_time()
     progress(0.0, gettext_lazy("Aligning the lines"))
+    matched = _match_lines(project, survey, count, progress)
+    picked, mixed = matched.picked, 0
+    if own is not None:
+        mine = reselect_points(own, survey, progress=sub_progress(progress, 0.4, 0.5)).targets
+        picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
+        mixed = len(mine)
+    observations = observations_of(picked, survey, mounting=matched.mounting)
+    with replace_suggested_actions(project.name, "targetless"):
+        result = adjust(
+            observations,
+            project.mounting("prior"),
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            assumed=project.assumed_sigmas,
+            accept_single_orientation=settings.accept_single_orientation,
+            test_model=False,  # parts of the scene and of the lines test it better
+            progress=sub_progress(progress, 0.5, 0.9),
+        )
+    raised_result, shifted = _raise_sigmas(
+        project, observations, result, progress=sub_progress(progress, 0.9, 1.0)
+    )
+    raised = float((raised_result.sigma / result.sigma).max())
+    final = replace(picked, result=replace(raised_result, elapsed=computing_time() - started))
+    named = disagreeing_lines(result, survey.clouds, shifted)
+    return TargetlessResult(
+        final, matched.iterations, matched.converged, matched.candidates, named, mixed, raised
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _MatchedLines:
+    """Patches of the last iteration as targets of a project, and the boresight found with them.
+
+    Attributes
+    ----------
+    iterations, converged, candidates : see `TargetlessResult`
+    """
+
+    picked: Project
+    mounting: Mounting
+    iterations: int
+    converged: bool
+    candidates: int
+
+
+def _match_lines(project: Project, survey: Survey, count: int, progress: Progress) -> _MatchedLines:
+    """Divide the scene into patches and adjust them, until the boresight converges.
+
+    Raises
+    ------
+    AdjustmentError
+        If the lines share too few surfaces, or these do not determine the boresight.
+    """
+    settings = project.settings
     # The initial boresight does not depend on the error of the prior boresight.
     mounting = survey.alignment.mounting
     coarse = replace(settings, subsample=max(settings.subsample, COARSE_SPACING), parameters=())
     coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
-    picked, found, iterations, converged, mixed = project, 0, 0, False, 0
+    picked, found, iterations, converged = project, 0, 0, False
     for iterations, threshold in enumerate(ITERATION_THRESHOLDS, 1):
         step = sub_progress(progress, 0.1 * iterations, 0.1 * iterations + 0.1)
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=iterations))
@@ -172,51 +229,42 @@ def targetless(
         converged = iterations > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
-    if own is not None:
-        mine = reselect_points(own, survey, progress=sub_progress(progress, 0.4, 0.5)).targets
-        picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
-        mixed = len(mine)
-    observations = observations_of(picked, survey, mounting=mounting)
-    with replace_suggested_actions(project.name, "targetless"):
-        result = adjust(
-            observations,
-            project.mounting("prior"),
-            settings.stochastic_model,
-            parameters=settings.parameters,
-            components=settings.variance_components,
-            assumed=project.assumed_sigmas,
-            accept_single_orientation=settings.accept_single_orientation,
-            test_model=False,  # parts of the scene and of the lines test it better
-            progress=sub_progress(progress, 0.5, 0.9),
-        )
+    return _MatchedLines(picked, mounting, iterations, converged, found)
+
+
+def _raise_sigmas(
+    project: Project, observations: Observations, result: AdjustmentResult, *, progress: Progress
+) -> tuple[AdjustmentResult, tuple[str, ...]]:
+    """Raise the standard deviations by scatter that the stochastic model does not predict.
+
+    Returns
+    -------
+    result : AdjustmentResult
+    lines : tuple of str
+        Lines that are shifted relative to the others.
+    """
+    settings = project.settings
     solved = SolvedEquations.of(
         result,
         observations.with_scaled_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
-        progress=sub_progress(progress, 0.9, 0.95),
+        progress=sub_progress(progress, 0.0, 0.5),
     )
-    raised_result, shifted = result, tuple[str, ...]()
-    if solved is not None:
-        raised_result = raise_sigmas_by_scatter(
-            result, solved.linearised, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
+    if solved is None:
+        return result, ()
+    raised = raise_sigmas_by_scatter(
+        result, solved.linearised, solved.origins, progress=sub_progress(progress, 0.5, 1.0)
+    )
+    if raised.observability is not None and raised.angle_sigma_factors is not None:
+        seen = assess_observability(
+            solved.linearised,
+            angle_sigma_factors=raised.angle_sigma_factors,
+            covariance=raised.covariance,
+            origins=solved.origins,
         )
-        if (
-            raised_result.observability is not None
-            and raised_result.angle_sigma_factors is not None
-        ):
-            seen = assess_observability(
-                solved.linearised,
-                angle_sigma_factors=raised_result.angle_sigma_factors,
-                covariance=raised_result.covariance,
-                origins=solved.origins,
-            )
-            raised_result = replace(raised_result, observability=seen)
-        shifted = LineShiftScores.of(solved.linearised).shifted_lines()
-    raised = float((raised_result.sigma / result.sigma).max())
-    final = replace(picked, result=replace(raised_result, elapsed=computing_time() - started))
-    named = disagreeing_lines(result, survey.clouds, shifted)
-    return TargetlessResult(final, iterations, converged, found, named, mixed, raised)
+        raised = replace(raised, observability=seen)
+    return raised, LineShiftScores.of(solved.linearised).shifted_lines()
 
 
 def _targets_only(project: Project) -> Project:

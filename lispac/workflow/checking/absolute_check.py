@@ -118,18 +118,9 @@ def check_absolute(
     where = _ComparisonPlaces.of(
         reference, survey, project.settings.used_lidar_sigma, search_distance
     )
-    lines, not_compared = [], list[Message]()
-    for k, cloud in enumerate(clouds):
-        progress(
-            0.3 + 0.7 * k / len(clouds),
-            gettext_lazy("Comparing {line} with {file}", line=cloud.line, file=path.name),
-        )
-        try:
-            lines.append(_compare_line(project, survey, cloud, where))
-        except NotComparable as failure:
-            not_compared.append(
-                note("check.line_not_compared", line=cloud.line, reason=failure.reason)
-            )
+    lines, not_compared = _compare_lines(
+        project, survey, clouds, where, path.name, sub_progress(progress, 0.3, 1.0)
+    )
     if not lines:
         raise NotComparable(
             error(
@@ -260,6 +251,30 @@ class _ComparisonPlaces:
                 grid = plane.grid(side / POINTS_PER_DIAMETER)
                 cores = grid[thin_points(grid, side)]
                 yield grid, cores, np.full(len(cores), side), len(self.reference.names) + k
+
+
+def _compare_lines(
+    project: Project,
+    survey: Survey,
+    clouds: Sequence[_LineNearReference],
+    where: _ComparisonPlaces,
+    file_name: str,
+    progress: Progress,
+) -> tuple[list[LinePlaces], list[Message]]:
+    """Compare all lines, and return notes on those that cannot be compared."""
+    lines, not_compared = [], list[Message]()
+    for k, cloud in enumerate(clouds):
+        progress(
+            k / len(clouds),
+            gettext_lazy("Comparing {line} with {file}", line=cloud.line, file=file_name),
+        )
+        try:
+            lines.append(_compare_line(project, survey, cloud, where))
+        except NotComparable as failure:
+            not_compared.append(
+                note("check.line_not_compared", line=cloud.line, reason=failure.reason)
+            )
+    return lines, not_compared
 
 
 def _compare_line(

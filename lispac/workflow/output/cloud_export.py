@@ -6,9 +6,11 @@ length of the line.
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import closing
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -129,51 +131,31 @@ def write_cloud(
     first = next(source, None)
     if first is None:
         raise InputError(error("export.no_points", line=path.stem))
-    chosen = pattern(first)
+    chosen, total = pattern(first), first.total
+    source = chain((first,), source)
+    del first  # so that it is not kept in memory
     place = _ChunkGeoreferencer(mapping, reading, recovery, max_range)
-    pace, total = (
-        PointRate(gettext_lazy("Writing {file}", file=path.name), first.total),
-        first.total,
-    )
+    pace = PointRate(gettext_lazy("Writing {file}", file=path.name), total)
     outside = in_gaps = excluded = 0
-    with open_cloud_writer(
-        temporary,
-        chosen,
-        mapping.system,
-        mapping.centre,
-        mounting=mapping.mounting,
-        frame=mapping.trajectory.frame,
-        compressed=compressed,
-        shown=path,
-    ) as cloud:
-        workers = ThreadPoolExecutor(os.cpu_count(), "place")
-        writer = ThreadPoolExecutor(1, "write")
-        waiting: deque[Future[_GeoreferencedChunk]] = deque()
-
-        def finish() -> None:
-            nonlocal outside, in_gaps, excluded
-            done = waiting.popleft().result()
+    with (
+        open_cloud_writer(
+            temporary,
+            chosen,
+            mapping.system,
+            mapping.centre,
+            mounting=mapping.mounting,
+            frame=mapping.trajectory.frame,
+            compressed=compressed,
+            shown=path,
+        ) as cloud,
+        closing(_write_chunks(source, cloud, place)) as written,
+    ):
+        for done in written:
             outside, in_gaps = outside + done.outside, in_gaps + done.in_gaps
             excluded += done.excluded
             count = cloud.count + outside + in_gaps + excluded
             # A text file does not specify its number of points.
             progress(min(count / total, 1.0) if total else 0.5, pace.step(count))
-
-        try:
-            chunk: PointChunk | None = first
-            del first
-            while chunk is not None:
-                placed = workers.submit(place, cloud, chunk)
-                waiting.append(writer.submit(_write_records, cloud, placed))
-                if len(waiting) > MAX_WAITING_CHUNKS:
-                    finish()
-                chunk = next(source, None)
-            while waiting:
-                finish()
-        finally:
-            # Running tasks finish before the file is closed; waiting tasks are cancelled.
-            workers.shutdown(cancel_futures=True)
-            writer.shutdown(cancel_futures=True)
         count = cloud.count
     if not count:
         known = mapping.trajectory.time
@@ -187,6 +169,27 @@ def write_cloud(
             )
         )
     return WrittenLine(path, count, outside, in_gaps, excluded, chosen.notes)
+
+
+def _write_chunks(
+    chunks: Iterable[PointChunk], cloud: CloudWriter, place: "_ChunkGeoreferencer"
+) -> Generator[_GeoreferencedChunk]:
+    """Georeference and write chunks in parallel; yield each of them when it is written."""
+    workers = ThreadPoolExecutor(os.cpu_count(), "place")
+    writer = ThreadPoolExecutor(1, "write")
+    waiting: deque[Future[_GeoreferencedChunk]] = deque()
+    try:
+        for chunk in chunks:
+            placed = workers.submit(place, cloud, chunk)
+            waiting.append(writer.submit(_write_records, cloud, placed))
+            if len(waiting) > MAX_WAITING_CHUNKS:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    finally:
+        # Running tasks finish before the file is closed; waiting tasks are cancelled.
+        workers.shutdown(cancel_futures=True)
+        writer.shutdown(cancel_futures=True)
 
 
 def _write_records(

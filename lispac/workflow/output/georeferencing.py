@@ -22,6 +22,7 @@ from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.store.stored_line import StoredLine
+from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.file_reading import local_trajectory
 from lispac.workflow.importing.line_chunks import LineChunks
 from lispac.workflow.importing.line_import import line_folder, open_stored_line, stored_header
@@ -98,10 +99,6 @@ def georeference_project(
                 step = sub_progress(progress, start, stop)
                 step(0.0, gettext_lazy("Writing {file}", file=path.name))
                 own = stores.get(chunks.line.name)
-                recovery = None
-                if chunks.system is not None and own is None:
-                    made_with, _ = mounting_of_cloud(chunks.line, project.mounting("prior"))
-                    recovery = RecoverySetup(chunks.system, trajectory, made_with, chunks.line.path)
                 done = write_cloud(
                     chunks if own is None else own,
                     stack.enter_context(atomic_write(path)),
@@ -109,16 +106,14 @@ def georeference_project(
                     converter,
                     _layout_function(chunks, stored_layouts.get(chunks.line.name)),
                     reading=chunks.line.reading,
-                    recovery=recovery,
+                    recovery=_recovery_of(project, chunks, trajectory) if own is None else None,
                     compressed=ending == "laz",
                     progress=step,
                 )
-                messages = (*done.messages, *_assumptions(target))
-                if chunks.line.name in stored_layouts:
-                    is_kept = stored_layouts[chunks.line.name] is not None
-                    code = "export.file_gone" if is_kept else "export.file_and_header_gone"
-                    messages += (note(code, line=chunks.line.name),)
-                written.append(replace(done, messages=messages))
+                messages = _missing_file_notes(chunks.line.name, stored_layouts)
+                written.append(
+                    replace(done, messages=(*done.messages, *_assumptions(target), *messages))
+                )
             progress(1.0)
     except BaseException:
         for folder in made:
@@ -126,6 +121,26 @@ def georeference_project(
                 folder.rmdir()
         raise
     return written
+
+
+def _recovery_of(
+    project: Project, chunks: LineChunks, trajectory: LocalTrajectory
+) -> RecoverySetup | None:
+    """Georeferencing with which the points of a file were made; None in the LiDAR frame."""
+    if chunks.system is None:
+        return None
+    made_with, _ = mounting_of_cloud(chunks.line, project.mounting("prior"))
+    return RecoverySetup(chunks.system, trajectory, made_with, chunks.line.path)
+
+
+def _missing_file_notes(
+    line: str, stored_layouts: Mapping[str, RecordLayout | None]
+) -> tuple[Message, ...]:
+    """Note that a line was read from its store because its file is missing."""
+    if line not in stored_layouts:
+        return ()
+    is_kept = stored_layouts[line] is not None
+    return (note("export.file_gone" if is_kept else "export.file_and_header_gone", line=line),)
 
 
 def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
