@@ -70,7 +70,6 @@ def check_first_points(
     low, high : ndarray of shape (3,), frame and unit of the file
         Bounds specified in the header, if any.
     """
-    file_warnings: list[Message] = []
     usable = usable_mask(xyz, time)
     if not usable.all():  # their number is reported where all points are read
         low = high = None
@@ -94,9 +93,32 @@ def check_first_points(
         if len(usual) and np.linalg.norm(usual, axis=1).max() < USUAL_SCANNER_RANGE_M:
             low, high = usual.min(axis=0), usual.max(axis=0)
     farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
+    on_map = bool(crs) or farthest > 10 * USUAL_SCANNER_RANGE_M
+    file_warnings = (
+        *_frame_warnings(low, high, len(xyz), on_map=on_map, crs=crs, file=file),
+        *_time_warnings(time, len(xyz), file),
+    )
+    return FirstPointsCheck(GEOREFERENCED_FRAME if on_map else SCANNER_FRAME, facts, file_warnings)
+
+
+def _frame_warnings(
+    low: Array, high: Array, count: int, *, on_map: bool, crs: str, file: str
+) -> tuple[Message, ...]:
+    """Warnings that the coordinates do not suit the frame.
+
+    Parameters
+    ----------
+    low, high : ndarray of shape (3,), frame and unit of the file
+        Bounds without single outliers.
+    count : int
+        Number of points.
+    on_map : bool
+        Whether the points are taken for georeferenced ones.
+    """
+    farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
     size = float(np.linalg.norm(high - low))
     away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
-    on_map = bool(crs) or farthest > 10 * USUAL_SCANNER_RANGE_M
+    file_warnings: list[Message] = []
     if on_map and not crs:
         file_warnings.append(
             warning(NO_SYSTEM_CODE, file=file, largest=farthest, actions=(CHOOSE_SYSTEM_ACTION,))
@@ -124,12 +146,9 @@ def check_first_points(
                 "points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME_ACTION,)
             )
         )
-    elif len(xyz) > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
+    elif count > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
         file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME_ACTION,)))
-    file_warnings += _time_warnings(time, len(xyz), file)
-    return FirstPointsCheck(
-        GEOREFERENCED_FRAME if on_map else SCANNER_FRAME, facts, tuple(file_warnings)
-    )
+    return tuple(file_warnings)
 
 
 def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, ...]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
 from lispac.natural.flat_regions import Regions
-from lispac.progress import Progress, no_progress
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
@@ -113,22 +113,13 @@ def find_line_planes(
         Indices of the points on the planes in the samples of their lines; see
         ``LinePlanes.begin``.
     """
-    chosen = [
-        np.arange(0, len(c.sample), -(-len(c.sample) // MAX_LINE_POINTS) or 1)
-        for c in clouds.values()
-    ]
-    points = np.concatenate([c.sample[k] for c, k in zip(clouds.values(), chosen, strict=True)])
-    time = np.concatenate([c.sample_time[k] for c, k in zip(clouds.values(), chosen, strict=True)])
-    line = np.repeat(np.arange(len(chosen)), [len(k) for k in chosen])
-    sampled = np.concatenate(chosen)
-    finite = np.isfinite(points).all(axis=1)
-    points, time, line, sampled = points[finite], time[finite], line[finite], sampled[finite]
+    points, time, line, sampled = _sampled_points(clouds)
     progress(0.1)
     regions = Regions.of(points, threshold)
     progress(0.5)
     region = regions.at(points)
     on = np.flatnonzero(region >= 0)
-    group = region[on] * len(chosen) + line[on]
+    group = region[on] * len(clouds) + line[on]
     order = np.argsort(group, kind="stable")
     start = np.flatnonzero(np.diff(group[order], prepend=-1))
     counts = np.diff(np.append(start, len(order)))
@@ -141,21 +132,9 @@ def find_line_planes(
     # Coordinates relative to a point of the region: sums of large coordinates would lose digits.
     origin = found[np.cumsum(counts) - counts]
     local = found - origin[owner]
-    # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
-    centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
-    limit = np.full(len(counts), np.inf)
-    for iteration in range(FIT_ITERATIONS):
-        progress(0.6 + 0.4 * iteration / FIT_ITERATIONS)
-        centre, variances, axes = fit_weighted_planes(
-            local, np.cumsum(counts), centre, normal, limit
-        )
-        normal = np.ascontiguousarray(axes[:, :, 0])
-        roughness = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(
-            np.isinf(limit), 1.0, WEIGHTED_SIGMA_RATIO
-        )
-        limit = np.minimum(
-            limit, np.maximum(MAX_DISTANCE_SIGMAS * roughness, MAX_DISTANCE_LIDAR_SIGMAS * noise)
-        )
+    centre, normal, limit, variances = _fit_densest_planes(
+        local, np.cumsum(counts), noise, sub_progress(progress, 0.6, 1.0)
+    )
     kept, sums = np.empty(len(local), dtype=np.bool_), np.zeros((len(counts), 5))
     _plane_statistics(local, times, np.cumsum(counts), centre, normal, limit, kept, sums)
     number = sums[:, 0].astype(np.int64)
@@ -164,8 +143,8 @@ def find_line_planes(
     largest = np.take_along_axis(normal, np.abs(normal).argmax(axis=1)[:, None], axis=1)
     ends = np.cumsum(number)
     planes = LinePlanes(
-        region=keys // len(chosen),
-        line=keys % len(chosen),
+        region=keys // len(clouds),
+        line=keys % len(clouds),
         begin=ends - number,
         end=ends,
         count=number,
@@ -180,6 +159,71 @@ def find_line_planes(
         time=sums[:, 4] / divisor,
     )
     return regions, planes, sampled[order[kept]]
+
+
+def _sampled_points(
+    clouds: Mapping[str, Cloud],
+) -> tuple[Array, Array, NDArray[np.intp], NDArray[np.intp]]:
+    """Finite points of all samples, at most `MAX_LINE_POINTS` of each line.
+
+    Returns
+    -------
+    points : ndarray of shape (n, 3), metres, local frame
+    time : ndarray of shape (n,), seconds
+    line : ndarray of shape (n,), int
+        Number of the line of each point.
+    sampled : ndarray of shape (n,), int
+        Index of each point in the sample of its line.
+    """
+    chosen = [
+        np.arange(0, len(c.sample), -(-len(c.sample) // MAX_LINE_POINTS) or 1)
+        for c in clouds.values()
+    ]
+    points = np.concatenate([c.sample[k] for c, k in zip(clouds.values(), chosen, strict=True)])
+    time = np.concatenate([c.sample_time[k] for c, k in zip(clouds.values(), chosen, strict=True)])
+    line = np.repeat(np.arange(len(chosen)), [len(k) for k in chosen])
+    sampled = np.concatenate(chosen)
+    finite = np.isfinite(points).all(axis=1)
+    return points[finite], time[finite], line[finite], sampled[finite]
+
+
+def _fit_densest_planes(
+    points: Array, ends: NDArray[np.intp], noise: float, progress: Progress
+) -> tuple[Array, Array, Array, Array]:
+    """Fit a plane to the densest layer of each group of points.
+
+    With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+        Points of one group after the other, relative to a point of their group.
+    ends : ndarray of shape (k,), int
+        Index after the last point of each group.
+    noise : float, metres
+
+    Returns
+    -------
+    centre, normal : ndarrays of shape (k, 3)
+    limit : ndarray of shape (k,), metres
+        Distance from which points have no weight.
+    variances : ndarray of shape (k, 3), square metres
+        Along the axes of each group, the smallest first.
+    """
+    centre, normal = np.zeros((len(ends), 3)), np.zeros((len(ends), 3))
+    limit = np.full(len(ends), np.inf)
+    variances = np.zeros((len(ends), 3))
+    for iteration in range(FIT_ITERATIONS):
+        progress(iteration / FIT_ITERATIONS)
+        centre, variances, axes = fit_weighted_planes(points, ends, centre, normal, limit)
+        normal = np.ascontiguousarray(axes[:, :, 0])
+        roughness = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(
+            np.isinf(limit), 1.0, WEIGHTED_SIGMA_RATIO
+        )
+        limit = np.minimum(
+            limit, np.maximum(MAX_DISTANCE_SIGMAS * roughness, MAX_DISTANCE_LIDAR_SIGMAS * noise)
+        )
+    return centre, normal, limit, variances
 
 
 def fit_weighted_planes(

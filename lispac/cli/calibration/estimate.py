@@ -125,7 +125,6 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.cli.calibration.estimate import print_weak_sightings
     from lispac.cli.calibration.result_output import (
         print_origin,
         print_result,

@@ -150,14 +150,8 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "time base": time_base_message(chunk.time, resolved["time_base"]),
         **points_check.facts,
     }
-    above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
-    feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
-    file_warnings: tuple[Message, ...] = ()
-    if feet and "unit" not in header_options(layout):
-        file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET_ACTIONS),)
-    if crs and units:
-        # These name the columns, and replace the general warning.
-        file_warnings = easting_unit_warnings(units, crs, file)
+    title_lines = lines[: max(1, len(lines) - len(rows) + layout.first)]
+    file_warnings = _unit_warnings(layout, title_lines, crs, file)
     if (
         not resolved["time_base"]
         and "time" in columns
@@ -173,6 +167,21 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     return FilePreview(
         facts, preview, found, (*file_warnings, *points_check.file_warnings), assumptions, messages
     )
+
+
+def _unit_warnings(
+    layout: RowLayout, title_lines: list[str], crs: str, file: str
+) -> tuple[Message, ...]:
+    """Warnings that the lines above the numbers specify other units than those that are used."""
+    units = layout.units()
+    if crs and units:
+        # These name the columns, and replace the general warning.
+        return easting_unit_warnings(units, crs, file)
+    above = " ".join(title_lines).lower()
+    feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
+    if feet and "unit" not in header_options(layout):
+        return (warning("points.feet_in_header", file=file, actions=USE_FEET_ACTIONS),)
+    return ()
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:

@@ -28,6 +28,7 @@ from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.occlusion import does_plane_end_within
 from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, detect_planes
 from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.rough_alignment import Alignment
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import are_reciprocal, comparable_pairs
 from lispac.warning_causes import RESULT_CAUSE, Cause
@@ -130,26 +131,8 @@ def propose_targets(
     """
     threshold = project.settings.threshold
     progress(0.0, gettext_lazy("Aligning the lines"))
-    aligned = survey.alignment
-    settings = FinderSettings(threshold=threshold)
-    if aligned.is_aligned:
-        settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
-
-    def find(seed: Array, line: str, step: Progress) -> PatchesAndReasons:
-        return find_planes_in_lines(
-            aligned.clouds, seed, settings,
-            first_line=line, accuracy=aligned.accuracy, progress=step,
-        )  # fmt: skip
-
-    detected = detect_planes(
-        {name: cloud.sample for name, cloud in aligned.clouds.items()},
-        settings,
-        lines=aligned.clouds,
-        find=find,
-        progress=sub_progress(progress, 0.05, 0.4),
-    )
+    named = _detect_planes(survey.alignment, threshold, sub_progress(progress, 0.05, 0.4))
     progress(0.4, gettext_lazy("Fitting the planes"))
-    named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
     targets = tuple(
         _proposed_target(survey, plane, name, "target", threshold) for name, plane in named.items()
     )
@@ -202,6 +185,30 @@ def propose_targets(
         return planes.predicted_sigma(surfaces[name] for name in names)
 
     return Proposal(tuple(proposed), reasons, predict, (), warnings)
+
+
+def _detect_planes(
+    aligned: Alignment, threshold: float, progress: Progress
+) -> dict[str, DetectedPlane]:
+    """Detect planes on the aligned lines, named P1, P2 ..."""
+    settings = FinderSettings(threshold=threshold)
+    if aligned.is_aligned:
+        settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
+
+    def find(seed: Array, line: str, step: Progress) -> PatchesAndReasons:
+        return find_planes_in_lines(
+            aligned.clouds, seed, settings,
+            first_line=line, accuracy=aligned.accuracy, progress=step,
+        )  # fmt: skip
+
+    detected = detect_planes(
+        {name: cloud.sample for name, cloud in aligned.clouds.items()},
+        settings,
+        lines=aligned.clouds,
+        find=find,
+        progress=progress,
+    )
+    return {f"P{k + 1}": plane for k, plane in enumerate(detected)}
 
 
 def _comparable_planes(

@@ -155,11 +155,7 @@ def read_reference(
     found = open_static_scan(path)
     listed = not found.system and _is_control_point_list(path, found)
     if not crs and found.system and not height and trajectory_datum is None:
-        datum, year = trajectory_datum_of(project.lines)
-        system: CoordinateSystem | None = coordinate_system(
-            found.system, height_unit=found.height_unit, trajectory_datum=datum,
-            epoch=year if epoch is None else epoch,
-        )  # fmt: skip
+        system = _system_of_file(found, project, epoch)
     else:
         chosen = crs or found.system or LOCAL_FRAME
         system = output_system_of(
@@ -199,6 +195,17 @@ def read_reference(
         np.zeros(0),
         (),
     )
+
+
+def _system_of_file(
+    found: StaticScan, project: Project, epoch: float | None
+) -> CoordinateSystem | None:
+    """Coordinate system that a file specifies, with the datum with which the lines are read."""
+    datum, year = trajectory_datum_of(project.lines)
+    return coordinate_system(
+        found.system, height_unit=found.height_unit, trajectory_datum=datum,
+        epoch=year if epoch is None else epoch,
+    )  # fmt: skip
 
 
 def _is_control_point_list(path: Path, scan: StaticScan) -> bool:

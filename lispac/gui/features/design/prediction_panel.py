@@ -232,37 +232,7 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(
             widgets.label(gettext("Predicted standard deviations ({unit})", unit=unit), "heading")
         )
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(14)
-        grid.setVerticalSpacing(4)
-        for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
-            head = widgets.label(title, "muted")
-            if column == 2:
-                head.setToolTip(gettext(REFERENCE_PLAN_TIP))
-            grid.addWidget(head, 0, column, Qt.AlignmentFlag.AlignRight)
-        self.sigma: dict[str, QLabel] = {}
-        self.thesis: dict[str, QLabel] = {}
-        for row, angle in enumerate(ANGLES, start=1):
-            named = gettext(ANGLE_NAMES[angle])
-            grid.addWidget(widgets.label(named), row, 0)
-            for column, (labels, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
-                shown = widgets.label("", name=f"design_{PLAN_KEYS[column - 1]}_{angle}")
-                font = theme.tabular_font(shown.font(), bold=column == 1)
-                font.setPixelSize(size)
-                shown.setFont(font)
-                # Keeps the width constant when the first numbers are shown.
-                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
-                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                shown.setAccessibleName(
-                    gettext(
-                        "Standard deviation of {angle} ({plan}), in {unit}",
-                        angle=named, plan=gettext(planning.PLAN_TITLES[column - 1]), unit=unit,
-                    )
-                )  # fmt: skip
-                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-                labels[angle] = shown
-        grid.setColumnStretch(3, 1)
-        layout.addLayout(grid)
+        layout.addLayout(self._sigma_grid(unit))
         self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
         self.correlation.setToolTip(
             gettext(
@@ -303,6 +273,40 @@ class PredictionPanel(QScrollArea):
         workspace.changed.connect(self._show)
         self._show()
         self.predictor.start()
+
+    def _sigma_grid(self, unit: str) -> QGridLayout:
+        """Labels of the standard deviations, of this plan and of the reference plan."""
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(4)
+        for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
+            head = widgets.label(title, "muted")
+            if column == 2:
+                head.setToolTip(gettext(REFERENCE_PLAN_TIP))
+            grid.addWidget(head, 0, column, Qt.AlignmentFlag.AlignRight)
+        self.sigma: dict[str, QLabel] = {}
+        self.thesis: dict[str, QLabel] = {}
+        for row, angle in enumerate(ANGLES, start=1):
+            named = gettext(ANGLE_NAMES[angle])
+            grid.addWidget(widgets.label(named), row, 0)
+            for column, (labels, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{PLAN_KEYS[column - 1]}_{angle}")
+                font = theme.tabular_font(shown.font(), bold=column == 1)
+                font.setPixelSize(size)
+                shown.setFont(font)
+                # Keeps the width constant when the first numbers are shown.
+                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                shown.setAccessibleName(
+                    gettext(
+                        "Standard deviation of {angle} ({plan}), in {unit}",
+                        angle=named, plan=gettext(planning.PLAN_TITLES[column - 1]), unit=unit,
+                    )
+                )  # fmt: skip
+                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
+                labels[angle] = shown
+        grid.setColumnStretch(3, 1)
+        return grid
 
     def _show(self) -> None:
         """Show the values that need no computation."""

@@ -340,6 +340,17 @@ class SearchPanel(QScrollArea):
         self.message_label = widgets.label("", "hint", wrap=True, name="search_message")
         self.message_label.hide()
         self.error_label = widgets.label("", "error", wrap=True, name="search_mistake")
+        self._arrange()
+        self.read.clicked.connect(lambda: self.file_requested.emit())
+        self.clear_file.clicked.connect(self.limits.use_form)
+        self.find.clicked.connect(lambda: self.requested.emit())
+        self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
+        self.limits.changed.connect(self._check_limits)
+        workspace.changed.connect(self._check_limits)
+        self._check_limits()
+
+    def _arrange(self) -> None:
+        """Place the limits on the left, and all other fields and buttons on the right."""
         body = QWidget()
         left, right = QVBoxLayout(), QVBoxLayout()
         left.addWidget(self.limits)
@@ -365,24 +376,11 @@ class SearchPanel(QScrollArea):
         right.addStretch(1)
         both = QHBoxLayout(body)
         both.setSpacing(20)
-        for each in (
-            left,
-            right,
-            form,
-            files,
-            buttons,
-        ):  # else the outer spacing applies
+        for each in (left, right, form, files, buttons):  # else the outer spacing applies
             each.setSpacing(theme.SPACING)
         both.addLayout(left, 1)
         both.addLayout(right, 1)
         self.setWidget(body)
-        self.read.clicked.connect(lambda: self.file_requested.emit())
-        self.clear_file.clicked.connect(self.limits.use_form)
-        self.find.clicked.connect(lambda: self.requested.emit())
-        self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
-        self.limits.changed.connect(self._check_limits)
-        workspace.changed.connect(self._check_limits)
-        self._check_limits()
 
     @property
     def objective(self) -> PlanObjective:

@@ -103,6 +103,22 @@ class SystemPanel(QScrollArea):
                         "library"),
         )  # fmt: skip
         self.library.clicked.connect(lambda _=False: self.library_requested.emit())
+        self._arrange()
+        self._numbers = [
+            *self.position, *self.attitude, *self.times, self.flatness, self.pulses, self.profiles,
+            self.range_sigma, self.max_range, self.minutes,
+        ]  # fmt: skip
+        for field in self._numbers:
+            field.valueChanged.connect(lambda _v, field=field: self._edit(field.objectName()))
+        self.grade.activated.connect(self._set_pos_class)
+        self.model.activated.connect(lambda _k: self._edit("POS errors"))
+        self.facing.valueChanged.connect(self._turn_wall)
+        self.title.textEdited.connect(self._set_title)
+        workspace.changed.connect(self._show)
+        self._show()
+
+    def _arrange(self) -> None:
+        """Place the fields in the rows of a form."""
         form = QFormLayout()
         form.setFieldGrowthPolicy(form.FieldGrowthPolicy.FieldsStayAtSizeHint)
         self.title.setMinimumWidth(300)
@@ -126,18 +142,6 @@ class SystemPanel(QScrollArea):
         body = QWidget()
         body.setLayout(form)
         self.setWidget(body)
-        self._numbers = [
-            *self.position, *self.attitude, *self.times, self.flatness, self.pulses, self.profiles,
-            self.range_sigma, self.max_range, self.minutes,
-        ]  # fmt: skip
-        for field in self._numbers:
-            field.valueChanged.connect(lambda _v, field=field: self._edit(field.objectName()))
-        self.grade.activated.connect(self._set_pos_class)
-        self.model.activated.connect(lambda _k: self._edit("POS errors"))
-        self.facing.valueChanged.connect(self._turn_wall)
-        self.title.textEdited.connect(self._set_title)
-        workspace.changed.connect(self._show)
-        self._show()
 
     def _show(self) -> None:
         titled = self._work.titled

@@ -113,6 +113,36 @@ class ModelSettings(QWidget):
             self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
         self.loss.currentIndexChanged.connect(self.committed)
         form.addRow(gettext("Outliers"), self.loss)
+        self._add_noise_rows(form)
+        self.components = widgets.ChoiceBox(
+            "variance_components", [gettext(title) for _, title, _ in COMPONENT_CHOICES],
+            gettext(
+                "Estimate from the residuals a scale factor for the standard deviations of "
+                "LiDAR, POS position and POS attitude. With few sightings, the factors of the "
+                "POS are uncertain."
+            ),
+        )  # fmt: skip
+        for k, (_, _, tip) in enumerate(COMPONENT_CHOICES):
+            self.components.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
+        self.components.currentIndexChanged.connect(self.committed)
+        form.addRow(gettext("Variance components"), self.components)
+        self.accept_single_orientation = QCheckBox(gettext("Accept a single orientation"))
+        self.accept_single_orientation.setObjectName("accept_single_orientation")
+        self.accept_single_orientation.setToolTip(
+            gettext(
+                "Tick this if all targets are on one wall, or if there is only one target. The "
+                "angles are then separated only by the headings of the lines, and a bent or "
+                "moved target is not detected. A target with another inclination, or a sphere, "
+                "is better."
+            )
+        )
+        self.accept_single_orientation.toggled.connect(self.committed)
+        form.addRow(self.accept_single_orientation)
+        self._form = form
+        self._show_noise()
+
+    def _add_noise_rows(self, form: QFormLayout) -> None:
+        """Add the model of the LiDAR noise, and one row of fields for each model."""
         self.noise = widgets.ChoiceBox(
             "lidar_noise", [gettext(noise) for noise in NOISE_TITLES],
             gettext("Model of the LiDAR noise: one value, one value per axis, or range and "
@@ -147,32 +177,6 @@ class ModelSettings(QWidget):
         )
         for each in (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row):
             form.addRow("", each)
-        self.components = widgets.ChoiceBox(
-            "variance_components", [gettext(title) for _, title, _ in COMPONENT_CHOICES],
-            gettext(
-                "Estimate from the residuals a scale factor for the standard deviations of "
-                "LiDAR, POS position and POS attitude. With few sightings, the factors of the "
-                "POS are uncertain."
-            ),
-        )  # fmt: skip
-        for k, (_, _, tip) in enumerate(COMPONENT_CHOICES):
-            self.components.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
-        self.components.currentIndexChanged.connect(self.committed)
-        form.addRow(gettext("Variance components"), self.components)
-        self.accept_single_orientation = QCheckBox(gettext("Accept a single orientation"))
-        self.accept_single_orientation.setObjectName("accept_single_orientation")
-        self.accept_single_orientation.setToolTip(
-            gettext(
-                "Tick this if all targets are on one wall, or if there is only one target. The "
-                "angles are then separated only by the headings of the lines, and a bent or "
-                "moved target is not detected. A target with another inclination, or a sphere, "
-                "is better."
-            )
-        )
-        self.accept_single_orientation.toggled.connect(self.committed)
-        form.addRow(self.accept_single_orientation)
-        self._form = form
-        self._show_noise()
 
     def with_chosen_values(self, settings: Settings) -> Settings:
         """Settings with the values of these fields.

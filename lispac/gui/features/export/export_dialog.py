@@ -104,6 +104,32 @@ class ExportDialog(QDialog):
         self.folder = QLineEdit(str(project.folder / "export"))
         self.folder.setObjectName("export_folder")
         self.folder.setMinimumWidth(420)
+        self._arrange()
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(CHECK_DELAY_MS)
+        self._debounce.timeout.connect(self._check_input)
+        self.what.currentIndexChanged.connect(self._show_fields)
+        self.system.editTextChanged.connect(self._on_typed)
+        for field in (self.height, self.datum, self.epoch):
+            field.textChanged.connect(self._on_typed)
+        self.folder.textChanged.connect(self._check_input)
+        if project.result is None:
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
+            self.boresight.setEnabled(False)
+            self.boresight.setToolTip(
+                gettext(
+                    "Only the prior boresight can be used because no boresight has been estimated "
+                    "yet"
+                )
+            )
+        else:
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index(which))
+        self.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
+        self._show_fields()
+
+    def _arrange(self) -> None:
+        """Place the fields in a form above the buttons."""
         browse = widgets.button(gettext("Browse…"), "export_browse", icon="folder-open-outline")
         browse.clicked.connect(self._browse)
         place = QHBoxLayout()
@@ -138,28 +164,6 @@ class ExportDialog(QDialog):
         layout.addLayout(form)
         layout.addStretch(1)
         layout.addWidget(self.buttons)
-        self._debounce = QTimer(self)
-        self._debounce.setSingleShot(True)
-        self._debounce.setInterval(CHECK_DELAY_MS)
-        self._debounce.timeout.connect(self._check_input)
-        self.what.currentIndexChanged.connect(self._show_fields)
-        self.system.editTextChanged.connect(self._on_typed)
-        for field in (self.height, self.datum, self.epoch):
-            field.textChanged.connect(self._on_typed)
-        self.folder.textChanged.connect(self._check_input)
-        if project.result is None:
-            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
-            self.boresight.setEnabled(False)
-            self.boresight.setToolTip(
-                gettext(
-                    "Only the prior boresight can be used because no boresight has been estimated "
-                    "yet"
-                )
-            )
-        else:
-            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index(which))
-        self.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
-        self._show_fields()
 
     def request(self) -> ExportRequest:
         """The export as filled in."""

@@ -95,16 +95,32 @@ class SectionPanel(QWidget):
             gettext("Copy"), "section_copy",
             tip=gettext("Copy the section as shown to the clipboard"),
         )  # fmt: skip
+        self.text_label = widgets.label(
+            gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
+        )
+        self.enlarge = widgets.enlarge_button("enlarge_section")
+        self._arrange()
+        self.canvas: QWidget | None = None
+        self._is_low = self._is_narrow = True
+        self._drawn_proportion = 0.0
+        """Ratio of width to height of the figure for which the section was drawn."""
+        self.enlarge.toggled.connect(self.enlarged)
+        self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
+        self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
+        self.size.valueChanged.connect(lambda _value: self.changed.emit())
+        self.points.clicked.connect(lambda _on: self.points_requested.emit())
+        self.save_picture.clicked.connect(lambda _on: self.picture_requested.emit())
+        self.copy_picture.clicked.connect(lambda _on: self.copy_requested.emit())
+        self._allow_pictures(False)
+
+    def _arrange(self) -> None:
+        """Place the options on the left, and the text or the picture on the right."""
         buttons = QHBoxLayout()
         buttons.setSpacing(4)
         for each in (self.points, self.save_picture, self.copy_picture):
             buttons.addWidget(each)
-        self.text_label = widgets.label(
-            gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
-        )
         form = QFormLayout()
-        self.enlarge = widgets.enlarge_button("enlarge_section")
-        self.enlarge.toggled.connect(self.enlarged)
         head = QHBoxLayout()
         head.addWidget(self.through, 1)
         head.addWidget(self.enlarge)
@@ -134,18 +150,6 @@ class SectionPanel(QWidget):
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(16, 0, 16, 0)
         self.text_label.setMinimumWidth(MIN_TEXT_WIDTH_PX)
-        self.canvas: QWidget | None = None
-        self._is_low = self._is_narrow = True
-        self._drawn_proportion = 0.0
-        """Ratio of width to height of the figure for which the section was drawn."""
-        self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
-        self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
-        self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
-        self.size.valueChanged.connect(lambda _value: self.changed.emit())
-        self.points.clicked.connect(lambda _on: self.points_requested.emit())
-        self.save_picture.clicked.connect(lambda _on: self.picture_requested.emit())
-        self.copy_picture.clicked.connect(lambda _on: self.copy_requested.emit())
-        self._allow_pictures(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Make the titles smaller in a low panel, and shorten those of the cuts."""
