@@ -61,6 +61,15 @@ def folder(tmp_path: Path) -> Path:
         (lambda content: content.update(lines=5),
          error("content.invalid_part", part="list", reason=error("content.not_list"))),
         (lambda content: content.update(targets=5), error("content.wrong_type")),
+        *(
+            (lambda content, place=place: place(content).update(colour=3),
+             error("content.unknown_fields", part="list", names=["colour"]))
+            for place in (
+                lambda content: content["lines"][0],
+                lambda content: content["targets"][0],
+                lambda content: content["targets"][0]["sightings"][0],
+            )
+        ),
         (lambda content: content["targets"][0].update(role="ghost"),
          error("content.unknown_role", target="T1", role="ghost")),
         (lambda content: content["targets"][0].update(seed=["a", 1, 2]),
