@@ -32,6 +32,15 @@ from lispac.report.text_width import cut_to_width, largest_fitting_font_size, te
 
 Array = NDArray[np.float64]
 
+CAPTION = N_("{plane}: maps of the distances between two lines, before and after the calibration.")
+LARGEST_CAPTION = N_(
+    "{plane}: maps of the distances between two lines, before and after the calibration; "
+    "{shown:n} of {total:n} pairs of lines, those with the largest offsets after the calibration."
+)
+SOME_CAPTION = N_(
+    "{plane}: maps of the distances between two lines, before and after the calibration; "
+    "{shown:n} of {total:n} pairs of lines."
+)
 MAP_TITLES = N_("before\n{offset} mm"), N_("after\n{offset} mm")
 """Titles of a map: its state and the offset of the lines."""
 BAR_TITLES = N_("Before: deviation from offset (mm)"), N_("After: deviation from offset (mm)")
@@ -81,26 +90,38 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
     Both maps of a pair have the same axes, and all maps the same scale. A state with much smaller
     deviations has a finer colour scale; the title of its colour bar says so.
     """
-    return _draw_maps(plane, plane.maps, MAX_HEIGHT)
+    return _draw_maps(plane, _largest_maps(plane), MAX_HEIGHT)
 
 
 def map_row_figure_of(plane: ValidationPlane) -> Figure:
-    """Maps of the pairs with the largest offset and distances after, in one row."""
-    return _draw_maps(plane, _largest_maps(plane), MAX_ROW_HEIGHT)
+    """Maps of the pairs with the largest offsets after the calibration, in one row."""
+    return _draw_maps(plane, _largest_maps(plane, MAX_MAPS_IN_ROW), MAX_ROW_HEIGHT)
 
 
-def _largest_maps(plane: ValidationPlane) -> list[DistanceMapValues]:
-    farthest = max(
-        plane.maps, key=lambda each: abs(_offsets_of(plane, each)[1]), default=None
-    )  # fmt: skip
-    largest = sorted(
-        plane.maps, key=lambda each: (each is farthest, _rms_after(each)), reverse=True
-    )[:MAX_MAPS_IN_ROW]
-    return [each for each in plane.maps if each in largest]
+def map_caption(plane: ValidationPlane, count: int | None = None) -> str:
+    """Caption of up to ``count`` maps of a plane, which says of which pairs of lines they are.
+
+    Results of earlier versions may contain maps of other pairs than those with the largest offsets.
+    """
+    shown = _largest_maps(plane, count)
+    mapped = {(each.line_a, each.line_b) for each in shown}
+    others = [
+        pair.absolute_offset_m or 0.0
+        for pair in plane.pairs
+        if (pair.line_a, pair.line_b) not in mapped
+    ]
+    if not others:
+        text = CAPTION
+    elif min(abs(_offsets_of(plane, each)[1]) for each in shown) >= max(others):
+        text = LARGEST_CAPTION
+    else:
+        text = SOME_CAPTION
+    return gettext(text, plane=plane.name, shown=len(shown), total=len(plane.pairs))
 
 
-def _rms_after(values: DistanceMapValues) -> float:
-    return float(np.sqrt(np.mean(np.square(values.after_m))))
+def _largest_maps(plane: ValidationPlane, count: int | None = None) -> list[DistanceMapValues]:
+    """Up to ``count`` maps, the largest offset of the two lines after the calibration first."""
+    return sorted(plane.maps, key=lambda each: -abs(_offsets_of(plane, each)[1]))[:count]
 
 
 def _offsets_of(plane: ValidationPlane, values: DistanceMapValues) -> tuple[float, float]:

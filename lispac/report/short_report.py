@@ -1,7 +1,7 @@
 """The short report: result, validation, signatures, system and pictures on a few pages.
 
-All errors and warnings are complete. Of a large survey, the validation planes with the largest RMS
-and the first notes are shown, with a sentence on what is omitted.
+All errors and warnings are complete. Of a large survey, the validation planes that fail or have the
+largest RMS and the first notes are shown, with a sentence on what is omitted.
 """
 
 from collections.abc import Sequence
@@ -139,8 +139,8 @@ def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> li
     blocks = sections.validation_summary(content, planes)
     if len(planes) < len(content.validation):
         omitted = gettext(
-            "The {shown:n} planes with the largest RMS after the calibration are shown. The full "
-            "report contains all {total:n} planes.",
+            "{shown:n} of {total:n} planes are shown: first those that fail, then those with the "
+            "largest RMS after the calibration. The full report contains all.",
             shown=len(planes), total=len(content.validation),
         )  # fmt: skip
         blocks.insert(1, Paragraph(omitted))
@@ -173,8 +173,8 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     ]
     if small and len(small) < 2 * len(content.validation):
         pictured = gettext(
-            "Pictures of {shown:n} of {total:n} validation planes are shown, those with the "
-            "largest RMS after the calibration.",
+            "Pictures of {shown:n} of {total:n} validation planes are shown: first those that "
+            "fail, then those with the largest RMS after the calibration.",
             shown=len(small) // 2, total=len(content.validation),
         )  # fmt: skip
         blocks.append(Paragraph(pictured))
@@ -187,8 +187,8 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     blocks += [PictureRows(((_map(plane),),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
     if len(shown) < len(mapped):
         omitted = gettext(
-            "Maps of {shown:n} of {total:n} validation planes are shown, those with the largest "
-            "RMS after the calibration. The full report contains all.",
+            "Maps of {shown:n} of {total:n} validation planes are shown: first those that fail, "
+            "then those with the largest RMS after the calibration. The full report contains all.",
             shown=len(shown), total=len(mapped),
         )  # fmt: skip
         blocks.append(Paragraph(omitted))
@@ -238,14 +238,6 @@ def _histogram(plane: ValidationPlane) -> UndrawnPictures:
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:
-    from lispac.report.distance_maps import MAX_MAPS_IN_ROW, map_row_figure_of
+    from lispac.report.distance_maps import MAX_MAPS_IN_ROW, map_caption, map_row_figure_of
 
-    shown, total = min(len(plane.maps), MAX_MAPS_IN_ROW), len(plane.pairs)
-    caption = gettext("{plane}: before and after the calibration.", plane=plane.name)
-    if shown < len(plane.maps):
-        caption = gettext(
-            "{plane}: before and after the calibration; {shown:n} of {total:n} pairs of lines, "
-            "those with the largest offset and distances after it.",
-            plane=plane.name, shown=shown, total=total,
-        )  # fmt: skip
-    return UndrawnPictures(caption, map_row_figure_of, (plane,))
+    return UndrawnPictures(map_caption(plane, MAX_MAPS_IN_ROW), map_row_figure_of, (plane,))

@@ -87,10 +87,6 @@ MAP_LEGEND_TEXT = N_(
     "two lines, positive where the first line is nearer to the vessel; colours show the deviation "
     "from it (red: nearer, blue: farther away, grey: too few points)."
 )
-MAPPED_PAIRS_TEXT = N_(
-    "Mapped: the pair of lines with the largest offset after the calibration, and reciprocal pairs."
-)
-MAP_CAPTION = N_("{plane}: maps of the distances between two lines.")
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
     "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
@@ -139,7 +135,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         *_acceptance_blocks(content.acceptance),
     ]
     if any(plane.maps for plane in content.validation):
-        blocks += [Paragraph(gettext(each)) for each in (MAP_LEGEND_TEXT, MAPPED_PAIRS_TEXT)]
+        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     blocks += map(_plane_figures, content.validation)
     blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
@@ -180,7 +176,7 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
 
 def _plane_figures(plane: ValidationPlane) -> PictureRows:
     """Histogram, profiles and maps of one plane."""
-    from lispac.report.distance_maps import map_figure_of
+    from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
@@ -193,9 +189,7 @@ def _plane_figures(plane: ValidationPlane) -> PictureRows:
         caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
         figures.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
-        figures.append(
-            UndrawnPictures(gettext(MAP_CAPTION, plane=plane.name), map_figure_of, (plane,))
-        )
+        figures.append(UndrawnPictures(map_caption(plane), map_figure_of, (plane,)))
     return PictureRows(tuple((each,) for each in figures))
 
 

@@ -228,7 +228,8 @@ class PlaneComparison:
     by_height, by_range : DistanceProfile, optional
         Distances against height and against range from the scanner.
     maps : tuple of DistanceMap
-        Signed distances over the plane, for the pair with the largest offset and reciprocal pairs.
+        Signed distances over the plane, for the pairs with the largest offsets after the
+        calibration. Comparisons of earlier versions have reciprocal pairs among them.
     shifts : tuple of LineShift
         Of each line, and of groups of lines, after the calibration. Empty in comparisons of earlier
         versions.

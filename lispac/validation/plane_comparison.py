@@ -282,10 +282,11 @@ class _ComparedLines:
         )
 
     def distance_maps(self, pairs: Sequence[PairComparison]) -> tuple[DistanceMap, ...]:
-        """Maps of the distances of some pairs."""
-        maps = []
-        for k in _pairs_to_map(pairs):
-            pair = pairs[k]
+        """Maps of up to `MAX_MAPS` pairs, the largest offset after the calibration first."""
+        maps: list[DistanceMap] = []
+        for pair in sorted(pairs, key=_offset_after, reverse=True):
+            if len(maps) == MAX_MAPS:
+                break
             a, b = pair.line_a, pair.line_b
             before, after = self.clouds
             mapped = distance_map(
@@ -366,19 +367,9 @@ def _modes_of_pair(
     return find_two_modes(most, float(np.hypot(errors.variation(a), errors.variation(b))))
 
 
-def _pairs_to_map(pairs: Sequence[PairComparison]) -> list[int]:
-    """Indices of the pairs with a map, in the order of the pairs.
-
-    They are the pair with the largest offset after the calibration and reciprocal pairs, or any
-    pairs if there are no reciprocal ones, those with the largest offsets first.
-    """
-    any_reciprocal = any(pair.reciprocal for pair in pairs)
-    offsets = [
-        0.0 if pair.after.signed is None else abs(pair.after.signed.median) for pair in pairs
-    ]
-    by_offset = sorted(range(len(pairs)), key=lambda k: -offsets[k])
-    others = [k for k in by_offset[1:] if pairs[k].reciprocal or not any_reciprocal]
-    return sorted([by_offset[0], *others[: MAX_MAPS - 1]])
+def _offset_after(pair: PairComparison) -> float:
+    """Absolute offset of the lines after the calibration, metres; -1 if it is not known."""
+    return -1.0 if pair.after.signed is None else abs(pair.after.signed.median)
 
 
 @dataclass(frozen=True, eq=False)

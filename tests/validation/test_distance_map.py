@@ -13,10 +13,17 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
-from lispac.language import in_language
+from lispac.language import gettext, in_language
 from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
-from lispac.report.distance_maps import map_figure_of, map_row_figure_of
+from lispac.report.distance_maps import (
+    CAPTION,
+    LARGEST_CAPTION,
+    SOME_CAPTION,
+    map_caption,
+    map_figure_of,
+    map_row_figure_of,
+)
 from lispac.report.text_width import text_width
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
@@ -92,27 +99,37 @@ def mapped_pairs(plane: PlaneComparison) -> set[tuple[str, str]]:
     return {(each.line_a, each.line_b) for each in plane.maps}
 
 
-def test_a_comparison_maps_its_reciprocal_pairs_and_that_with_the_largest_offset() -> None:
-    clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3), "L4": wall(4)}
+def test_the_pairs_with_the_largest_offsets_are_mapped_and_the_caption_says_so() -> None:
+    clouds = {f"L{k}": wall(k) for k in range(1, 5)}
     headings = OPPOSITE | {"L3": 0.1, "L4": 1.5}
-    reciprocal = {("L1", "L2"), ("L2", "L3")}
-    moved = clouds | {"L3": wall(3) + [0, 0.02, 0], "L4": wall(4) - [0, 0.03, 0]}
+    shifts = {"L1": 0.0, "L2": 0.02, "L3": 0.05, "L4": -0.03}
+    moved = {name: points + [0.0, shifts[name], 0.0] for name, points in clouds.items()}
     found = compare_plane("V1", clouds, moved, headings, facing=TO_VESSEL)
-    assert mapped_pairs(found) == reciprocal | {("L3", "L4")}
-    small = map_row_figure_of(ValidationPlane.of(found))
-    titles = [text.get_text() for text in small.texts]
+    by_offset = sorted(
+        ((pair.line_a, pair.line_b) for pair in found.pairs),
+        key=lambda pair: -abs(shifts[pair[0]] - shifts[pair[1]]),
+    )
+    # L3 - L4: 80 mm, L1 - L3 and L2 - L4: 50 mm each
+    assert mapped_pairs(found) == set(by_offset[:4])
+    plane = ValidationPlane.of(found)
+    titles = [text.get_text() for text in map_row_figure_of(plane).texts]
     assert any("L3" in title and "L4" in title for title in titles)
 
+    def caption(template: str, shown: int) -> str:
+        return gettext(template, plane="V1", shown=shown, total=6)
 
-def test_without_reciprocal_pairs_those_with_the_largest_offsets_are_mapped() -> None:
-    clouds = {f"L{k}": wall(k) for k in range(1, 5)}
-    same = dict.fromkeys(clouds, 0.0)
-    three = {k: clouds[k] for k in ("L1", "L2", "L3")}
-    assert len(compare_plane("V1", three, three, same, facing=TO_VESSEL).maps) == 3
-    moved = clouds | {"L4": wall(4) + [0, 0.05, 0]}
-    found = compare_plane("V1", clouds, moved, same, facing=TO_VESSEL)
-    assert len(found.maps) == 4
-    assert {("L1", "L4"), ("L2", "L4"), ("L3", "L4")} <= mapped_pairs(found)
+    assert map_caption(plane) == caption(LARGEST_CAPTION, 4)
+    assert map_caption(plane, 2) == caption(LARGEST_CAPTION, 2)
+    # An earlier version mapped reciprocal pairs with smaller offsets.
+    earlier = replace(plane, maps=plane.maps[1:])
+    assert map_caption(earlier, 2) == caption(SOME_CAPTION, 2)
+
+
+def test_all_pairs_of_few_lines_are_mapped() -> None:
+    clouds = {f"L{k}": wall(k) for k in range(1, 4)}
+    found = compare_plane("V1", clouds, clouds, dict.fromkeys(clouds, 0.0), facing=TO_VESSEL)
+    assert len(found.maps) == 3
+    assert map_caption(ValidationPlane.of(found)) == gettext(CAPTION, plane="V1")
 
 
 def images(figure: Figure) -> list[tuple[str, np.ndarray, tuple[float, float]]]:
