@@ -47,7 +47,8 @@ FILES_TABLE = Table[InputFile](
 class PickedPlane:
     """Picked target or validation plane.
 
-    ``sphere_radius_m`` is None for a plane or an unknown radius; ``radius_m`` is the search radius.
+    ``seed_local_m`` is north, west, up from the origin of the local frame. ``sphere_radius_m`` is
+    None for a plane or an unknown radius; ``radius_m`` is the search radius.
     """
 
     name: str
@@ -114,7 +115,10 @@ def planes_table(lines: int) -> Table[PickedPlane]:
 
 @dataclass(frozen=True)
 class LineValues:
-    """One line of the survey."""
+    """One line of the survey.
+
+    ``track_local_m`` are places of the vessel: north and west from the origin of the local frame.
+    """
 
     name: str
     file: str
