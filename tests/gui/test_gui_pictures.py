@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImage
+from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
@@ -14,9 +14,9 @@ from lispac.gui.appearance import units
 from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.inspect.picture_export import NO_SECTION_TEXT
 from lispac.gui.features.pick_targets.sightings_table import EDITED_SYMBOL
-from lispac.gui.viewport.base import PointColouring
-from lispac.gui.viewport.camera import ViewportSize
-from lispac.gui.viewport.overlay import OverlaidView, free_label_place
+from lispac.gui.viewport.base import Marker, PointColouring
+from lispac.gui.viewport.camera import Camera, ViewportSize
+from lispac.gui.viewport.overlay import OverlaidPicture, OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
 from tests.support.view_scenes import scene
 
@@ -190,6 +190,32 @@ def test_labels_stay_in_the_picture(qapp) -> None:
     metrics, picture = QFontMetricsF(qapp.font()), QRectF(0.0, 0.0, 400.0, 300.0)
     for spot in (QPointF(3.0, 3.0), QPointF(397.0, 3.0), QPointF(397.0, 297.0)):
         assert picture.contains(free_label_place(spot, metrics, "V12", [], picture))
+
+
+def test_only_points_in_the_picture_have_labels_and_these_are_whole(qapp) -> None:
+    stage, size = OverlaidView(), ViewportSize(400.0, 300.0)
+    overlay = stage.overlay
+    picture = QRectF(0.0, 0.0, size.width, size.height)
+    camera = Camera(np.zeros(3), 0.0, 0.0, 20.0, parallel=True)
+    overlay.pictures = [OverlaidPicture(picture, camera)]
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+
+    def boxes(pixels: list[tuple[float, float]]) -> list[QRectF]:
+        overlay.markers = [
+            Marker(f"Target {k}", tuple(camera.point_at(x, y, 20.0, size)), (200, 0, 0))
+            for k, (x, y) in enumerate(pixels)
+        ]
+        painter = QPainter(image)
+        overlay.paint(painter, scale=1.0)
+        painter.end()
+        return list(overlay.label_boxes)
+
+    corners = [(2.0, 2.0), (398.0, 2.0), (398.0, 298.0), (2.0, 298.0)]
+    middle = [(200.0 + 3.0 * k, 4.0) for k in range(12)]
+    found = boxes([*corners, *middle])
+    assert len(found) == 16
+    assert all(picture.contains(box) for box in found)
+    assert boxes([(-4.0, 150.0), (404.0, 150.0), (200.0, -4.0), (200.0, 304.0)]) == []
 
 
 def test_labels_of_targets_do_not_overlap_the_colour_scale(qapp) -> None:

@@ -244,7 +244,8 @@ class Overlay(QWidget):
         occupied = [*self.occupied(size), *dots]
         for k in np.argsort(spots[:, 2]):
             x, y, depth = spots[k]
-            if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
+            # The label of a point outside the picture would have a line to nowhere.
+            if depth > 0.0 and picture.contains(x, y):
                 spot = QPointF(x, y)
                 crowded = has_right_neighbour(spots[:, :2], k)
                 box = free_label_place(
@@ -424,7 +425,7 @@ def free_label_place(
 
     Parameters
     ----------
-    picture : rectangle that the label should not leave
+    picture : rectangle that the label does not leave
     leftwards : whether the upper left is preferred instead
     """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
@@ -436,14 +437,21 @@ def free_label_place(
         for y in (above, below):
             for x in (left, right) if leftwards else (right, left):
                 box = QRectF(x, y, width, height)
-                covered = sum(_area(box.intersected(other)) for other in occupied)
                 if picture is not None:
-                    covered += _area(box) - _area(box.intersected(picture))
+                    box = _moved_into(box, picture)
+                covered = sum(_area(box.intersected(other)) for other in occupied)
                 if covered < least:
                     least, found = covered, box
                 if covered == 0.0:
                     return box
     return found
+
+
+def _moved_into(box: QRectF, picture: QRectF) -> QRectF:
+    """Box moved by the least distance into a picture; its left and top if it is larger."""
+    left = max(min(box.left(), picture.right() - box.width()), picture.left())
+    top = max(min(box.top(), picture.bottom() - box.height()), picture.top())
+    return QRectF(left, top, box.width(), box.height())
 
 
 def _area(rect: QRectF) -> float:
