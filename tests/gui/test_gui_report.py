@@ -368,7 +368,7 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
         if each.name in compared or (extent == "full" and each.role == "target")
     ]
     assert compared & set(targets)
-    views = ["Overview", *(f"{name} seen obliquely" for name in targets)]
+    views = ["Overview", *(f"{name} seen at 60° to its normal" for name in targets)]
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     captions = re.findall(r"<figcaption>([^<]*) the calibration<", text)
     assert captions == [f"{view}, {when}" for view in views for when in ("before", "after")]
@@ -428,7 +428,7 @@ def test_real_pictures_show_the_calibration_of_a_validation_plane(
         grey = image.convertToFormat(QImage.Format.Format_Grayscale8)
         pictures[caption] = np.frombuffer(grey.constBits(), np.uint8).astype(int)
     (name,) = (plane.name for plane in validated.validation)
-    for view in ("Overview", f"{name} seen obliquely"):
+    for view in ("Overview", f"{name} seen at 60° to its normal"):
         before, after = (
             pictures[f"{view}, {when} the calibration"] for when in ("before", "after")
         )

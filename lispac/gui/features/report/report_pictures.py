@@ -15,7 +15,7 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Array, Marker, Viewport
 from lispac.gui.viewport.clipping import Box
-from lispac.language import LazyText, gettext, gettext_lazy
+from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.project import Project, Target
 from lispac.report.options import Extent
 from lispac.report.short_report import MAX_PICTURED_PLANES
@@ -185,16 +185,24 @@ def _views(
             continue
         yield _View(
             {
-                "prior": gettext_lazy(
-                    "{name} seen obliquely, before the calibration", name=target.name
-                ),
-                "estimated": gettext_lazy(
-                    "{name} seen obliquely, after the calibration", name=target.name
-                ),
+                which: gettext_lazy(text, name=target.name, angle=round(OBLIQUE_ANGLE_DEG))
+                for which, text in _captions_of(target).items()
             },
             np.concatenate([points for groups in placed for points in groups]),
             common_normal(placed[1]),
         )
+
+
+def _captions_of(target: Target) -> Mapping[PriorOrEstimated, str]:
+    if target.shape == "sphere":  # seen from any side, it looks the same
+        return {
+            "prior": N_("{name}, before the calibration"),
+            "estimated": N_("{name}, after the calibration"),
+        }
+    return {
+        "prior": N_("{name} seen at {angle}° to its normal, before the calibration"),
+        "estimated": N_("{name} seen at {angle}° to its normal, after the calibration"),
+    }
 
 
 def oblique_direction(normal: Array) -> Array:
