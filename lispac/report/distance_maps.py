@@ -10,7 +10,6 @@ from math import ceil
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
@@ -25,6 +24,7 @@ from lispac.report.figures import (
     TEXT_SIZE,
     LocalisedFormatter,
     blank_figure,
+    set_fitting_ticks,
     short_name,
     style_axes,
 )
@@ -59,9 +59,6 @@ PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
 MAX_BAR_TICKS = 5
 """Largest number of intervals of a colour bar."""
-INCHES_PER_TICK, MAX_TICKS = 0.3, 4
-"""Length that the number of a tick needs, and the largest number of intervals; a shorter axis has
-one tick at its end."""
 MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
 """Margin at the right of a pair of maps, and the distance between its maps, inches."""
 MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM = 5.0, 5.0, 4.2
@@ -226,8 +223,8 @@ def _draw_maps(
             style_axes(axes, "", gettext(each.axis_titles[1]) if is_outer else "")
             axes.yaxis.label.set_fontsize(SMALL_TEXT_SIZE)
             axes.grid(False)
-            _set_ticks(axes.xaxis, drawn.extent[:2], arrangement.scale)
-            _set_ticks(axes.yaxis, drawn.extent[2:], arrangement.scale)
+            for axis in (axes.xaxis, axes.yaxis):
+                set_fitting_ticks(axis, shortest_number)
             axes.tick_params(labelsize=SMALL_TEXT_SIZE, labelleft=is_left)
             axes.set_title(drawn.title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, pad=3)
         _draw_pair_texts(figure, row, each, pair_width)
@@ -291,17 +288,6 @@ def _draw_map(axes: Axes, drawn: _Map, limit: float) -> None:
         extent=drawn.extent, aspect="equal", interpolation="none",
     )  # fmt: skip
     axes.set_facecolor("#dddddd")
-
-
-def _set_ticks(axis: Axis, ends: tuple[float, float], scale: float) -> None:
-    """Set as many ticks as their numbers have space for."""
-    low, high = ends
-    intervals = min(MAX_TICKS, int((high - low) * scale / INCHES_PER_TICK))
-    if intervals >= 2:
-        axis.set_major_locator(MaxNLocator(intervals))
-    else:
-        tenths = int(10 * high + 1e-6)
-        axis.set_ticks([tenths / 10 if tenths > 10 * low else high])
 
 
 def _draw_pair_texts(

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
 from io import BytesIO
 from itertools import pairwise
+from math import ceil, floor, log10
 from pathlib import Path
 
 import matplotlib
@@ -16,10 +17,11 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
-from matplotlib.ticker import ScalarFormatter
+from matplotlib.ticker import Locator, ScalarFormatter
 from matplotlib.transforms import Transform, offset_copy
 from numpy.typing import ArrayLike, NDArray
 
@@ -34,7 +36,7 @@ from lispac.present.text_format import (
     parameter_name,
     signed_number,
 )
-from lispac.report.text_width import text_width
+from lispac.report.text_width import POINTS_PER_INCH, text_width
 
 Array = NDArray[np.float64]
 
@@ -49,6 +51,13 @@ TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
 MAX_SIGHTINGS_PER_FIGURE = 20
 """Largest number of sightings in a bar chart, which is then half as high as a page."""
+
+SIMPLE_STEPS, OTHER_STEPS = (1.0, 2.0, 2.5, 5.0), (1.5, 3.0, 4.0, 6.0, 8.0)
+"""Steps of ticks up to powers of ten; the others are used if none of the simple ones fits."""
+MIN_TICKS, MAX_TICKS = 3, 6
+"""Smallest number of ticks that a short axis has if they fit, and the largest."""
+TICK_GAP = 0.3
+"""Smallest gap between two tick labels, as a share of their font size."""
 
 MAX_LABEL_LENGTH = 24
 """Largest number of characters of a name in a figure."""
@@ -332,6 +341,66 @@ def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
     for axis in (axes.xaxis, axes.yaxis):
         if isinstance(axis.get_major_formatter(), ScalarFormatter):
             axis.set_major_formatter(LocalisedFormatter())
+
+
+class FittingLocator(Locator):
+    """Locator of as many round tick values as a short axis has space for, three if possible.
+
+    Parameters
+    ----------
+    ticked : axis of the ticks
+    text : function of a value that returns its label
+    """
+
+    def __init__(self, ticked: Axis, text: Callable[[float], str]) -> None:
+        self._ticked, self._text = ticked, text
+
+    def __call__(self) -> list[float]:
+        """Tick values of the visible range."""
+        return self.tick_values(*self._ticked.get_view_interval())
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        """Tick values from ``vmin`` to ``vmax``; simple steps first, the finest that fits."""
+        low, high = sorted((vmin, vmax))
+        found: list[float] = []
+        for factors in (SIMPLE_STEPS, OTHER_STEPS):
+            for values in _tick_lists(low, high, factors):
+                if len(values) > len(found) and self._fits(values, high - low):
+                    found = values
+            if len(found) >= MIN_TICKS:
+                break
+        return found
+
+    def _fits(self, values: Sequence[float], extent: float) -> bool:
+        """Whether the labels of equidistant values do not touch."""
+        axes, is_horizontal = self._ticked.axes, self._ticked is self._ticked.axes.xaxis
+        pixels = axes.bbox.width if is_horizontal else axes.bbox.height
+        inches = pixels / axes.figure.dpi * (values[-1] - values[0]) / extent
+        gap = SMALL_TEXT_SIZE / POINTS_PER_INCH
+        sizes = (
+            [text_width(self._text(value), SMALL_TEXT_SIZE) for value in values]
+            if is_horizontal
+            else [gap] * len(values)
+        )
+        needed = [(a + b) / 2 + TICK_GAP * gap for a, b in pairwise(sizes)]
+        return all(inches / (len(values) - 1) >= each for each in needed)
+
+
+def set_fitting_ticks(axis: Axis, text: Callable[[float], str]) -> None:
+    """Set ticks that fit on a short axis, with labels by ``text``."""
+    axis.set_major_locator(FittingLocator(axis, text))
+    axis.set_major_formatter(lambda value, _: text(value))
+
+
+def _tick_lists(low: float, high: float, factors: Sequence[float]) -> list[list[float]]:
+    """Multiples of round steps in a range, 2 to `MAX_TICKS` of them."""
+    power = floor(log10(high - low)) if high > low else 0
+    lists = []
+    for step in (factor * 10.0**exponent for exponent in (power - 1, power) for factor in factors):
+        first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
+        if 2 <= last - first + 1 <= MAX_TICKS:
+            lists.append([float(f"{k * step:.10g}") for k in range(first, last + 1)])
+    return lists
 
 
 class LocalisedFormatter(ScalarFormatter):

@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
@@ -23,6 +22,7 @@ from lispac.report.figures import (
     TEXT_SIZE,
     blank_figure,
     draw_title_and_legend,
+    set_fitting_ticks,
     short_name,
     style_axes,
 )
@@ -120,8 +120,9 @@ def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: 
         counted = _binned_distances(plane)
         amount = gettext("Share of the points\n(% per mm)") if axes is places[0] else ""
         style_axes(axes, "", amount)
-        axes.xaxis.set_major_locator(MaxNLocator(2 if is_narrow else 3))
         _HistogramBars(axes, counted, share=True).show(float(np.asarray(counted.edges)[-1]))
+        for axis in (axes.xaxis, axes.yaxis):
+            set_fitting_ticks(axis, _count_text)
         axes.set_title(short_name(plane.name), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
     # One label for all, which would not fit below each of them
     figure.supxlabel(gettext("Distance (mm)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
