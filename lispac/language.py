@@ -11,9 +11,11 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   ``deg``: an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of
   bytes in megabytes; ``x``: a number without a unit. Without a number of decimals, three
   significant digits are written, or all digits before the decimal sign if there are more; ``+``
-  always writes the sign. The unit itself is part of the text. The window may show ``m``, ``mm``
-  and, with three or more decimals, ``deg`` in another unit (`use_units`); the sign after the number
-  is then replaced. Headings and inclinations have fewer decimals and remain in degrees.
+  always writes the sign. A positive ratio that would be rounded to zero is written as less than
+  the smallest number with these decimals: ``< 0.1``. The unit itself is part of the text. The
+  window may show ``m``, ``mm`` and, with three or more decimals, ``deg`` in another unit
+  (`use_units`); the sign after the number is then replaced. Headings and inclinations have fewer
+  decimals and remain in degrees.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
@@ -48,6 +50,8 @@ _MIN_PLAIN_NUMBER, _MAX_PLAIN_NUMBER = 1e-9, 1e15
 """Limits of the absolute value of numbers written without an exponent; the lower one applies only
 if no number of decimals is given."""
 
+LESS_THAN = "<\u00a0"
+"""Sign before the upper limit of a share that is too small for its number of decimals."""
 _UNIT_SIGNS: Mapping[str, re.Pattern[str]] = {
     "m": re.compile("[ \u00a0\u202f]?(?:m|metres|mètres)(?![\\w²³/])"),
     "mm": re.compile("[ \u00a0\u202f]?(?:mm|millimetres|millimètres)(?![\\w²³/])"),
@@ -249,6 +253,11 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     return _formatted_number(value, pattern, _LOCALES[current_language()])
 
 
+def is_rounded_to_zero(value: float, decimals: int) -> bool:
+    """Whether a positive value is zero with this number of decimals."""
+    return value > 0.0 and not float(f"{value:.{decimals}f}")
+
+
 def without_negative_zero(value: float, decimals: int) -> float:
     """Value, or 0.0 if it is zero with this number of decimals; zeros have no minus sign."""
     return value if float(f"{value:.{decimals}f}") else 0.0
@@ -345,6 +354,8 @@ class TextFormatter(Formatter):
                 shown = _shown_units[unit]
                 scaled *= shown.factor
                 decimals = None if decimals is None else max(0, decimals + shown.finer)
+            if unit == "percent" and decimals is not None and is_rounded_to_zero(scaled, decimals):
+                return LESS_THAN + number(10.0**-decimals, decimals)
             return number(scaled, decimals, sign=format_spec.endswith("+"))
         if format_spec:
             raise ValueError(f"no format specification {format_spec!r}")

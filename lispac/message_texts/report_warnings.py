@@ -144,12 +144,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(
-        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.5}°, "
-        "the limit is {limit:deg.5}°. Add targets or lines."
+        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.4}°, "
+        "the limit is {limit:deg.4}°. Add targets or lines."
     ),
     "acceptance.rms": N_(
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
-        "between the lines after the calibration is {rms:mm.2} mm, the limit is {limit:mm.2} mm."
+        "between the lines after the calibration is {rms:mm.1} mm, the limit is {limit:mm.1} mm."
     ),
     "acceptance.p95": N_(
         "Acceptance criterion not met: on validation plane {target} 5 % of the distances between "
@@ -158,7 +158,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.offset": N_(
         "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
-        "{other} after the calibration is {offset:mm.2} mm, the limit is {limit:mm.2} mm."
+        "{other} after the calibration is {offset:mm.1} mm, the limit is {limit:mm.1} mm."
     ),
     "acceptance.cause_geometry": N_(
         "Probable cause: the targets and lines do not determine {angles:names} precisely enough. "

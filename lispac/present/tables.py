@@ -4,7 +4,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Literal, TypeVar
 
-from lispac.language import N_, LazyText, gettext, without_negative_zero
+from lispac.language import (
+    LESS_THAN,
+    N_,
+    LazyText,
+    gettext,
+    is_rounded_to_zero,
+    without_negative_zero,
+)
 from lispac.messages import Message
 from lispac.present.text_format import (
     UNKNOWN_TEXT,
@@ -54,6 +61,8 @@ class Format:
     def text(self, value: float) -> str:
         """The number in the language in use, without its unit."""
         shown = self.factor * value
+        if self.unit == "%" and is_rounded_to_zero(shown, self.decimals):
+            return LESS_THAN + fixed_number(10.0**-self.decimals, self.decimals)
         if self.is_half_interval:
             return interval_text(fixed_number(shown, self.decimals))
         if self.is_signed or not self.is_grouped:

@@ -576,7 +576,7 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         *distance_columns("before", "after"),
         Column("largest_offset_before_m", N_("Largest\noffset\nbefore"), PLAIN_MILLIMETRES),
         Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
-        Column("largest_offset_lines", N_("after,\nbetween")),
+        Column("largest_offset_lines", N_("Between\nlines")),
     ),
 )
 RECIPROCAL_PAIRS_TEXT = N_(

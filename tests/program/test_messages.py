@@ -31,6 +31,7 @@ from lispac.messages import (
     sort_by_level,
     warning,
 )
+from lispac.present.tables import PERCENT
 from lispac.value_conversion import decode_value, encode_value
 from lispac.warning_causes import Cause
 from tests.support.message_calls import calls, is_part, message_levels, trees
@@ -61,6 +62,18 @@ def sample_params(template: Template) -> dict[str, object]:
         if name
     }
     return found if isinstance(template, str) else {"count": 3, **found}
+
+
+@pytest.mark.parametrize(
+    ("share", "text", "cell"),
+    [
+        (0.0, "0.00", "0"), (4e-5, "<\u00a00.01", "<\u00a01"), (5.1e-5, "0.01", "<\u00a01"),
+        (0.02, "2.00", "2"),
+    ],
+)  # fmt: skip
+def test_a_small_share_is_not_rounded_to_zero(share: float, text: str, cell: str) -> None:
+    assert format_text("{share:percent.2} %", {"share": share}) == f"{text} %"
+    assert PERCENT.text(share) == cell
 
 
 def test_values_are_formatted_by_unit_and_language() -> None:

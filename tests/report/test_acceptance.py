@@ -10,13 +10,17 @@ import pytest
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_to_show
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.acceptance import (
+    LIMIT_COLUMN,
+    MEASURED_COLUMN,
     AcceptanceValues,
     calibration_verdict_text,
     decisive_checks,
     failed_texts,
 )
+from lispac.present.tables import cell_text
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.content import ReportContent
@@ -251,6 +255,20 @@ def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Proj
     assert values["criteria"]["source"] == "Contract 4.2"
     assert {each["unit"] for each in values["checks"]} == {"deg", "m"}
     assert len(values["planes"]) == len(project.validation)
+
+
+def test_warnings_and_table_give_a_value_with_the_same_decimals(project: Project) -> None:
+    content = content_with(project, rms=1.23456e-3, offset=1.23456e-4, yaw_sigma_deg=0.00123)
+    failed = [each for each in content.acceptance.checks if each.verdict == "fail"]
+    assert {each.quantity for each in failed} == {"rms", "offset", "yaw"}
+    texts = [message_text(each).replace(" deg", "°") for each in content.warnings
+             if each.code.startswith("acceptance.")]  # fmt: skip
+    for check in failed:
+        numbers = [
+            cell_text(column, check).replace("\u00a0", " ").replace(" deg", "°")
+            for column in (MEASURED_COLUMN, LIMIT_COLUMN)
+        ]
+        assert any(all(number in text for number in numbers) for text in texts), numbers
 
 
 def test_the_table_of_planes_gives_the_largest_offset_and_its_lines(project: Project) -> None:

@@ -29,7 +29,7 @@ from lispac.report.document_blocks import (
     SignatureLines,
     Table,
 )
-from lispac.report.options import EXTENTS, PAGE_SIZES, Page, ReportOptions
+from lispac.report.options import EXTENTS, PAGE_SIZES, Extent, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
 from lispac.report.short_report import MAX_NOTES, MAX_PICTURED_PLANES, MAX_PLANES
 from tests.report.test_identity import FULL
@@ -239,6 +239,25 @@ def test_degrees_are_written_in_one_way_in_print(project: Project, tmp_path: Pat
         text = _pdf_text(tmp_path / "r.pdf")
         assert "°" in text
         assert not re.search(r"\bdeg\b", text)
+
+
+@pytest.mark.parametrize("extent", EXTENTS)
+def test_lines_of_a_note_are_nearer_to_each_other_than_to_the_next_note(
+    project: Project, tmp_path: Path, extent: Extent
+) -> None:
+    content = _survey_content(project)
+    words = ("alpha", "beta")
+    notes = tuple(note("report.not_compared", reason=" ".join([word] * 40)) for word in words)
+    write_pdf(
+        replace(content, warnings=notes), tmp_path / "r.pdf", {}, ReportOptions(extent=extent)
+    )
+    boxes = _pdf_text(tmp_path / "r.pdf", "-bbox")
+    first, second = (
+        sorted({float(y) for y in re.findall(rf'yMin="([0-9.]+)"[^>]*>{word}<', boxes)})
+        for word in words
+    )
+    assert min(len(first), len(second)) >= 2
+    assert second[0] - first[-1] > 1.05 * max(*np.diff(first), *np.diff(second))
 
 
 def test_the_pairs_with_the_largest_distances_are_mapped_in_a_short_report(
