@@ -118,7 +118,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
         assert each.get_aspect() == 1.0
         lines = {drawn.get_gid() for drawn in each.lines} - {"bar"}
         assert lines == set(window.document.survey.lines)
-    apart = [float(each.get_title(loc="left").split()[-2]) for each in axes]
+    apart = [float(each.get_title(loc="left").split()[-3]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(

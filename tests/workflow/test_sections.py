@@ -105,6 +105,21 @@ def test_misalignment_is_visible_only_before_the_calibration(
             assert np.ptp(strokes) == pytest.approx(cut.separation, abs=0.03)
 
 
+def test_the_distance_of_a_section_is_that_of_the_means_of_whole_sightings(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    target = project.target("T1")
+    for cut in section_at_target(project, survey, "T1", offset=0.3):
+        groups = {
+            which: [survey.placed(project, which)[s.line][s.indices] for s in target.sightings]
+            for which in (cut.which, "estimated")
+        }
+        along = [points.mean(axis=0) @ common_normal(groups["estimated"])
+                 for points in groups[cut.which]]  # fmt: skip
+        assert cut.separation == pytest.approx(np.ptp(along), abs=1e-9)
+
+
 def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
     calibrated: tuple[Project, Survey],
 ) -> None:

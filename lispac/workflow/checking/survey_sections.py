@@ -45,7 +45,8 @@ class SectionPoints:
     points : mapping of line name to ndarray of shape (n, 2), metres
         Positions to the right of the centre and above it.
     separation : float or None, metres
-        Largest distance between two lines along the normal of a plane; None without a plane.
+        Largest distance between the means of all points of two lines on a target, along its
+        normal; None without a plane. The points in the picture may be farther apart at an edge.
     normal : ndarray of shape (2,) or None
         Part of the unit normal of the plane in the picture; None without a plane, and if the plane
         is nearly parallel to the picture.

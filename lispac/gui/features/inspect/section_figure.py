@@ -23,8 +23,8 @@ LEGEND_INCHES, AXIS_INCHES = 0.9, 0.8
 """Approximate space for the legend, and for the titles and numbers of an axis."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 CUT_TITLES_WITH_DISTANCE = {
-    "prior": N_("Before: largest distance between lines {distance}"),
-    "estimated": N_("After: largest distance between lines {distance}"),
+    "prior": N_("Before: means of lines up to {distance} apart"),
+    "estimated": N_("After: means of lines up to {distance} apart"),
 }
 ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
 """Titles of the axes of an exaggerated picture of a plane."""
@@ -127,7 +127,7 @@ def _exaggerations(cuts: Sequence[SectionPoints]) -> list[float]:
 
 
 def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
-    """Title of a cut: before or after, with the largest distance between two lines."""
+    """Title of a cut: before or after, with the largest distance between means of lines."""
     if cut.separation is None:
         return gettext(CUT_TITLES[cut.which])
     distance = quantities.amount(1000 * cut.separation, "mm", 0)

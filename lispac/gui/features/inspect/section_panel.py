@@ -25,6 +25,11 @@ EMPTY_TEXT = N_(
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+MEANS_HINT = N_(
+    "The distance in a title is along the normal, between the means of all points of two lines on "
+    "the surface. It differs from the offset in the validation, which is a median over the part "
+    "that both lines cover."
+)
 AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
 RIGHT_LABEL = N_("From the middle to the right (m)")
 HEIGHT_LABEL = N_("Height above the middle (m)")
@@ -268,7 +273,8 @@ class SectionPanel(QWidget):
 
         self.canvas = Chart(300, 110, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
-        self.canvas.setToolTip(gettext(ZOOM_HINT))
+        tip = f"{gettext(ZOOM_HINT)}\n{gettext(MEANS_HINT)}"
+        self.canvas.setToolTip(widgets.wrapped_tip(tip))
         self._zooming = PlotZoom(self.canvas)
         self.canvas.mpl_connect("resize_event", lambda _event: self._fill_resized_plots())
         self._row.addWidget(self.canvas, 1)
