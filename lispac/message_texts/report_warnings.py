@@ -153,7 +153,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.p95": N_(
         "Acceptance criterion not met: on validation plane {target} 5 % of the distances between "
-        "the lines after the calibration are larger than {p95:mm.2} mm, the limit is {limit:mm.2} "
+        "the lines after the calibration are larger than {p95:mm.1} mm, the limit is {limit:mm.1} "
         "mm."
     ),
     "acceptance.offset": N_(

@@ -4,7 +4,7 @@ Field names are the keys of ``sightings`` in JSON, with the unit of their values
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from operator import itemgetter
 from statistics import fmean
@@ -299,32 +299,46 @@ POINT_TESTS_TABLE = Table[SightingValues](
         LARGEST_W_TIME_COLUMN,
     ),
 )
-POS_COMPONENT_TITLES = (
-    N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
-)  # fmt: skip
-"""Titles of the components, in the order of `SightingReliability.pos_error`."""
-
-
 MAX_DETERMINED_SIGMA_RATIO = 0.995
 """Largest ratio of the sigma of a component after the adjustment to the prior one with which the
 data determine the component at all."""
 
 
-def _pos_error_component(k: int) -> Callable[[SightingValues], float | None]:
-    def component(sighting: SightingValues) -> float | None:
+@dataclass(frozen=True)
+class PosComponent:
+    """Component of the POS error as it is presented: positions are east, north, up.
+
+    Attributes
+    ----------
+    place : place in the order of `SightingReliability.pos_error`
+    sign : -1 if the presented component has the opposite direction
+    """
+
+    title: str
+    place: int
+    sign: float = 1.0
+
+    def error_of(self, sighting: SightingValues) -> float | None:
+        """Error in metres or degrees; None if the data do not determine it."""
         error = sighting.pos_error
         if error is None:
             return None
-        prior = (*error.sigma_m, *error.sigma_deg)[k]
-        after = (*error.sigma_after_m, *error.sigma_after_deg)[k]
+        prior = (*error.sigma_m, *error.sigma_deg)[self.place]
+        after = (*error.sigma_after_m, *error.sigma_after_deg)[self.place]
         is_determined = after < MAX_DETERMINED_SIGMA_RATIO * prior
-        return (*error.error_m, *error.error_deg)[k] if is_determined else None
+        found = self.sign * (*error.error_m, *error.error_deg)[self.place]
+        return found if is_determined else None
 
-    return component
+
+POS_COMPONENTS = (
+    PosComponent(N_("East"), 1, -1.0), PosComponent(N_("North"), 0), PosComponent(N_("Up"), 2),
+    PosComponent(N_("Roll"), 3), PosComponent(N_("Pitch"), 4), PosComponent(N_("Heading"), 5),
+)  # fmt: skip
+"""Components of the POS error, as in tables and figures."""
 
 
 def mean_pos_sigmas(sightings: Sequence[SightingValues]) -> tuple[float, ...]:
-    """Mean prior sigma of each component of the POS error, in metres and degrees."""
+    """Mean prior sigma of each component, in the order of `SightingReliability.pos_error`."""
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
     components = zip(*((*each.sigma_m, *each.sigma_deg) for each in errors), strict=True)
     return tuple(map(fmean, components))
@@ -336,8 +350,8 @@ POS_ERRORS_TABLE = Table[SightingValues](
         TARGET_COLUMN,
         LINE_COLUMN,
         *(
-            Column(_pos_error_component(k), name, (MILLIMETRES if k < 3 else DEGREES).signed)
-            for k, name in enumerate(POS_COMPONENT_TITLES)
+            Column(each.error_of, each.title, (MILLIMETRES if each.place < 3 else DEGREES).signed)
+            for each in POS_COMPONENTS
         ),
     ),
 )
@@ -347,8 +361,10 @@ MEAN_POS_SIGMAS_TABLE = Table[tuple[float, ...]](
         Column(lambda sigmas: gettext("Given 1 σ"), ""),
         Column(lambda sigmas: gettext("mean"), ""),
         *(
-            Column[tuple[float, ...]](itemgetter(k), name, MILLIMETRES if k < 3 else DEGREES)
-            for k, name in enumerate(POS_COMPONENT_TITLES)
+            Column[tuple[float, ...]](
+                itemgetter(each.place), each.title, MILLIMETRES if each.place < 3 else DEGREES
+            )
+            for each in POS_COMPONENTS
         ),
     ),
 )

@@ -47,7 +47,8 @@ POS_ERROR_CAPTION = N_(
     "given, or another error was attributed to it."
 )
 NOT_DETERMINED_TEXT = N_(
-    "–: not determined by the data, for instance a component that no surface of a target faces."
+    "–, and no point in the figure: not determined by the data, for instance a component that no "
+    "surface of a target faces."
 )
 CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "

@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, degree_signs, gettext, in_language
 from lispac.present.line_colours import LINE_COLOURS
-from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
+from lispac.present.sightings import POS_COMPONENTS, SightingValues
 from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.text_format import (
     fixed_number,
@@ -230,21 +230,24 @@ def _pos_error_figure(sightings: Sequence[SightingValues], widest: Array) -> Fig
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
-    values, prior, after = (
+    prior, after = (
         1000 * np.array([[*metres, *degrees] for metres, degrees in pairs])
         for pairs in (
-            [(e.error_m, e.error_deg) for e in errors],
             [(e.sigma_m, e.sigma_deg) for e in errors],
             [(e.sigma_after_m, e.sigma_after_deg) for e in errors],
         )
     )
     at = np.arange(len(sightings))
-    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENT_TITLES, strict=True)):
+    for axes, component in zip(panels, POS_COMPONENTS, strict=True):
+        k, name = component.place, component.title
+        # NaN where the data do not determine the error
+        values = 1000 * np.array([component.error_of(each) for each in sightings], dtype=float)
         axes.barh(at, 4 * prior[:, k], left=-2 * prior[:, k], height=1.0, color="#e4e7ec")
-        beyond = np.abs(values[:, k]) > 2 * prior[:, k]
-        for own, colour in ((~beyond, BEFORE_COLOUR), (beyond, "#bb2222")):
+        beyond = np.abs(values) > 2 * prior[:, k]
+        within = np.abs(values) <= 2 * prior[:, k]
+        for own, colour in ((within, BEFORE_COLOUR), (beyond, "#bb2222")):
             axes.errorbar(
-                values[own, k], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
+                values[own], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
                 color=colour, elinewidth=0.8,
             )  # fmt: skip
         axes.axvline(0, color="#999999", linewidth=0.6)

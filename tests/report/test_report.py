@@ -127,7 +127,8 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{1000 * sighting['detectable_m']:.1f}", f"{sighting['redundancy']:.2f}"]
         numbers += [f"{v:+.4f}" for v in sighting["effect_deg"].values()]
         numbers += [f"{v:+.4f}" for v in sighting["pos_error"]["error_deg"]]
-        numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error"]["error_m"]]
+        north, west, up = sighting["pos_error"]["error_m"]
+        numbers += [f"{1000 * v:+.1f}" for v in (-west, north, up)]  # east, north, up
     for part in data["cross_checks"]["parts"]:
         numbers += [f"{v:+.4f}" for v in (part["difference_deg"] or {}).values()]
         numbers += [f"{v:+.1f}" for v in (part["significance"] or {}).values()]

@@ -348,13 +348,17 @@ def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> No
 
 def test_pos_error_figure_marks_errors_beyond_the_prior(changed: Changed, project: Project) -> None:
     first, *rest = _result(project).reliability
-    error = np.array([0.03, 0, 0, 0, 0, 0])
+    error = np.array([0.03, 0.04, 0, 0, 0, 0])  # north, west
     checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
     assert checks is not None
     (figure,) = figures.pos_error_figures_of(checks.sightings)
-    assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENT_TITLES)
-    red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
-    assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
+    titles = ["East", "North", "Up", "Roll", "Pitch", "Heading"]
+    assert [axes.get_title() for axes in figure.axes] == titles
+    for axes, expected in zip(figure.axes, (-40.0, 30.0), strict=False):
+        red = [line for line in axes.lines if line.get_color() == "#bb2222"]
+        assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(expected)]]
+    row = report_table(POS_ERRORS_TABLE, checks.sightings[:1]).rows[0]
+    assert [cell.replace("\u2212", "-") for cell in row[2:4]] == ["-40.0", "+30.0"]
     many = checks.sightings * 5
     for draw in (figures.pos_error_figures_of, figures.residual_figures_of):
         parts = draw(many)
@@ -370,7 +374,15 @@ def test_a_component_of_the_pos_error_without_information_is_not_determined(
     checks = changed(reliability=(replace(first, pos_sigma_after=after), *rest)).adjustment
     assert checks is not None
     row = report_table(POS_ERRORS_TABLE, checks.sightings[:1]).rows[0]
-    assert [cell == UNKNOWN_TEXT for cell in row[2:]] == [True, *[False] * 5]
+    assert [cell == UNKNOWN_TEXT for cell in row[2:]] == [False, True, *[False] * 4]
+    (figure,) = figures.pos_error_figures_of(checks.sightings)
+    points = [
+        np.concatenate([line.get_ydata() for line in axes.lines if line.get_marker() == "o"])
+        for axes in figure.axes
+    ]
+    everything = set(range(len(checks.sightings)))
+    for title, drawn in zip([axes.get_title() for axes in figure.axes], points, strict=True):
+        assert set(drawn) == everything - ({0} if title == "North" else set())
 
 
 def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed: Changed) -> None:
