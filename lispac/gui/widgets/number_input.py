@@ -39,6 +39,9 @@ _UNITS: dict[str, tuple[str, float]] = {
 }  # fmt: skip
 """Quantity of a unit, and its size in the base unit of the quantity."""
 
+WRONG_PROPERTY = "wrong"
+"""Property of a field whose text is not accepted."""
+
 
 def parse_number(text: str, unit: str = "") -> float | None:
     """Number in a text, in ``unit``; None if the text is not a finite number.
@@ -101,8 +104,8 @@ class NumberEntry:
         elif self._usual_tip is not None:
             self.setToolTip(self._usual_tip)
             self._usual_tip = None
-        if bool(self.property("wrong")) != wrong:
-            self.setProperty("wrong", wrong)
+        if bool(self.property(WRONG_PROPERTY)) != wrong:
+            self.setProperty(WRONG_PROPERTY, wrong)
             self.style().unpolish(self)
             self.style().polish(self)
 
