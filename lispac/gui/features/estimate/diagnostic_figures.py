@@ -123,6 +123,10 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         _legend_above(axes)
 
 
+LEAST_LABELLED_SHARE = 0.12
+"""Smallest share of an angle whose bar is wide enough for its number."""
+
+
 def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the shares of roll, pitch and yaw in the three eigenvectors."""
     observability = result.observability
@@ -135,8 +139,8 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
         axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6,
                   color=theme.current_scheme().series[k], alpha=0.85, label=title)  # fmt: skip
         for row in range(3):
-            if share[k, row] > 0.12:
-                text = gettext("{angle} {share:percent.0} %", angle=title, share=share[k, row])
+            if share[k, row] > LEAST_LABELLED_SHARE:
+                text = gettext("{share:percent.0} %", share=share[k, row])
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL_SIZE, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
@@ -147,6 +151,7 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
+    _legend_above(axes)
     axes.set_xlabel(gettext("Contribution of each angle to the direction, %"), fontsize=FONT_SIZE)
 
 
