@@ -229,7 +229,8 @@ def test_a_typed_criterion_that_is_not_used_shows_no_verdict(judged: Driver, tex
     assert "pass" not in outcome.verdict.text()
     problem = form.fields["offset"].input_error
     assert problem is not None
-    assert message_text(problem) in outcome.reasons.text()
+    assert judged.window.validate.advice.text() == message_text(problem)
+    assert outcome.reasons.text()
     assert "pass" not in sentence(judged, VALIDATE)
     assert judged.project.judgement.verdict == "pass", "the criteria in use do not change"
     judged.bot.keyClick(form.fields["offset"], Key.Key_Escape)

@@ -39,8 +39,8 @@ _UNITS: dict[str, tuple[str, float]] = {
 }  # fmt: skip
 """Quantity of a unit, and its size in the base unit of the quantity."""
 
-WRONG_PROPERTY = "wrong"
-"""Property of a field whose text is not accepted."""
+REASON_PROPERTY = "wrong_reason"
+"""Property of a field with the reason why its text is not accepted; empty if it is."""
 
 
 def parse_number(text: str, unit: str = "") -> float | None:
@@ -104,8 +104,10 @@ class NumberEntry:
         elif self._usual_tip is not None:
             self.setToolTip(self._usual_tip)
             self._usual_tip = None
-        if bool(self.property(WRONG_PROPERTY)) != wrong:
-            self.setProperty(WRONG_PROPERTY, wrong)
+        if (self.property(REASON_PROPERTY) or "") != reason:
+            self.setProperty(REASON_PROPERTY, reason)
+        if bool(self.property("wrong")) != wrong:
+            self.setProperty("wrong", wrong)
             self.style().unpolish(self)
             self.style().polish(self)
 

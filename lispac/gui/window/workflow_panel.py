@@ -25,7 +25,7 @@ from lispac.gui import widgets
 from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEP_KEYS, STEP_NAMES, ProjectState, StepState, StepStatus
-from lispac.gui.widgets.number_input import WRONG_PROPERTY, NumberEntry, first_input_error
+from lispac.gui.widgets.number_input import REASON_PROPERTY, NumberEntry, first_input_error
 from lispac.language import N_, gettext
 from lispac.messages import Message
 
@@ -45,7 +45,7 @@ class WorkflowPanel(QWidget):
 
     step_opened = Signal(int)
     input_checked = Signal()
-    """The text of a field was marked as not accepted, or its mark was removed."""
+    """The text of a field is not accepted, is not accepted for another reason, or is accepted."""
 
     def __init__(self, panels: Sequence[QWidget]) -> None:
         super().__init__()
@@ -73,10 +73,10 @@ class WorkflowPanel(QWidget):
         return [first_input_error(area) for area in self._areas]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Emit `input_checked` when a field is marked."""
+        """Emit `input_checked` when the mark of a field changes."""
         if (
             isinstance(event, QDynamicPropertyChangeEvent)
-            and event.propertyName().data() == WRONG_PROPERTY.encode()
+            and event.propertyName().data() == REASON_PROPERTY.encode()
         ):
             self.input_checked.emit()
         return super().eventFilter(watched, event)

@@ -84,7 +84,7 @@ class AcceptanceOutcome(QWidget):
             return
         self._shown = source
         if problem is not None:
-            self._show_problem(problem)
+            self._show_problem()
             return
         values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(
@@ -97,12 +97,12 @@ class AcceptanceOutcome(QWidget):
         planes = [ValidationPlane.of(each) for each in project.validation]
         self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
 
-    def _show_problem(self, problem: Message) -> None:
-        """Show why there is no verdict."""
+    def _show_problem(self) -> None:
+        """Show that there is no verdict; the text above gives the reason."""
         verdict = verdict_text("not judged")
         self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict))
         text = gettext("A typed criterion is not used: correct it, or press Escape in its field.")
-        self._show_texts([message_text(problem), text], ())
+        self._show_texts([text], ())
         self._show_style("", "error")
         self._show_causes(())
 

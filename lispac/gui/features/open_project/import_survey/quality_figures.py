@@ -199,21 +199,34 @@ def draw_signs(record: AttitudeRecord, figure: Figure) -> None:
 def _draw_heading(axes: Axes, record: AttitudeRecord) -> None:
     """Draw the heading without jumps at north, on an axis of at most one turn."""
     heading = np.degrees(np.unwrap(record.attitude[:, 2]))
+    _draw_series(axes, record, record.time, heading, 0, "")
     span = float(np.ptp(heading))
-    if span <= FULL_TURN_DEG:
-        _draw_series(axes, record, record.time, heading, 0, "")
+    if span > FULL_TURN_DEG:
+        step, curve = 90, axes.lines[-1]
+        curve.set_data(*_in_one_turn(*map(np.asarray, curve.get_data())))
+        axes.set_ylim(0, FULL_TURN_DEG)
+    else:
         step = next((s for s in (1, 5, 10, 30, 45) if span / s <= 5), 90)
         axes.yaxis.set_major_formatter(
             FuncFormatter(lambda value, _: units.localised(f"{value % FULL_TURN_DEG:.3g}"))
         )
-    else:
-        # Shifted by whole turns; the axis shows the part of each curve from 0 to 360 degrees
-        step, turns = 90, np.floor_divide([heading.min(), heading.max()], FULL_TURN_DEG)
-        for turn in np.arange(turns[0], turns[1] + 1):
-            _draw_series(axes, record, record.time, heading - turn * FULL_TURN_DEG, 0, "")
-        axes.set_ylim(0, FULL_TURN_DEG)
     axes.yaxis.set_major_locator(MultipleLocator(step))
     axes.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
+
+
+def _in_one_turn(time: Array, heading: Array) -> tuple[Array, Array]:
+    """Curve with the part of each turn from 0 to 360 degrees and the points next to it."""
+    times, headings = [], []
+    known = heading[np.isfinite(heading)]
+    first, last = np.floor_divide([known.min(), known.max()], FULL_TURN_DEG)
+    for turn in np.arange(first, last + 1):
+        shifted = heading - turn * FULL_TURN_DEG
+        inside = (shifted >= 0) & (shifted <= FULL_TURN_DEG)
+        near = np.convolve(inside, [1, 1, 1], "same") > 0
+        shown = np.convolve(near, [1, 1, 1], "same") > 0  # with a break after each part
+        times.append(time[shown])
+        headings.append(np.where(near, shifted, np.nan)[shown])
+    return np.concatenate(times), np.concatenate(headings)
 
 
 DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
