@@ -300,4 +300,5 @@ def test_the_numbers_of_the_contributions_are_inside_their_bars(shown: Driver) -
             bar.x0 <= box.x0 and box.x1 <= bar.x1 and bar.y0 <= box.y0 and box.y1 <= bar.y1
             for bar in bars
         ), text.get_text()
-    assert [each.get_text() for each in axes.get_legend().get_texts()] == ["Roll", "Pitch", "Yaw"]
+    (legend,) = canvas.figure.legends
+    assert [each.get_text() for each in legend.get_texts()] == ["Roll", "Pitch", "Yaw"]

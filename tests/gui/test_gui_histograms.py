@@ -284,9 +284,11 @@ def test_pairs_over_a_limit_and_pairs_that_became_worse_are_marked(
         assert pairs.horizontalScrollBar().maximum() == 0 or not is_large, "no column is cut"
         beside = pairs.mapTo(panel, QPoint()).x() > panel.table.mapTo(panel, QPoint()).x()
         assert beside != is_large
+        assert panel.failures.isVisible() == is_large, "a low table needs all the place"
     driver.bot.keyClick(panel.plot, Qt.Key.Key_Home)
     driver.rest()
     assert panel.canvas.mapTo(panel, QPoint()).x() >= panel.table.width()
+    assert panel.failures.isVisible()
 
 
 def test_the_worst_plane_is_selected_after_the_validation(

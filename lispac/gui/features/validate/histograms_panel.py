@@ -361,6 +361,7 @@ class HistogramsPanel(QWidget):
             line = self.reading.fontMetrics().lineSpacing()
             whole, first = self._parts.height(), self.table.sizeHint().height() + 2 * line
         self._parts.setSizes([first, max(whole - first, 1)])
+        self._show_judgement()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the parts again if the panel has become high or low."""
@@ -376,7 +377,11 @@ class HistogramsPanel(QWidget):
             return
         failures = failed_texts(values, comparison.name)
         self.failures.setText("\n".join(failures))
-        self.failures.setVisible(bool(failures))
+        # A low table of pairs, which marks them, needs all the place
+        is_low_table = self.plot.currentIndex() == PAIRS_VIEW and (
+            self._parts.orientation() == Qt.Orientation.Horizontal
+        )
+        self.failures.setVisible(bool(failures) and not is_low_table)
         listed, criteria = self._listed
         if listed is not comparison or criteria != values.criteria:
             self._listed = comparison, values.criteria
