@@ -313,7 +313,8 @@ class WrappedBody(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels; the scroll area adds the height for the width."""
-        return QSize(super().minimumSizeHint().width(), 0)
+        hint = super().minimumSizeHint()
+        return QSize(hint.width(), 0) if self.layout().hasHeightForWidth() else hint
 
 
 class TripleField(QWidget):

@@ -174,7 +174,7 @@ class _StepHeader(QPushButton):
 
 
 def _top_aligned(panel: QWidget) -> QWidget:
-    holder = QWidget()
+    holder = widgets.WrappedBody()
     layout = QVBoxLayout(holder)
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(panel)
