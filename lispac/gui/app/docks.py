@@ -22,7 +22,7 @@ MIN_STRIP_HEIGHT_PX, MAX_STRIP_SHARE = 150, 0.3
 """Limits of the initial height of the panels at the bottom: pixels, and share of the window."""
 ENLARGED_SHARE = 0.55
 """Share of the height of the window that an enlarged panel at the bottom has."""
-VIEW_SHARES = {768: 0.455, 1000: 0.5505}
+VIEW_SHARES = {768: 0.455, 1000: 0.555}
 """Share of the window that the panels at the bottom initially leave to the 3D view, by the height
 of the window in pixels; interpolated between, constant beyond."""
 

@@ -123,6 +123,8 @@ def profiles_text(comparison: PlaneComparison) -> str:
 
 LOW_PLOT_PX = 280
 """Height of the plot below which the histogram has no title and legend, pixels."""
+MIN_PLOT_PX, KEPT_PLOT_PX = 100, 130
+"""Smallest height of the plot, and the height that a plot keeps beside a failure, pixels."""
 MIN_STACKED_HEIGHT_PX = 340
 """Height of the panel from which the pairs of lines are below the planes, pixels."""
 MIN_TABLE_WIDTH_PX = 250
@@ -381,6 +383,9 @@ class HistogramsPanel(QWidget):
         is_low_table = self.plot.currentIndex() == PAIRS_VIEW and (
             self._parts.orientation() == Qt.Orientation.Horizontal
         )
+        if self.canvas is not None:
+            keeps = bool(failures) and self.canvas.height() >= KEPT_PLOT_PX
+            self.canvas.setMinimumHeight(KEPT_PLOT_PX if keeps else MIN_PLOT_PX)
         self.failures.setVisible(bool(failures) and not is_low_table)
         listed, criteria = self._listed
         if listed is not comparison or criteria != values.criteria:
@@ -480,7 +485,7 @@ class HistogramsPanel(QWidget):
             from lispac.gui.widgets.chart import Chart
             from lispac.gui.widgets.plot_zoom import PlotZoom
 
-            self.canvas = Chart(260, 100)
+            self.canvas = Chart(260, MIN_PLOT_PX)
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setToolTip(gettext(ZOOM_HINT))
             self._zooming = PlotZoom(self.canvas)
