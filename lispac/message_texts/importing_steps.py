@@ -98,7 +98,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.unknown_format": N_(
         "{file}: the format of this file is not recognised. Export it in a format that the "
-        "manual names, or choose its format."
+        "manual names."
+    ),
+    "import.not_of_its_format": N_(
+        "{file}: the file is damaged, or it is not {format} in spite of its name. Copy or export "
+        "it again."
     ),
     "import.not_trajectory_format": N_(
         "{file}: {format} is not a format of a trajectory file. Choose another format."

@@ -109,10 +109,11 @@ class ScriptedDialogs(Dialogs):
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),
+        equipment: Mapping[str, Sequence[str]] | None = None,
     ) -> Identity | None:
         if missing and not self.fills_in_details:
             return identity
-        return super().identity(identity, dates, companies, suggestions, missing)
+        return super().identity(identity, dates, companies, suggestions, missing, equipment)
 
     def report_template(self, start: Path) -> Path | None:
         return self.path

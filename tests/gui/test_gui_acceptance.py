@@ -11,6 +11,7 @@ from lispac.gui.features.validate.planes_table import P95
 from lispac.gui.project.document import ExportedReport
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
+from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
@@ -24,6 +25,7 @@ from tests.gui.support import (
     click,
     open_step,
     press,
+    sentence,
     type_into,
 )
 
@@ -209,3 +211,40 @@ def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
     document.edit("limits", judged.project.with_acceptance(every))
     judged.rest()
     assert "criteria given" not in judged.window.validate.outcome.verdict.text()
+
+
+@pytest.mark.parametrize("text", ["-30", "abc"])
+def test_a_typed_criterion_that_is_not_used_shows_no_verdict(judged: Driver, text: str) -> None:
+    form, outcome = judged.window.validate.acceptance, judged.window.validate.outcome
+    type_into(judged, form.fields["rms"], "1000")
+    judged.bot.keyClick(form.fields["rms"], Key.Key_Return)
+    judged.rest()
+    assert outcome.icon.isVisible()
+    passed = sentence(judged, VALIDATE)
+    type_into(judged, form.fields["offset"], text)
+    judged.bot.keyClick(form.fields["offset"], Key.Key_Tab)
+    judged.rest()
+    assert not outcome.icon.isVisible()
+    assert outcome.verdict.property("role") == "error"
+    assert "pass" not in outcome.verdict.text()
+    problem = form.fields["offset"].input_error
+    assert problem is not None
+    assert judged.window.validate.advice.text() == message_text(problem)
+    assert outcome.reasons.text()
+    assert "pass" not in sentence(judged, VALIDATE)
+    assert judged.project.judgement.verdict == "pass", "the criteria in use do not change"
+    judged.bot.keyClick(form.fields["offset"], Key.Key_Escape)
+    judged.rest()
+    assert outcome.icon.isVisible()
+    assert sentence(judged, VALIDATE) == passed
+
+
+def test_the_reasons_are_below_the_text_that_refers_to_them(judged: Driver) -> None:
+    (plane,) = judged.project.validation
+    panel = judged.window.validate
+    field = panel.acceptance.fields["offset"]
+    type_into(judged, field, f"{500 * largest_offset(plane)[0]:.3f}")
+    judged.bot.keyClick(field, Key.Key_Return)
+    judged.rest()
+    assert panel.advice.text()
+    assert panel.advice.geometry().bottom() < panel.outcome.geometry().top()

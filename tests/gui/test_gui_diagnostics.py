@@ -286,3 +286,19 @@ def test_columns_fit_their_texts_after_a_table_is_filled_again(shown: Driver) ->
     assert table.columnWidth(0) > before + 200
     table.show_rows(rows)
     assert table.columnWidth(0) == before
+
+
+def test_the_numbers_of_the_contributions_are_inside_their_bars(shown: Driver) -> None:
+    canvas = turn_to(shown, "Observability").canvas
+    canvas.draw()
+    (axes,) = canvas.figure.axes
+    bars = [bar.get_window_extent() for bar in axes.patches]
+    assert axes.texts
+    for text in axes.texts:
+        box = text.get_window_extent()
+        assert any(
+            bar.x0 <= box.x0 and box.x1 <= bar.x1 and bar.y0 <= box.y0 and box.y1 <= bar.y1
+            for bar in bars
+        ), text.get_text()
+    (legend,) = canvas.figure.legends
+    assert [each.get_text() for each in legend.get_texts()] == ["Roll", "Pitch", "Yaw"]

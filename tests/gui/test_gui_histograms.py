@@ -23,6 +23,7 @@ from lispac.gui.features.validate.histograms_panel import (
     ZOOM_HINT,
     HistogramsPanel,
 )
+from lispac.gui.features.validate.pairs_table import OFFSET_AFTER, RMS_AFTER
 from lispac.gui.features.validate.planes_table import OFFSET, PAIRS, RMS
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -234,6 +235,62 @@ def test_pairs_of_lines_are_listed_beside_the_plane(
     assert shown == f"{1000 * signed.median:+.1f}"
 
 
+def test_pairs_over_a_limit_and_pairs_that_became_worse_are_marked(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    (plane,) = validated.validation
+    first, second, *others = plane.pairs
+    distances = first.after.distances
+    worse = replace(
+        first, before=replace(first.before, distances=replace(distances, rms=0.5 * distances.rms))
+    )
+    assert second.after.signed is not None
+    far = replace(
+        second,
+        before=replace(second.before, distances=replace(distances, rms=1.0)),
+        after=replace(second.after, signed=replace(second.after.signed, median=-0.4)),
+    )
+    plane = replace(plane, pairs=(worse, far, *others))
+    window = driver.window
+    window.document.open(replace(validated, validation=(plane,)), demo.survey)
+    show_panel(window, "Histograms")
+    driver.rest()
+    panel, pairs = window.histograms, window.histograms.pairs
+    driver.bot.keyClick(panel.plot, Qt.Key.Key_End)
+    assert panel.plot.currentIndex() == PAIRS_VIEW
+    for row, marked in ((0, [RMS_AFTER]), (1, [])):
+        bold = [k for k in range(pairs.columnCount()) if pairs.item(row, k).font().bold()]
+        assert bold == marked
+        assert pairs.item(row, 0).icon().isNull() == (not marked)
+    field = window.validate.acceptance.fields["offset"]
+    window.workflow.open(VALIDATE)
+    driver.rest()
+    driver.bot.mouseClick(field, Left)
+    field.selectAll()
+    QTest.keyClicks(field, "300")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    driver.rest()
+    offset, tip = pairs.item(1, OFFSET_AFTER), pairs.item(1, OFFSET_AFTER).toolTip()
+    assert offset.font().bold()
+    assert offset.foreground().color() == theme.colour("error")
+    assert "400" in tip
+    assert "300" in tip
+    assert not pairs.item(1, 0).icon().isNull()
+    assert not pairs.item(0, OFFSET_AFTER).font().bold()
+    window.resize(1600, 1000)
+    for is_large in (True, False):
+        driver.bot.mouseClick(panel.enlarge, Left)
+        driver.rest()
+        assert pairs.horizontalScrollBar().maximum() == 0 or not is_large, "no column is cut"
+        beside = pairs.mapTo(panel, QPoint()).x() > panel.table.mapTo(panel, QPoint()).x()
+        assert beside != is_large
+        assert panel.failures.isVisible() == is_large, "a low table needs all the place"
+    driver.bot.keyClick(panel.plot, Qt.Key.Key_Home)
+    driver.rest()
+    assert panel.canvas.mapTo(panel, QPoint()).x() >= panel.table.width()
+    assert panel.failures.isVisible()
+
+
 def test_the_worst_plane_is_selected_after_the_validation(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:
@@ -296,7 +353,10 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
         assert table.item(row, OFFSET).text() == f"{offset:.1f}"
         assert table.item(row, OFFSET).font().bold()
         assert not table.item(row, RMS).font().bold()
-    assert f"{offset:.1f}" in panel.reading.text()
+    shown = panel.failures
+    assert f"{offset:.1f}" in shown.text()
+    assert shown.height() >= shown.heightForWidth(shown.width()), "the reason is shown whole"
+    assert shown.rect() == shown.visibleRegion().boundingRect()
     colours = panel.findChild(QLabel, "comparison_colours")
     assert colours.width() >= colours.sizeHint().width()
     assert panel.canvas.width() >= 0.3 * size[0]

@@ -241,3 +241,41 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     rest(qtbot, dialog)
     assert "WGS 84 / UTM zone 18N (EPSG:32618)" in system.text()
     assert dict(dialog.input_files.lines[0].reading.options)["crs"] == "32618"
+
+
+def test_a_damaged_file_is_an_error_with_its_name_and_can_be_removed(
+    filled: ImportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    damaged = tmp_path / "L9.laz"
+    damaged.write_text("These are words, not points.\n")
+    drop(filled, [damaged])
+    rest(qtbot, filled)
+    filled.table.select(damaged)
+    row = filled.table.currentRow()
+    assert texts(filled, STATE)[row] == "Error"
+    tip = filled.table.item(row, STATE).toolTip()
+    assert "L9.laz" in tip
+    (shown,) = filled.input_files.messages(filled.input_files.file(damaged))
+    assert shown.code == "import.not_of_its_format"
+    assert filled.ok.isEnabled(), "the other files can be imported"
+
+
+def test_the_mounting_page_scrolls_to_the_end_of_its_content_only(
+    filled: ImportDialog, qtbot: QtBot
+) -> None:
+    filled.tabs.setCurrentIndex(MOUNTING)
+    page = filled.mounting
+    for text in ("0.186", "0.038", "2.419"):
+        field = page.lever_arm.fields[("0.186", "0.038", "2.419").index(text)]
+        qtbot.mouseClick(field.lineEdit(), Left)
+        field.selectAll()
+        qtbot.keyClicks(field, text)
+        qtbot.keyClick(field, Key.Key_Tab)
+    for size in ((1180, 700), (1000, 640)):
+        filled.resize(*size)
+        qtbot.wait(50)
+        body = page.widget()
+        bar = page.verticalScrollBar()
+        bar.setValue(bar.maximum())
+        needed = body.layout().heightForWidth(body.width())
+        assert body.height() <= max(needed, page.viewport().height()) + 1

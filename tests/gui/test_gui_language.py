@@ -277,3 +277,21 @@ def test_no_text_is_cut_off_in_a_small_french_window(
             timeout=SOON_MS,
         )
     assert window.width() == 1366
+
+
+def test_the_qualities_of_the_sightings_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    english = session.window
+    english.document.open(demo.picked, demo.survey)
+    sightings = sum(len(target.sightings) for target in demo.picked.targets)
+    qtbot.waitUntil(lambda: len(english.document.qualities) == sightings, timeout=SOON_MS)
+    shown: list[int] = []
+    french = rebuild_window(session, qtbot, "fr")
+    french.target_actions.quality_computation.qualities_changed.connect(
+        lambda qualities: shown.append(len(qualities))
+    )
+    french.document.changed.emit()
+    assert shown == [sightings]
+    qtbot.waitUntil(lambda: not french.runner.active, timeout=SOON_MS)
+    assert set(shown) == {sightings}

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QMenu,
     QToolBar,
+    QToolButton,
     QToolTip,
     QWidget,
 )
@@ -22,6 +23,7 @@ from lispac.gui.app.language import set_language
 from lispac.gui.app.panel_window import PanelWindow
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.unavailable import Unavailable
+from lispac.gui.appearance import theme
 from lispac.gui.project.status import DATA, VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import Button
@@ -514,3 +516,25 @@ def test_the_reason_is_the_tip_in_the_menu_and_in_the_toolbar(driver: Driver, qt
     assert Unavailable.NO_PROJECT.text in tip_at(qtbot, button, button.rect().center())
     qtbot.mouseClick(button, Left)
     assert not window.runner.active
+
+
+@pytest.mark.usefixtures("language")
+def test_buttons_without_a_place_in_the_toolbar_are_in_a_visible_menu(
+    driver: Driver, qtbot: QtBot
+) -> None:
+    driver.window.resize(900, 700)
+    driver.rest()
+    (toolbar,) = driver.window.findChildren(QToolBar, "toolbar")
+    more = toolbar.findChild(QToolButton, theme.EXTENSION_NAME)
+    hidden = [
+        action
+        for action in toolbar.actions()
+        if not action.isSeparator() and not toolbar.widgetForAction(action).isVisible()
+    ]
+    assert hidden
+    assert toolbar.rect().contains(more.geometry())
+    picture = more.grab().toImage()
+    colours = {picture.pixel(x, y) for x in range(picture.width()) for y in range(picture.height())}
+    assert len(colours) > 2, "the arrow is painted"
+    qtbot.mouseClick(more, Left)
+    qtbot.waitUntil(lambda: all(toolbar.widgetForAction(each).isVisible() for each in hidden))

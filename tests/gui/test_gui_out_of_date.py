@@ -8,7 +8,7 @@ from pathlib import Path
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.message_texts import message_text
-from tests.gui.support import Driver
+from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
 
 def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_path: Path) -> None:
@@ -38,3 +38,24 @@ def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_
     assert adjusted.project.result is not before
     assert adjusted.window.document.refused_since == ""
     assert words not in unescape(adjusted.window.results.warnings.text())
+
+
+def test_undo_shows_the_lines_of_the_restored_result_after_the_calibration(
+    adjusted: Driver,
+) -> None:
+    window = adjusted.window
+    adjusted.bot.waitUntil(lambda: window.scene.which == "estimated", timeout=WAIT_MS)
+    without = replace(adjusted.project, result=None, cross_checks=None)
+    window.document.edit("removal of the result", without)
+    adjusted.rest()
+    assert window.scene.which == "prior"
+    press(adjusted, Key.Key_Z, Control)
+    adjusted.rest()
+    assert adjusted.project.result is not None
+    assert window.scene.which == "estimated"
+    assert window.actions_["after"].isChecked()
+    window.actions_["before"].trigger()
+    window.document.edit("removal of the result", without)
+    press(adjusted, Key.Key_Z, Control)
+    adjusted.rest()
+    assert window.scene.which == "prior", "the choice of the user is kept"

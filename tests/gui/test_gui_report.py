@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
@@ -29,7 +29,19 @@ from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
 from lispac.report.pdf import Preview
 from lispac.targets.cross_section import common_normal
-from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
+from lispac.workflow.calibration import sighting_assessment
+from lispac.workflow.planning.sensors import read_library
+from tests.gui.support import (
+    WAIT_MS,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    in_front,
+    open_step,
+    type_into,
+)
 from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
@@ -585,3 +597,56 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
         adjusted.bot.keyClick(limits.fields["rms"], Key.Key_Return)
         assert adjusted.project.acceptance.source == ("C-17" if value == "5" else "")
         adjusted.window.controller.change_acceptance({"source": ""})
+
+
+def test_needed_details_are_marked_and_sensors_are_offered(adjusted: Driver) -> None:
+    open_step(adjusted, REPORT_STEP)
+    titles = [
+        each.figures.title for each in read_library(adjusted.window.settings.sensors).scanners
+    ]
+
+    def use_dialog(dialog: QWidget) -> None:
+        marked = {
+            name
+            for name in FIELD_NAMES
+            if any(
+                label.buddy() is field(dialog, name) and label.text().endswith("*")
+                for label in dialog.findChildren(QLabel)
+            )
+        }
+        assert marked == set(REQUIRED_FIELDS)
+        scanner = field(dialog, "scanner")
+        adjusted.bot.waitUntil(lambda: in_front(dialog), timeout=WAIT_MS)
+        scanner.setFocus()
+        adjusted.bot.keyClick(scanner, Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+        popup = scanner.completer().popup()
+        adjusted.bot.waitUntil(popup.isVisible)
+        model = popup.model()
+        assert [model.index(k, 0).data() for k in range(model.rowCount())] == titles
+        adjusted.bot.keyClick(popup, Key.Key_Down)
+        adjusted.bot.keyClick(popup, Key.Key_Return)
+        assert scanner.text() == titles[0]
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(adjusted, use_dialog)
+    click(adjusted, adjusted.window.report.details)
+    assert adjusted.project.identity.scanner == titles[0]
+
+
+def test_a_report_uses_the_qualities_that_the_window_knows(
+    adjusted: Driver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_args: object, **_params: object) -> None:
+        raise AssertionError("a sighting is assessed again")
+
+    open_step(adjusted, REPORT_STEP)
+    window = adjusted.window
+    sightings = sum(len(target.sightings) for target in adjusted.project.targets)
+    adjusted.bot.waitUntil(lambda: len(window.document.qualities) == sightings, timeout=WAIT_MS)
+    monkeypatch.setattr(sighting_assessment, "_target_qualities", refuse)
+    adjusted.dialogs.path = tmp_path / "report.html"
+    window.report.opens.setChecked(False)
+    click(adjusted, window.report.report)
+    adjusted.rest()
+    assert not adjusted.dialogs.errors
+    assert adjusted.dialogs.path.exists()

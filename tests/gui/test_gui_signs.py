@@ -3,12 +3,19 @@
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QTimer
+import pytest
+from matplotlib.figure import Figure
+from PySide6.QtCore import QRect, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.quality_figures import (
+    AttitudeRecord,
+    draw_signs,
+)
 from lispac.gui.features.open_project.import_survey.sign_check_dialog import SignCheckDialog
+from lispac.gui.features.warnings.warnings_panel import ACTION_LINE, BUTTON_GAP_PX
 from lispac.messages import Action, warning
 from tests.gui.import_support import rest
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, press
@@ -72,7 +79,16 @@ def test_a_message_shows_the_attitude_of_the_survey(opened: Driver) -> None:
         seen.append((curves(dialog), texts))
 
     while_open(read)
-    click(opened, opened.window.warnings.findChild(QPushButton, "message_check_sign"))
+    button = opened.window.warnings.findChild(QPushButton, "message_check_sign")
+    messages = opened.window.warnings.list
+    text = messages.item(0).text().removesuffix(f"\n{ACTION_LINE}")
+    width = messages.viewport().width() - messages.iconSize().width()
+    lines = messages.fontMetrics().boundingRect(
+        QRect(0, 0, width, 1000), Qt.TextFlag.TextWordWrap, text
+    )
+    room = messages.visualItemRect(messages.item(0)).height() - lines.height()
+    assert room >= button.height() + BUTTON_GAP_PX // 2, "the button is below the text"
+    click(opened, button)
     (((roll, pitch, _heading), texts),) = seen
     attitude = np.degrees(opened.window.document.survey.trajectory.attitude)
     for curve, values in ((roll, attitude[:, 0]), (pitch, -attitude[:, 1])):
@@ -81,3 +97,26 @@ def test_a_message_shows_the_attitude_of_the_survey(opened: Driver) -> None:
         )
     assert "starboard" in texts
     assert "residuals" in texts
+
+
+def test_a_heading_of_several_turns_has_readable_ticks() -> None:
+    time = np.linspace(0.0, 100.0, 2001)
+    attitude = np.zeros((len(time), 3))
+    turned = np.radians(np.linspace(10.0, -800.0, len(time)))
+    attitude[:, 2] = np.arctan2(np.sin(turned), np.cos(turned))
+    record = AttitudeRecord(time=time, attitude=attitude, longest_gap=1.0, axis="s", lines=())
+    figure = Figure()
+    draw_signs(record, figure)
+    axes = figure.axes[2]
+    low, high = axes.get_ylim()
+    ticks = [tick for tick in axes.get_yticks() if low <= tick <= high]
+    assert ticks == [0, 90, 180, 270, 360]
+    degrees = np.degrees(attitude[:, 2]) % 360
+    (curve,) = axes.lines
+    drawn_time, drawn = curve.get_data()
+    for moment in (7.3, 41.0, 88.8):
+        near = abs(drawn_time - moment) < 0.1
+        expected = degrees[np.argmin(abs(time - moment))]
+        assert drawn[near] == pytest.approx(expected, abs=1.0)
+    jumps = np.diff(drawn)
+    assert abs(jumps[np.isfinite(jumps)]).max() < 2.0, "no line across the axis at north"

@@ -183,3 +183,12 @@ def test_a_file_of_unknown_format_is_refused(tmp_path) -> None:
     path = tmp_path / "notes.doc"
     path.write_bytes(b"\x00\x01nothing" * 40)
     assert command_error("inspect", path).code == "import.unknown_format"
+
+
+@pytest.mark.parametrize("ending", [".laz", ".E57", ".sbet"])
+def test_a_file_that_is_not_what_its_name_says_is_called_damaged(tmp_path, ending) -> None:
+    path = tmp_path / f"L1{ending}"
+    path.write_text("These are words.\n")
+    refusal = command_error("inspect", path).message
+    assert refusal.code == "import.not_of_its_format"
+    assert str(refusal.params["file"]).endswith(path.name)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QToolButton, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
@@ -263,6 +263,13 @@ class Actions(QObject):
                 bar.addSeparator()
             former = place
             bar.addAction(self[action])
+        more = bar.findChild(QToolButton, theme.EXTENSION_NAME)
+        assert isinstance(more, QToolButton)
+        # The arrow of Qt has no place beside the padding of the style sheet
+        more.setIcon(theme.icon("chevron-double-right"))
+        more.setIconSize(QSize(12, 20))
+        more.setToolTip(gettext("More buttons"))
+        more.setAccessibleName(gettext("More buttons"))
         return bar
 
     def _create_choices(self) -> None:

@@ -88,6 +88,8 @@ def swatch(colour: Colour, size: int = 12) -> QIcon:
     return icon
 
 
+EXTENSION_NAME = "qt_toolbar_ext_button"
+"""Name that Qt gives to the button for the actions that have no place in a toolbar."""
 QUALITY_ICONS = {
     "good": ("check-circle", "done"), "doubtful": ("alert-circle", "doubtful"),
     "poor": ("close-circle", "error"),
@@ -267,6 +269,7 @@ QDockWidget::title {{ background: {s.title}; padding: 2px 8px 1px 8px;
 QToolBar {{ background: {s.bar}; border: none; border-bottom: 1px solid {s.border};
     padding: 1px 6px; spacing: 2px; }}
 QToolBar QToolButton {{ padding: 1px 6px; border: 1px solid transparent; border-radius: 5px; }}
+QToolBar QToolButton#{EXTENSION_NAME} {{ padding: 0px; border-radius: 2px; }}
 QToolBar QToolButton:hover {{ background: {s.hover}; }}
 QToolBar QToolButton:checked {{ background: {s.chosen}; border-color: {s.chosen_edge}; }}
 QToolBar QToolButton:checked:disabled {{ background: transparent;

@@ -12,6 +12,7 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.language import Template, gettext
 from lispac.messages import Message
 from lispac.project import Project
+from lispac.workflow.calibration.sighting_assessment import AssessedQuality, SightingKey
 from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey import data_key as data_key
 
@@ -108,6 +109,8 @@ class Document(QObject):
         self.unchecked_result: AdjustmentResult | None = None
         """Result without advice and cross-checks, which are computed when no task runs."""
         self._had_result = False
+        self._qualities: tuple[object, dict[SightingKey, AssessedQuality]] = None, {}
+        """Lines of the survey, and qualities of the sightings assessed with them."""
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._on_clean_changed)
 
@@ -193,6 +196,18 @@ class Document(QObject):
         self.survey_changed.emit()
         self.opened.emit()
         self.changed.emit()
+
+    @property
+    def qualities(self) -> dict[SightingKey, AssessedQuality]:
+        """Last qualities of the sightings that were assessed with the present lines."""
+        lines, qualities = self._qualities
+        return qualities if self.survey is not None and lines is self.survey.scans else {}
+
+    def keep_qualities(
+        self, survey: Survey, qualities: Mapping[SightingKey, AssessedQuality]
+    ) -> None:
+        """Store the qualities of sightings for windows and reports; callable in any thread."""
+        self._qualities = survey.scans, dict(qualities)
 
     def set_survey(self, project: Project | None, survey: Survey | None) -> None:
         """Store the data that were loaded for ``project``."""
@@ -292,6 +307,7 @@ class Document(QObject):
         copy = Document(parent)
         copy._report, copy._reported_project = self._report, self._reported_project
         copy._had_result = self._had_result
+        copy._qualities = self._qualities
         copy._folder, copy.file_digest = self._folder, self.file_digest
         copy.survey, copy._key = self.survey, self._key
         stack = self.undo_stack

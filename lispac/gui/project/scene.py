@@ -57,6 +57,8 @@ class Scene(QObject):
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: ResidualColours = {}
+        self._lost_estimated = False
+        """Whether the lines are shown before the adjustment because the result was removed."""
         self._markers: list[Marker] = []
         self._searched: tuple[Marker, ...] = ()
         """Seeds of the running and queued searches."""
@@ -164,6 +166,7 @@ class Scene(QObject):
 
     def show(self, which: PriorOrEstimated) -> None:
         """Show the lines before the adjustment, or after it if they are georeferenced with it."""
+        self._lost_estimated = False
         if which == "estimated" and not self.has_estimated:
             which = "prior"
         if which != self.which or self.clouds is not self._drawn:
@@ -237,6 +240,7 @@ class Scene(QObject):
 
     def _reload(self) -> None:
         former, self._former = self._former, None
+        self._lost_estimated = False
         if former is None:
             self._estimated, self.which = None, "prior"
         else:
@@ -262,8 +266,10 @@ class Scene(QObject):
             if project is not None and project.result is not None:
                 self.placement_requested.emit()  # drawn lines are kept until then
             elif not self._document.awaits_result:
-                self.which = "prior"
+                self.which, self._lost_estimated = "prior", True
                 self.which_changed.emit(self.which)
+        elif self._lost_estimated and project is not None and project.result is not None:
+            self.placement_requested.emit()  # as after opening; Undo has restored the result
         outdated = self.colouring == "residual" and not self._document.awaits_result
         if outdated or self.clouds is not self._drawn:
             self._schedule_lines()

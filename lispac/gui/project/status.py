@@ -1,6 +1,6 @@
 """State of the five steps of the workflow: a short status and the next action for each."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from lispac.duplicate_targets import all_warnings, data_warnings
@@ -158,6 +158,16 @@ def step_statuses(
         _validating_status() if running == VALIDATE else _validation_status(project, survey),
         _report_status(project, survey, report, is_validating=running == VALIDATE),
     )
+
+
+def with_input_error(status: StepStatus, problem: Message | None) -> StepStatus:
+    """Status of a step in which a typed text is not accepted; its results do not contain it."""
+    if problem is None or status.state == "empty":
+        return status
+    return replace(
+        status, state="warning", sentence=gettext("a typed value is not used"),
+        advice=message_text(problem),
+    )  # fmt: skip
 
 
 def _data_status(project: Project, survey: Survey | None) -> StepStatus:

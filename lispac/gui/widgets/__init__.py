@@ -305,6 +305,18 @@ class VerticalScrollArea(QScrollArea):
         return QSize(max(inside + bar, self._min_width), super().minimumSizeHint().height())
 
 
+class WrappedBody(QWidget):
+    """Content of a resizable scroll area, only as high as its wrapped texts at its real width.
+
+    The smallest size of a layout has the height of texts that are wrapped at their smallest width.
+    """
+
+    def minimumSizeHint(self) -> QSize:
+        """Smallest size in pixels; the scroll area adds the height for the width."""
+        hint = super().minimumSizeHint()
+        return QSize(hint.width(), 0) if self.layout().hasHeightForWidth() else hint
+
+
 class TripleField(QWidget):
     """Three number fields side by side with a title above each."""
 

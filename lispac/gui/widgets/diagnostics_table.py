@@ -39,6 +39,8 @@ class Cell:
     """Format of the number, and factor from the unit of ``value`` to the column's base unit."""
     shown: str = ""
     """Text shown instead of `text`; a cell without a number is sorted by `text`."""
+    colour: str = ""
+    """Colour of the scheme in which the cell is highlighted, in bold."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +51,14 @@ class Row:
     ----------
     key : target and line of the row; line "" for the whole target; None without a link
     marked : whether the row is highlighted because it should be checked
+    quality : quality whose icon is shown in the first column; empty without an icon
     """
 
     cells: Sequence[Cell]
     key: Key | None = None
     marked: bool = False
     tip: str = ""
+    quality: str = ""
 
 
 class _SortedItem(QTableWidgetItem):
@@ -137,6 +141,11 @@ class DiagnosticsTable(QTableWidget):
                     _ALIGNED_LEFT if self._columns[column].is_text else _ALIGNED_RIGHT
                 )
                 item.setFont(font)
+                if cell.colour:
+                    item.setFont(theme.tabular_font(self.font(), bold=True))
+                    item.setForeground(theme.colour(cell.colour))
+                if row.quality and not column:
+                    item.setIcon(theme.quality_icon(row.quality))
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))

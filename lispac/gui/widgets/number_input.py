@@ -39,6 +39,9 @@ _UNITS: dict[str, tuple[str, float]] = {
 }  # fmt: skip
 """Quantity of a unit, and its size in the base unit of the quantity."""
 
+REASON_PROPERTY = "wrong_reason"
+"""Property of a field with the reason why its text is not accepted; empty if it is."""
+
 
 def parse_number(text: str, unit: str = "") -> float | None:
     """Number in a text, in ``unit``; None if the text is not a finite number.
@@ -101,6 +104,8 @@ class NumberEntry:
         elif self._usual_tip is not None:
             self.setToolTip(self._usual_tip)
             self._usual_tip = None
+        if (self.property(REASON_PROPERTY) or "") != reason:
+            self.setProperty(REASON_PROPERTY, reason)
         if bool(self.property("wrong")) != wrong:
             self.setProperty("wrong", wrong)
             self.style().unpolish(self)

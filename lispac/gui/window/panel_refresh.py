@@ -23,7 +23,9 @@ from lispac.gui.project.status import (
     VALIDATE,
     ProjectState,
     step_statuses,
+    with_input_error,
 )
+from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels, filled_docks
 from lispac.message_texts import message_text
@@ -69,6 +71,8 @@ class PanelRefresh(QObject):
         document.changed.connect(self.refresh)
         document.changed.connect(self._count_points)
         panels.workflow.step_opened.connect(lambda _step: self.refresh())
+        # Later, since a field may be marked while the panels are refreshed
+        panels.workflow.input_checked.connect(IdleTask(self._show_task, self).start)
         document.modified.connect(lambda _modified: self._enable_save())
         document.opened.connect(self._open_step)
         runner.changed.connect(self._show_task)
@@ -116,6 +120,8 @@ class PanelRefresh(QObject):
             checking=document.awaits_checks,
             opening=project is None and self._runner.busy,
         )
+        errors = self._panels.workflow.input_errors()
+        steps = tuple(map(with_input_error, steps, errors))
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
             document.refused_since, self._estimate_reason(), document.is_result_outdated,

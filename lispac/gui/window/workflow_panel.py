@@ -2,7 +2,15 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QDynamicPropertyChangeEvent,
+    QEvent,
+    QObject,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -17,7 +25,9 @@ from lispac.gui import widgets
 from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEP_KEYS, STEP_NAMES, ProjectState, StepState, StepStatus
+from lispac.gui.widgets.number_input import REASON_PROPERTY, NumberEntry, first_input_error
 from lispac.language import N_, gettext
+from lispac.messages import Message
 
 _HEADER_HEIGHT_PX = 46
 """Height of the header of a step."""
@@ -34,6 +44,8 @@ class WorkflowPanel(QWidget):
     """Headers of the five steps with their state, with one panel open at a time."""
 
     step_opened = Signal(int)
+    input_checked = Signal()
+    """The text of a field is not accepted, is not accepted for another reason, or is accepted."""
 
     def __init__(self, panels: Sequence[QWidget]) -> None:
         super().__init__()
@@ -49,9 +61,25 @@ class WorkflowPanel(QWidget):
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)
+        for field in self.findChildren(QWidget):
+            if isinstance(field, NumberEntry):
+                field.installEventFilter(self)
         self.opened = -1
         self._width = 0
         self.open(0)
+
+    def input_errors(self) -> list[Message | None]:
+        """First reason why a text typed in each step is not accepted; None if all texts are."""
+        return [first_input_error(area) for area in self._areas]
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Emit `input_checked` when the mark of a field changes."""
+        if (
+            isinstance(event, QDynamicPropertyChangeEvent)
+            and event.propertyName().data() == REASON_PROPERTY.encode()
+        ):
+            self.input_checked.emit()
+        return super().eventFilter(watched, event)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels: as wide as the widest step, so that no step moves the view."""
@@ -146,7 +174,7 @@ class _StepHeader(QPushButton):
 
 
 def _top_aligned(panel: QWidget) -> QWidget:
-    holder = QWidget()
+    holder = widgets.WrappedBody()
     layout = QVBoxLayout(holder)
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(panel)

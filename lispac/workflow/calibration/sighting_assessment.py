@@ -139,10 +139,14 @@ def assess_target(project: Project, survey: Survey, target: Target) -> dict[str,
 
 
 def sighting_qualities(
-    project: Project, survey: Survey, *, progress: Progress = no_progress
+    project: Project,
+    survey: Survey,
+    *,
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
+    progress: Progress = no_progress,
 ) -> dict[SightingKey, SightingQuality]:
-    """Quality of every sighting, by the names of target and line."""
-    judged = assess_sightings(project, survey, progress=progress)
+    """Quality of every sighting, by the names of target and line; see `assess_sightings`."""
+    judged = assess_sightings(project, survey, known=known, progress=progress)
     return {key: each.quality for key, each in judged.items()}
 
 

@@ -10,7 +10,14 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
-from lispac.io.formats import format_of, is_las, recognise_formats
+from lispac.io.formats import (
+    ACCURACY_FORMATS,
+    POINT_FORMATS,
+    TRAJECTORY_FORMATS,
+    format_of,
+    is_las,
+    recognise_formats,
+)
 from lispac.io.las.las_format import SCANNER_FRAME_ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.point_reader_common import (
     CHOOSE_FRAME_ACTION,
@@ -47,6 +54,9 @@ _UNKNOWN_FORMAT_CODES: Mapping[Kind, str] = {
     "points": "import.unknown_line_format",
 }
 """Code of the error that a file has no known format of the required kind, by that kind."""
+
+NOT_OF_ITS_FORMAT_CODE = "import.not_of_its_format"
+"""Code of the error that a file is not of the format that its name announces."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +106,9 @@ def check_file(
     if has_no_time(path, or_text=not found):
         raise InputError(error("import.points_without_time", file=str(path)))
     if not found:
+        expected = _format_of_name(path)
+        if expected is not None:
+            raise InputError(error(NOT_OF_ITS_FORMAT_CODE, file=str(path), format=expected.name))
         raise InputError(error("import.unknown_format", file=str(path)))
     least = min(max(sure for _, sure in found), LIKELY)
     ending = path.suffix.lower()
@@ -105,6 +118,17 @@ def check_file(
             -check.confidence, ending not in check.format.endings, check.error is not None
         ),
     )  # fmt: skip
+
+
+def _format_of_name(path: Path) -> FileFormat | None:
+    """The only binary format with the extension of a file; None if there is not exactly one."""
+    known = [
+        format
+        for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+        if path.suffix.lower() in format.endings
+    ]
+    is_text = any(option.name == "columns" for format in known for option in format.options)
+    return known[0] if len(known) == 1 and not is_text else None
 
 
 def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:

@@ -25,6 +25,7 @@ from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
 from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
 from lispac.survey.time_rollover import NO_ROLLOVER, rollover_note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.importing.file_reading import NOT_OF_ITS_FORMAT_CODE
 from lispac.workflow.importing.input_file import COLUMNS_NOT_CHOSEN_CODE, InputFile
 from lispac.workflow.importing.input_times import (
     MIN_SHARE_ON_TRAJECTORY,
@@ -132,7 +133,11 @@ def file_messages(
     if input_file.pending:
         return ()
     if input_file.role is None:
-        return (as_note(input_file.error),) if input_file.error else ()
+        reason = input_file.error
+        if reason is None:
+            return ()
+        # A file that its name announces is missed in the import; others may be anything
+        return (reason if reason.code == NOT_OF_ITS_FORMAT_CODE else as_note(reason),)
     messages = _own_messages(input_file, longest_gap)
     file, actions = printable(input_file.path.name), (EXCLUDE_FILE_ACTION,)
     if input_file.role == "trajectory":

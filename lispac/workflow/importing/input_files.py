@@ -333,12 +333,12 @@ class InputFiles:
         """State of a file in the import."""
         if file.pending:
             return "pending"
+        levels = {message.level for message in self.messages(file)}
+        if Level.ERROR in levels:
+            return "error"
         if file.role is None:
             return "out"
-        levels = {message.level for message in self.messages(file)}
-        return (
-            "error" if Level.ERROR in levels else "warning" if Level.WARNING in levels else "fine"
-        )
+        return "warning" if Level.WARNING in levels else "fine"
 
     @cached_property
     def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
@@ -365,7 +365,7 @@ class InputFiles:
             return note("import.no_files")
         if any(file.pending for file in self.files):
             return note("import.being_examined")
-        wrong = [file for file in self.files if self.state_of_file(file) == "error"]
+        wrong = [file for file in self.files if file.role and self.state_of_file(file) == "error"]
         if wrong:
             first = self.messages(wrong[0])[0]
             if len(wrong) == 1:

@@ -17,7 +17,11 @@ from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.workflow.calibration.orientation_check import validation_planes_on_targets
-from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.calibration.sighting_assessment import (
+    AssessedQuality,
+    SightingKey,
+    sighting_qualities,
+)
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import Survey
 
@@ -34,9 +38,10 @@ def report_content_of(
     generated: datetime | None = None,
     convention: str = "",
     refused: Message | str = "",
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
     progress: Progress = no_progress,
 ) -> ReportContent:
-    """Content of the report, with all its numbers."""
+    """Content of the report, with all its numbers; valid ``known`` qualities are used."""
     project = project.with_data_messages(survey.messages)
     read = [each for each in survey.messages if each.level is Level.NOTE]
     tracks = {}
@@ -50,7 +55,7 @@ def report_content_of(
         track_local=tracks,
         notes=(*survey.notes, *read),
         generated=generated or datetime.now(UTC),
-        qualities=sighting_qualities(project, survey, progress=progress),
+        qualities=sighting_qualities(project, survey, known=known, progress=progress),
         convention=convention,
         budget=None if project.result is None else error_budget_of(project, survey),
         trajectory=trajectory_on_lines(survey),
@@ -69,6 +74,7 @@ def write_report(
     options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     generated: datetime | None = None,
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
     progress: Progress = no_progress,
 ) -> None:
     """Write the report as PDF, HTML, JSON or CSV tables (.zip), by the suffix of ``path``.
@@ -80,6 +86,7 @@ def write_report(
         `lispac.workflow.output.report_options`
     refused : reason why an estimation after that of the report failed; empty if none did
     generated : date and time given in the report; now by default
+    known : qualities of sightings that need not be assessed again
 
     Raises
     ------
@@ -92,8 +99,7 @@ def write_report(
     progress(0.0, gettext_lazy("Collecting the values of the report"))
     content = report_content_of(
         project, survey, generated=generated, convention=options.convention,
-        refused=refused,
-        progress=sub_progress(progress, 0.0, 0.3),
+        refused=refused, known=known, progress=sub_progress(progress, 0.0, 0.3),
     )  # fmt: skip
     progress(0.3, gettext_lazy("Writing {file}", file=path.name))
     with atomic_write(path) as temporary:
@@ -124,6 +130,7 @@ def preview_report(
     options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     ppi: float = 96.0,
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
     progress: Progress = no_progress,
 ) -> "Preview":
     """Make the report like `write_report` for display: images of the pages, and the PDF.
@@ -132,7 +139,7 @@ def preview_report(
     ----------
     pictures : mapping of caption to PNG file, optional
     options : page, convention and letterhead
-    refused : as for `write_report`
+    refused, known : as for `write_report`
     ppi : pixels per inch of the pages
 
     Raises
@@ -144,7 +151,7 @@ def preview_report(
 
     progress(0.0, gettext_lazy("Collecting the values of the report"))
     content = report_content_of(
-        project, survey, convention=options.convention, refused=refused,
+        project, survey, convention=options.convention, refused=refused, known=known,
         progress=sub_progress(progress, 0.0, 0.5),
     )  # fmt: skip
     progress(0.5, gettext_lazy("Laying out the pages"))

@@ -169,7 +169,7 @@ class ConventionPanel(QWidget):
     # -- assembly ----------------------------------------------------------------------------
 
     def _build(self) -> None:
-        body = QWidget()
+        body = widgets.WrappedBody()
         layout = widgets.vertical_layout(body)
         layout.addWidget(widgets.label(gettext("Program"), "heading"))
         self.system = QComboBox()

@@ -1,5 +1,7 @@
 """Figures of the diagnostics: convergence, correlations, POS errors, weak directions."""
 
+from textwrap import fill
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
@@ -123,6 +125,12 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         _legend_above(axes)
 
 
+NAME_LETTERS = 20
+"""Longest line of the name of a direction."""
+LEAST_LABELLED_SHARE = 0.12
+"""Smallest share of an angle whose bar is wide enough for its number."""
+
+
 def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the shares of roll, pitch and yaw in the three eigenvectors."""
     observability = result.observability
@@ -135,19 +143,27 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
         axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6,
                   color=theme.current_scheme().series[k], alpha=0.85, label=title)  # fmt: skip
         for row in range(3):
-            if share[k, row] > 0.12:
-                text = gettext("{angle} {share:percent.0} %", angle=title, share=share[k, row])
+            if share[k, row] > LEAST_LABELLED_SHARE:
+                text = gettext("{share:percent.0} %", share=share[k, row])
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL_SIZE, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
     names = [
-        f"{gettext(name)}\nσ {units.local_amount(value, '°', '.4f')}"
+        f"{fill(gettext(name), NAME_LETTERS)}\nσ {units.local_amount(value, '°', '.4f')}"
         for name, value in zip(DIRECTION_TITLES, sigma, strict=True)
     ]
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
-    axes.set_xlabel(gettext("Contribution of each angle to the direction, %"), fontsize=FONT_SIZE)
+    # Of the figure, since the axes are narrower than these texts
+    figure.legend(
+        fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, ncols=3,
+        loc="outside upper center",
+    )  # fmt: skip
+    figure.supxlabel(
+        gettext("Contribution of each angle to the direction, %"),
+        fontsize=FONT_SIZE, color=theme.TEXT,
+    )  # fmt: skip
 
 
 def short_title(name: str) -> str:

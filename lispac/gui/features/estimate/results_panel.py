@@ -147,7 +147,7 @@ class ResultsPanel(QWidget):
         return message_text(OUTDATED_NOTE) if is_outdated else gettext(EMPTY_TEXT)
 
     def _create_body(self) -> QScrollArea:
-        outer = QWidget()
+        outer = widgets.WrappedBody()
         around = widgets.vertical_layout(outer)
         around.setContentsMargins(12, 4, 12, 4)
         self._waiting = widgets.label(

@@ -1,6 +1,6 @@
 """Actions on targets besides picking: rate, search again, change the role."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
@@ -22,10 +22,12 @@ from lispac.progress import Progress
 from lispac.project import Project, Target
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.calibration import edits
-from lispac.workflow.calibration.sighting_assessment import AssessedQuality, assess_sightings
+from lispac.workflow.calibration.sighting_assessment import (
+    AssessedQuality,
+    SightingKey,
+    assess_sightings,
+)
 from lispac.workflow.project.survey import Survey
-
-SightingKey = tuple[str, str]
 
 
 class QualityComputation(QObject):
@@ -39,7 +41,6 @@ class QualityComputation(QObject):
     def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
-        self._known: Mapping[SightingKey, AssessedQuality] = {}
         self._request: tuple[Task, Project] | None = None
         self._candidate: Target | None = None
         self._candidate_request: tuple[Task, Target] | None = None
@@ -64,10 +65,11 @@ class QualityComputation(QObject):
         new result changes them little.
         """
         project, waits = self._document.project, self._document.awaits_result
+        known = self._document.qualities
         current: dict[SightingKey, SightingQuality] = {}
         for target in () if project is None else project.targets:
             for sighting in target.sightings:
-                each = self._known.get((target.name, sighting.line))
+                each = known.get((target.name, sighting.line))
                 if each is None or each.indices is not sighting.indices:
                     continue
                 if waits or each.is_current(project, target, sighting):
@@ -78,7 +80,7 @@ class QualityComputation(QObject):
         self.qualities_changed.emit(self._current_qualities())
 
     def _rate_sightings(self) -> None:
-        document, known = self._document, self._known
+        document, known = self._document, self._document.qualities
         project, survey = document.project, document.survey
         if project is None or survey is None or not document.is_survey_current:
             return
@@ -100,7 +102,7 @@ class QualityComputation(QObject):
             return assess_sightings(project, survey, known=known, progress=progress)
 
         def done(rated: dict[SightingKey, AssessedQuality]) -> None:
-            self._known = rated
+            document.keep_qualities(survey, rated)
             self._emit_qualities()
 
         title = gettext("Computing the quality of the sightings")
@@ -120,7 +122,8 @@ class QualityComputation(QObject):
         def done(rated: dict[SightingKey, AssessedQuality]) -> None:
             if self._candidate is not candidate:
                 return
-            self._known = {**rated, **self._known}  # remains valid after acceptance
+            # They remain valid after acceptance
+            self._document.keep_qualities(survey, {**rated, **self._document.qualities})
             self.candidate_rated.emit({line: each.quality for (_, line), each in rated.items()})
 
         title = gettext("Computing the quality of {target}", target=candidate.name)

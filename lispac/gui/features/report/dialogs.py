@@ -182,9 +182,11 @@ class ReportDialogs(Questions):
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),
+        equipment: Mapping[str, Sequence[str]] | None = None,
     ) -> Identity | None:
         """Ask for the details of the report; the parameters are those of `IdentityDialog`."""
         dialog = IdentityDialog(
-            identity, dates, companies, suggestions, self.parent, missing=missing
-        )
+            identity, dates, companies, suggestions, self.parent, missing=missing,
+            equipment=equipment,
+        )  # fmt: skip
         return dialog.identity if run_dialog(dialog) else None

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QCompleter,
     QDialog,
@@ -23,6 +24,7 @@ from lispac.identity import (
     FIELD_GROUPS,
     FIELD_LABELS,
     FIELD_NAMES,
+    REQUIRED_FIELDS,
     Identity,
 )
 from lispac.language import N_, gettext
@@ -70,6 +72,7 @@ class IdentityDialog(QDialog):
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
     missing : names of empty fields to ask for before an export or a preview
+    equipment : names of sensors that the fields of the equipment offer
     """
 
     def __init__(
@@ -81,6 +84,7 @@ class IdentityDialog(QDialog):
         parent: QWidget | None = None,
         *,
         missing: Sequence[str] = (),
+        equipment: Mapping[str, Sequence[str]] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
@@ -116,6 +120,10 @@ class IdentityDialog(QDialog):
         layout.addLayout(self._form(FIELD_GROUPS[-1:]))
         self._align_fields()
         self._complete_texts()
+        for name, texts in (equipment or {}).items():
+            field = self.fields[name]
+            assert isinstance(field, QLineEdit)
+            _offer(field, texts)
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.message_label)
@@ -131,6 +139,7 @@ class IdentityDialog(QDialog):
         cancel.setAutoDefault(False)
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
+        row.addWidget(widgets.label(gettext("* needed for a signed report"), "muted"))
         row.addStretch(1)
         for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
@@ -149,7 +158,7 @@ class IdentityDialog(QDialog):
             if len(names) > 1:
                 form.addRow(widgets.label(gettext(title), "heading"))
             for name in names:
-                label = widgets.label(gettext(FIELD_LABELS[name]))
+                label = widgets.label(_label_text(name))
                 label.setBuddy(self.fields[name])
                 self._labels.append(label)
                 form.addRow(label, self.fields[name])
@@ -230,6 +239,31 @@ def missing_details_text(missing: Sequence[str]) -> str:
     return gettext("Missing for a signed report: {names:names}.", names=names)
 
 
+def _label_text(name: str) -> str:
+    """Label of a field, with an asterisk if a signed report needs it."""
+    label = gettext(FIELD_LABELS[name])
+    return f"{label} *" if name in REQUIRED_FIELDS else label
+
+
+def _offer(field: QLineEdit, texts: Sequence[str]) -> None:
+    """Complete a field with any of some texts, and list them all with its arrow or Alt+Down."""
+    completer = QCompleter(list(dict.fromkeys(texts)), field)
+    completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+    completer.setFilterMode(Qt.MatchFlag.MatchContains)
+    field.setCompleter(completer)
+
+    def show_all() -> None:
+        completer.setCompletionPrefix("")
+        completer.complete()
+
+    arrow = field.addAction(theme.icon("chevron-down"), QLineEdit.ActionPosition.TrailingPosition)
+    arrow.setText(gettext("Choose from the sensors"))
+    arrow.setToolTip(gettext("Choose from the sensors"))
+    arrow.setShortcut(QKeySequence("Alt+Down"))
+    arrow.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+    arrow.triggered.connect(show_all)
+
+
 def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     field: QLineEdit | QPlainTextEdit
     if name == "remarks":
@@ -239,7 +273,7 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     else:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
-    field.setAccessibleName(gettext(FIELD_LABELS[name]))
+    field.setAccessibleName(_label_text(name))
     field.setToolTip(gettext(FIELD_TIPS[name]))
     return field
 

@@ -2,7 +2,7 @@
 
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import astuple
 from functools import partial
@@ -28,9 +28,15 @@ from lispac.identity import COMPANY_FIELDS
 from lispac.installation_paths import home_folder
 from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
-from lispac.progress import Progress
+from lispac.progress import Progress, sub_progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
+from lispac.workflow.calibration.sighting_assessment import (
+    AssessedQuality,
+    SightingKey,
+    assess_sightings,
+)
+from lispac.workflow.planning.sensors import read_library
 from lispac.workflow.project.output_crs import trajectory_datum_of
 from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey_dates import survey_dates
@@ -107,6 +113,7 @@ class ReportExport(QObject):
             self._settings.companies(),
             _reference_frame(project),
             missing,
+            self._equipment(),
         )
         if identity is not None and identity.company:
             names = (*COMPANY_FIELDS, *SURVEY_FIELDS)
@@ -118,6 +125,14 @@ class ReportExport(QObject):
         if identity is not None and current is not None and identity != current.identity:
             self._document.edit(N_("change of report details"), current.with_identity(identity))
         return identity is not None
+
+    def _equipment(self) -> dict[str, list[str]]:
+        """Names of the sensors of the library, by field of the details."""
+        library = read_library(self._settings.sensors)
+        return {
+            "scanner": [each.figures.title for each in library.scanners],
+            "pos": [each.figures.title for each in library.pos],
+        }
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
@@ -167,19 +182,34 @@ class ReportExport(QObject):
         pictures: Pictures,
     ) -> None:
         refused = self._document.refused_since
+        assess = self._assessment(project, survey)
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.output.export import write_report
 
+            known = assess(sub_progress(progress, 0.0, 0.3))
             with _temporary_files(pictures) as files:
                 write_report(
                     project, survey, path, pictures=files, options=options, refused=refused,
-                    progress=progress,
+                    known=known, progress=sub_progress(progress, 0.3, 1.0),
                 )  # fmt: skip
             return path
 
         title, chosen = gettext("Writing the report"), self._chosen_options
         self._runner.run(title, work, partial(self._on_exported, project, chosen), persistent=True)
+
+    def _assessment(
+        self, project: Project, survey: Survey
+    ) -> Callable[[Progress], dict[SightingKey, AssessedQuality]]:
+        """Function for the worker that assesses the sightings whose quality is not known yet."""
+        document, known = self._document, self._document.qualities
+
+        def assess(progress: Progress) -> dict[SightingKey, AssessedQuality]:
+            found = assess_sightings(project, survey, known=known, progress=progress)
+            document.keep_qualities(survey, found)
+            return found
+
+        return assess
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -201,13 +231,16 @@ class ReportExport(QObject):
         refused = self._document.refused_since
         ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
 
+        assess = self._assessment(project, survey)
+
         def work(progress: Progress) -> "Preview":
             from lispac.workflow.output.export import preview_report
 
+            known = assess(sub_progress(progress, 0.0, 0.5))
             with _temporary_files(pictures) as files:
                 return preview_report(
                     project, survey, pictures=files, options=options, refused=refused, ppi=ppi,
-                    progress=progress,
+                    known=known, progress=sub_progress(progress, 0.5, 1.0),
                 )  # fmt: skip
 
         self._runner.run(

@@ -1,5 +1,6 @@
 """Verdict on the calibration, the values that exceed their limits, and the probable causes."""
 
+from collections.abc import Iterable
 from math import radians
 
 from PySide6.QtCore import Signal
@@ -14,6 +15,7 @@ from lispac.present.acceptance import (
     AcceptanceCheckValues,
     AcceptanceValues,
     calibration_verdict_text,
+    verdict_text,
 )
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
@@ -64,28 +66,52 @@ class AcceptanceOutcome(QWidget):
         layout.addWidget(self.notes)
         layout.addLayout(self._causes)
 
-    def show_project(self, project: Project | None) -> None:
-        """Show the verdict on the project; nothing without a result."""
+    def show_project(self, project: Project | None, problem: Message | None = None) -> None:
+        """Show the verdict on the project; nothing without a result.
+
+        Parameters
+        ----------
+        problem : reason why a typed criterion is not accepted; there is no verdict without it
+        """
         self.setVisible(project is not None and project.result is not None)
         if project is None or project.result is None:
             return
         # Compared by identity: the objects are kept, so that none has the address of another
-        source = project.result, project.validation, project.acceptance
+        source = project.result, project.validation, project.acceptance, problem
         if len(self._shown) == len(source) and all(
             a is b for a, b in zip(source, self._shown, strict=True)
         ):
             return
         self._shown = source
+        if problem is not None:
+            self._show_problem()
+            return
         values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(
             gettext("Acceptance: {verdict}", verdict=calibration_verdict_text(values))
         )
         reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
         notes = map(message_text, acceptance_notes(values)) if values.checks else ()
+        self._show_texts(reasons, notes)
+        self._show_style(*VERDICT_STYLES.get(values.verdict, ("", "")))
+        planes = [ValidationPlane.of(each) for each in project.validation]
+        self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
+
+    def _show_problem(self) -> None:
+        """Show that there is no verdict; the text above gives the reason."""
+        verdict = verdict_text("not judged")
+        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict))
+        text = gettext("A typed criterion is not used: correct it, or press Escape in its field.")
+        self._show_texts([text], ())
+        self._show_style("", "error")
+        self._show_causes(())
+
+    def _show_texts(self, reasons: Iterable[str], notes: Iterable[str]) -> None:
         for label, texts in ((self.reasons, reasons), (self.notes, notes)):
             label.setText("\n".join(texts))
             label.setVisible(bool(label.text()))
-        icon, role = VERDICT_STYLES.get(values.verdict, ("", ""))
+
+    def _show_style(self, icon: str, role: str) -> None:
         self.icon.setVisible(bool(icon))
         if icon:
             self.icon.setPixmap(theme.quality_icon(icon).pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
@@ -93,8 +119,6 @@ class AcceptanceOutcome(QWidget):
             each.setProperty("role", role)
             each.style().unpolish(each)
             each.style().polish(each)
-        planes = [ValidationPlane.of(each) for each in project.validation]
-        self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
 
     def _show_causes(self, causes: tuple[Message, ...]) -> None:
         self.buttons = []

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication, QPaintEvent
+from PySide6.QtGui import QGuiApplication, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -26,7 +26,7 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext
-from lispac.present.acceptance import AcceptanceValues, failed_texts
+from lispac.present.acceptance import AcceptanceCriteriaValues, AcceptanceValues, failed_texts
 from lispac.present.validation import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
@@ -123,6 +123,10 @@ def profiles_text(comparison: PlaneComparison) -> str:
 
 LOW_PLOT_PX = 280
 """Height of the plot below which the histogram has no title and legend, pixels."""
+MIN_PLOT_PX, KEPT_PLOT_PX = 100, 130
+"""Smallest height of the plot, and the height that a plot keeps beside a failure, pixels."""
+MIN_STACKED_HEIGHT_PX = 340
+"""Height of the panel from which the pairs of lines are below the planes, pixels."""
 MIN_TABLE_WIDTH_PX = 250
 """Width of the table of planes with the names, RMS and offsets, pixels."""
 PLOT_TITLES = (
@@ -182,6 +186,8 @@ class HistogramsPanel(QWidget):
         self._comparisons: tuple[PlaneComparison, ...] = ()
         self._values: AcceptanceValues | None = None
         self._fitted_width = 0
+        self._listed: tuple[PlaneComparison | None, AcceptanceCriteriaValues | None] = None, None
+        """Plane and criteria of the listed pairs of lines."""
         self.canvas: QWidget | None = None
         self._drawn: tuple[PlaneComparison | None, int] = None, 0
         """Plane and index of the plot of the picture."""
@@ -239,10 +245,17 @@ class HistogramsPanel(QWidget):
         self._views.addWidget(plots)
         self._views.addWidget(self.pairs)
         details = QWidget()
+        # Below the plot, which is wide: the table leaves no space below it if the panel is low
+        self.failures = widgets.label("", "error", wrap=True, name="comparison_failures")
+        self.failures.hide()
+        column = QVBoxLayout()
+        column.setSpacing(0)
+        column.addWidget(self._views, 1)
+        column.addWidget(self.failures)
         row = QHBoxLayout(details)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)
-        row.addWidget(self._views, 1)
+        row.addLayout(column, 1)
         row.addLayout(self._create_tools())
         return details
 
@@ -326,8 +339,8 @@ class HistogramsPanel(QWidget):
             self._announcing.start()
             self._blank_other_picture()
             self._drawing.start()
-        elif self._current_comparison is not None:
-            self.reading.setText(self._plane_text())
+        else:
+            self._show_judgement()
 
     def _fit_table(self) -> None:
         """Give the table the width of its columns, and the rest to the plot.
@@ -337,12 +350,47 @@ class HistogramsPanel(QWidget):
         width = self.table.sizeHint().width()
         if width != self._fitted_width:
             self._fitted_width = width
-            self._parts.setSizes([width, max(self._parts.width() - width, 1)])
+            self._arrange()
 
-    def _plane_text(self) -> str:
-        """Values of the selected plane that exceed their limits; else how to zoom."""
-        failures = failed_texts(self._values, self.current) if self._values and self.current else []
-        return "\n".join(failures) or gettext(ZOOM_HINT)
+    def _arrange(self) -> None:
+        """Place the many columns of the pairs below the planes if the panel is high enough."""
+        is_pairs = self.plot.currentIndex() == PAIRS_VIEW
+        is_stacked = is_pairs and self.height() >= MIN_STACKED_HEIGHT_PX
+        orientation = Qt.Orientation.Vertical if is_stacked else Qt.Orientation.Horizontal
+        self._parts.setOrientation(orientation)
+        whole, first = self._parts.width(), self._fitted_width
+        if is_stacked:
+            line = self.reading.fontMetrics().lineSpacing()
+            whole, first = self._parts.height(), self.table.sizeHint().height() + 2 * line
+        self._parts.setSizes([first, max(whole - first, 1)])
+        self._show_judgement()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Arrange the parts again if the panel has become high or low."""
+        super().resizeEvent(event)
+        was_high = event.oldSize().height() >= MIN_STACKED_HEIGHT_PX
+        if was_high != (self.height() >= MIN_STACKED_HEIGHT_PX):
+            self._arrange()
+
+    def _show_judgement(self) -> None:
+        """Show the values of the selected plane and of its pairs of lines that exceed a limit."""
+        comparison, values = self._current_comparison, self._values
+        if comparison is None or values is None:
+            return
+        failures = failed_texts(values, comparison.name)
+        self.failures.setText("\n".join(failures))
+        # A low table of pairs, which marks them, needs all the place
+        is_low_table = self.plot.currentIndex() == PAIRS_VIEW and (
+            self._parts.orientation() == Qt.Orientation.Horizontal
+        )
+        if self.canvas is not None:
+            keeps = bool(failures) and self.canvas.height() >= KEPT_PLOT_PX
+            self.canvas.setMinimumHeight(KEPT_PLOT_PX if keeps else MIN_PLOT_PX)
+        self.failures.setVisible(bool(failures) and not is_low_table)
+        listed, criteria = self._listed
+        if listed is not comparison or criteria != values.criteria:
+            self._listed = comparison, values.criteria
+            self.pairs.show_rows(pairs_table.pair_rows(comparison, values.criteria))
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
@@ -360,7 +408,9 @@ class HistogramsPanel(QWidget):
 
     def _show_chosen_view(self, index: int) -> None:
         is_table = index == PAIRS_VIEW
-        self._views.setCurrentIndex(int(is_table))
+        if is_table != bool(self._views.currentIndex()):
+            self._views.setCurrentIndex(int(is_table))
+            self._arrange()
         no_plot = first_reason((is_table, Unavailable.NO_PLOT))
         self.copy_picture.set_reason(reason_text(no_plot))
         self._redraw_selected()
@@ -381,8 +431,8 @@ class HistogramsPanel(QWidget):
         from lispac.report.distance_profiles import profile_figure
         from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
-        self.pairs.show_rows(pairs_table.pair_rows(comparison))
-        self.reading.setText(self._plane_text())
+        self._show_judgement()
+        self.reading.setText(gettext(ZOOM_HINT))
         if self.plot.currentIndex() == PAIRS_VIEW:
             return
         canvas = self._plot_canvas()
@@ -435,11 +485,11 @@ class HistogramsPanel(QWidget):
             from lispac.gui.widgets.chart import Chart
             from lispac.gui.widgets.plot_zoom import PlotZoom
 
-            self.canvas = Chart(260, 100)
+            self.canvas = Chart(260, MIN_PLOT_PX)
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setToolTip(gettext(ZOOM_HINT))
             self._zooming = PlotZoom(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(self._plane_text())
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),

@@ -1,12 +1,24 @@
 """Table of the pairs of lines on a validation plane: distances, offsets and angles."""
 
+from dataclasses import replace
+
 from lispac.gui.appearance import quantities
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
-from lispac.language import gettext
+from lispac.language import N_, gettext
+from lispac.present.acceptance import AcceptanceCriteriaValues
 from lispac.present.tables import title_text
 from lispac.present.validation import WINDOW_PAIRS_TABLE, PairValues
 from lispac.validation.comparison_results import PlaneComparison
+
+RMS_AFTER, OFFSET_AFTER = 2, 4
+"""Columns of the values after the calibration that have a limit."""
+LIMIT_TEXTS = {
+    RMS_AFTER: N_("RMS {value}, limit for a plane {limit}"),
+    OFFSET_AFTER: N_("Offset {value}, limit {limit}"),
+}
+LEAST_CHANGE_M = 1e-4
+"""Increase of the RMS that counts as worse: one unit of the last digit in millimetres."""
 
 
 def create_pairs_table() -> DiagnosticsTable:
@@ -15,9 +27,38 @@ def create_pairs_table() -> DiagnosticsTable:
     return DiagnosticsTable("pairs_table", title, window_columns(WINDOW_PAIRS_TABLE))
 
 
-def pair_rows(comparison: PlaneComparison) -> list[Row]:
-    """One row for each pair of lines on the plane."""
-    return window_rows(WINDOW_PAIRS_TABLE, map(PairValues.of, comparison.pairs), tip=_pair_tip)
+def pair_rows(comparison: PlaneComparison, criteria: AcceptanceCriteriaValues) -> list[Row]:
+    """One row for each pair of lines on the plane; values that exceed a limit are highlighted."""
+    pairs = [PairValues.of(each) for each in comparison.pairs]
+    rows = window_rows(WINDOW_PAIRS_TABLE, pairs, tip=_pair_tip)
+    return [_marked_row(row, pair, criteria) for row, pair in zip(rows, pairs, strict=True)]
+
+
+def _marked_row(row: Row, pair: PairValues, criteria: AcceptanceCriteriaValues) -> Row:
+    """Row with an icon, highlighted values and their reasons if the pair should be checked."""
+    before, rms = pair.before.distances.rms_m, pair.after.distances.rms_m
+    reasons, colours = [], {}
+    if rms - before >= LEAST_CHANGE_M:
+        colours[RMS_AFTER] = "doubtful"
+        reasons.append(
+            gettext(
+                "Worse than before the calibration: RMS {before} → {after}",
+                before=_millimetres(before), after=_millimetres(rms),
+            )
+        )  # fmt: skip
+    for column, value, limit in (
+        (RMS_AFTER, rms, criteria.rms_m), (OFFSET_AFTER, pair.absolute_offset_m, criteria.offset_m)
+    ):  # fmt: skip
+        if value is not None and limit is not None and value > limit:
+            colours[column] = "error"
+            reasons.append(
+                gettext(LIMIT_TEXTS[column], value=_millimetres(value), limit=_millimetres(limit))
+            )
+    if not reasons:
+        return row
+    cells = [replace(cell, colour=colours.get(k, "")) for k, cell in enumerate(row.cells)]
+    quality = "poor" if "error" in colours.values() else "doubtful"
+    return replace(row, cells=cells, quality=quality, tip="\n".join([*reasons, row.tip]).strip())
 
 
 def _millimetres(metres: float, *, sign: bool = False) -> str:

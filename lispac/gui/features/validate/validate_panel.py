@@ -8,6 +8,7 @@ from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.validate.acceptance_form import AcceptanceForm
 from lispac.gui.features.validate.acceptance_outcome import AcceptanceOutcome
 from lispac.gui.project.status import VALIDATE, ProjectState
+from lispac.gui.widgets.number_input import first_input_error
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
@@ -103,11 +104,11 @@ class ValidatePanel(QWidget):
         self.acceptance.edited.connect(self.acceptance_edited)
         layout.addWidget(self.acceptance)
         # Texts that change with the criteria are below their fields, which then stay in place
+        self.advice = widgets.label("", wrap=True, name="validate_advice")
+        layout.addWidget(self.advice)
         self.outcome = AcceptanceOutcome()
         self.outcome.cause_requested.connect(self.cause_requested)
         layout.addWidget(self.outcome)
-        self.advice = widgets.label("", wrap=True, name="validate_advice")
-        layout.addWidget(self.advice)
 
     @property
     def model(self) -> LocalModel:
@@ -146,7 +147,7 @@ class ValidatePanel(QWidget):
         if project is not None:
             self._show_last_model(project)
         self.acceptance.show_project(project)
-        self.outcome.show_project(project)
+        self.outcome.show_project(project, first_input_error(self.acceptance))
         self.advice.setText(status.advice)
         busy = first_reason((state.is_busy, Unavailable.BUSY))
         self.run.set_reason(reason_text(status.reason or busy))

@@ -3,7 +3,15 @@
 import time
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -13,6 +21,8 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QPushButton,
     QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
 )
@@ -26,6 +36,7 @@ from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 
+_Index = QModelIndex | QPersistentModelIndex
 TITLE = N_("Messages")
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
@@ -40,6 +51,8 @@ ACTION_LINE = "\N{NO-BREAK SPACE}"
 """Last line of a message with actions: the place of its buttons."""
 BUTTON_INDENT_PX, BUTTON_HEIGHT_PX = 4, 18
 """Left edge and height of the buttons of a message, in the last line of its text."""
+BUTTON_GAP_PX = 10
+"""Additional height of a message with buttons, half of which is above its buttons."""
 MAX_SLICE_S = 0.015
 """Time for which texts are added before events are processed; a text takes a millisecond."""
 
@@ -153,7 +166,7 @@ class WarningsPanel(QWidget):
         """Buttons of a message, below its text."""
         made = QWidget()
         row = QHBoxLayout(made)
-        row.setContentsMargins(BUTTON_INDENT_PX, 0, 4, 2)
+        row.setContentsMargins(BUTTON_INDENT_PX, 0, 4, 0)
         for action in actions:
             button = widgets.button(action_text(action), f"message_{action.code}")
             button.setStyleSheet("padding: 0px 8px;")
@@ -200,6 +213,7 @@ class _WarningListWidget(QListWidget):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setIconSize(QSize(18, 18))
         self.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 4px; }")
+        self.setItemDelegate(_ButtonSpace(self))
 
     def event(self, event: QEvent) -> bool:
         # Elsewhere in the window Enter accepts the candidate.
@@ -214,6 +228,15 @@ class _WarningListWidget(QListWidget):
             self.entered_.emit(self.currentRow())
         else:
             super().keyPressEvent(event)
+
+
+class _ButtonSpace(QStyledItemDelegate):
+    """Delegate that makes messages with buttons higher than their text."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
+        hint = super().sizeHint(option, index)
+        has_buttons = index.data().endswith(ACTION_LINE)
+        return hint + QSize(0, BUTTON_GAP_PX) if has_buttons else hint
 
 
 def _possible_actions(message: Message) -> tuple[Action, ...]:

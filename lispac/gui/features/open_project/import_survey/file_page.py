@@ -346,7 +346,7 @@ class FilePage(QWidget):
         layout.addWidget(split, 1)
 
     def _create_left_side(self) -> QScrollArea:
-        body = QWidget()
+        body = widgets.WrappedBody()
         rows = QVBoxLayout(body)
         rows.setContentsMargins(0, 0, 6, 0)
         rows.setSpacing(6)

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QScrollArea,
-    QWidget,
 )
 
 from lispac.adjustment.model.stochastic_model import ASSUMED_LIDAR_SIGMA
@@ -42,7 +41,7 @@ class MountingPage(QScrollArea):
         self.sensors = SensorChoice(library, "new")
         self.setAccessibleName(gettext("Mounting and accuracies"))
         self.setWidgetResizable(True)
-        body = QWidget()
+        body = widgets.WrappedBody()
         grid = QGridLayout(body)
         grid.setContentsMargins(16, 12, 16, 12)
         grid.setHorizontalSpacing(36)

@@ -30,6 +30,7 @@ LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
 """Line styles of three curves, which stay visible where they coincide, such as north and east."""
 MAX_TRACK_POINTS = 10_000
 """A longer track is thinned to between one and two times this number of points."""
+FULL_TURN_DEG = 360.0
 LETTER_WIDTH_SHARE = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
@@ -196,16 +197,36 @@ def draw_signs(record: AttitudeRecord, figure: Figure) -> None:
 
 
 def _draw_heading(axes: Axes, record: AttitudeRecord) -> None:
-    # Unwrapped, so that the curve does not jump at north.
+    """Draw the heading without jumps at north, on an axis of at most one turn."""
     heading = np.degrees(np.unwrap(record.attitude[:, 2]))
     _draw_series(axes, record, record.time, heading, 0, "")
     span = float(np.ptp(heading))
-    step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if span / s <= 5), 360)
+    if span > FULL_TURN_DEG:
+        step, curve = 90, axes.lines[-1]
+        curve.set_data(*_in_one_turn(*map(np.asarray, curve.get_data())))
+        axes.set_ylim(0, FULL_TURN_DEG)
+    else:
+        step = next((s for s in (1, 5, 10, 30, 45) if span / s <= 5), 90)
+        axes.yaxis.set_major_formatter(
+            FuncFormatter(lambda value, _: units.localised(f"{value % FULL_TURN_DEG:.3g}"))
+        )
     axes.yaxis.set_major_locator(MultipleLocator(step))
-    axes.yaxis.set_major_formatter(
-        FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
-    )
     axes.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
+
+
+def _in_one_turn(time: Array, heading: Array) -> tuple[Array, Array]:
+    """Curve with the part of each turn from 0 to 360 degrees and the points next to it."""
+    times, headings = [], []
+    known = heading[np.isfinite(heading)]
+    first, last = np.floor_divide([known.min(), known.max()], FULL_TURN_DEG)
+    for turn in np.arange(first, last + 1):
+        shifted = heading - turn * FULL_TURN_DEG
+        inside = (shifted >= 0) & (shifted <= FULL_TURN_DEG)
+        near = np.convolve(inside, [1, 1, 1], "same") > 0
+        shown = np.convolve(near, [1, 1, 1], "same") > 0  # with a break after each part
+        times.append(time[shown])
+        headings.append(np.where(near, shifted, np.nan)[shown])
+    return np.concatenate(times), np.concatenate(headings)
 
 
 DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
