@@ -1,6 +1,6 @@
 """Quality of the sightings, as values and table."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.picked_targets import Target
 from lispac.present.angles import floats
 from lispac.present.tables import COUNT, MILLIMETRES, PERCENT, Column, Format, Table
 from lispac.targets.sighting_quality import SightingQuality
@@ -71,10 +72,14 @@ def sighting_quality_values(
 
 
 def quality_list(
-    qualities: Mapping[tuple[str, str], SightingQuality],
+    qualities: Mapping[tuple[str, str], SightingQuality], targets: Iterable[Target]
 ) -> tuple[SightingQualityValues, ...]:
-    """Qualities as rows; they are given by the names of target and line."""
-    return tuple(sighting_quality_values(*key, each) for key, each in qualities.items())
+    """Qualities of the sightings of targets as rows; they are given by target and line."""
+    edited = {(t.name, s.line) for t in targets for s in t.sightings if s.by_hand}
+    return tuple(
+        sighting_quality_values(*key, each, edited_by_hand=key in edited)
+        for key, each in qualities.items()
+    )
 
 
 def rating_text(quality: SightingQualityValues) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from argparse import ArgumentParser, Namespace
 from dataclasses import replace
@@ -25,7 +24,6 @@ from lispac.cli.noise_options import (
     noise_and_offset_settings,
 )
 from lispac.identity import EMPTY_IDENTITY
-from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     pass
@@ -176,12 +174,12 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
-        messages = json_values(survey.messages)
-        print_json({"project": str(project.folder), "points": points, "messages": messages})
+        from lispac.cli.json_outputs import NewOutput
+
+        print_json(NewOutput(project.folder, points, tuple(survey.messages)))
         return
     for name, count in points.items():
-        heading = math.degrees(survey.heading[name]) % 360
-        print(f"{name:20s} {count:12,} points, heading {heading:5.1f} deg")
+        print(f"{name:20s} {count:12,} points, heading {survey.headings_deg[name]:5.1f} deg")
     print(f"project    {project.folder}")
 
 
