@@ -303,6 +303,12 @@ POS_COMPONENT_TITLES = (
     N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
 )  # fmt: skip
 """Titles of the components, in the order of `SightingReliability.pos_error`."""
+POS_ERROR_CAPTION = N_(
+    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
+    "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
+    "given, or another error was attributed to it."
+)
+"""Explanation of the figure of the POS errors."""
 
 
 MAX_DETERMINED_SIGMA_RATIO = 0.995
