@@ -14,7 +14,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
 from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
-from lispac.present.angles import angles
+from lispac.present.angles import ROTATION_ENTRY, angles
 from lispac.present.cross_checks import cross_check_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
 from lispac.present.settings import origin_fact
@@ -129,7 +129,7 @@ def print_steep_rotation(result: AdjustmentResult) -> None:
     print(f"Orientation: {orientation_text(result.angles)}")
     print("Rotation matrix, LiDAR to body (forward, left, up):")
     for row in result.mounting.rotation_body_lidar:
-        print("".join(f"{value:+14.8f}" for value in row))
+        print("".join(f"{ROTATION_ENTRY.plain_text(value):>14s}" for value in row))
 
 
 def _error_model_text(result: AdjustmentResult) -> str:
