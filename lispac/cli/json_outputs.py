@@ -37,7 +37,7 @@ from lispac.present.planning import (
     ScenarioValues,
     SimulationValues,
 )
-from lispac.present.sighting_quality import SightingQualityValues
+from lispac.present.sighting_quality import PickedSightingValues, SightingQualityValues
 from lispac.present.sigmas import SigmaValues
 from lispac.present.subsampling import SubsamplingValues
 from lispac.present.validation import ValidationPlane
@@ -126,19 +126,6 @@ class SightingOutput:
 
 
 @dataclass(frozen=True)
-class PickedSightingOutput(SightingOutput):
-    """Sighting found by ``lispac pick``; the last three values are those of a sphere.
-
-    ``visible_share`` is the share of the surface that the line has seen.
-    """
-
-    quality: SightingQualityValues
-    centre_m: tuple[float, ...] | None = None
-    sphere_radius_m: float | None = None
-    visible_share: float | None = None
-
-
-@dataclass(frozen=True)
 class SharedPointsOutput:
     """Target with which a target shares points of a line, and the share of the smaller one."""
 
@@ -164,7 +151,7 @@ class PickOutput:
     max_tilt_deg: float
     stop: float
     random_seed: int
-    lines: Mapping[str, PickedSightingOutput]
+    lines: Mapping[str, PickedSightingValues]
     missing: Mapping[str, Message]
     same_points_as: SharedPointsOutput | None
 
@@ -179,7 +166,7 @@ class SeedOutput:
     seed_m: tuple[float, ...]
     found: bool
     reason: Message | None
-    lines: Mapping[str, PickedSightingOutput]
+    lines: Mapping[str, PickedSightingValues]
     missing: Mapping[str, Message]
 
 
@@ -205,12 +192,12 @@ class ProposedTargetOutput:
 class ProposeOutput:
     """Result of ``lispac propose``.
 
-    ``sigma_deg`` is the predicted precision of roll, pitch and yaw, None for an undetermined angle;
+    ``sigma_deg`` is the predicted precision, None if the targets do not determine the angles;
     ``accepted`` is True if the targets were added.
     """
 
     targets: tuple[ProposedTargetOutput, ...]
-    sigma_deg: Mapping[str, float | None]
+    sigma_deg: Angles | None
     warnings: tuple[Message, ...]
     accepted: bool
 

@@ -94,6 +94,49 @@ def rating_text(quality: SightingQualityValues) -> str:
     )
 
 
+@dataclass(frozen=True)
+class PickedSightingValues:
+    """Points of a target in one line, and the RMS distance from the surface.
+
+    The last three values are those of a sphere; ``visible_share`` is the share of the surface that
+    the line has seen.
+    """
+
+    points: int
+    rms_m: float
+    quality: SightingQualityValues
+    centre_m: tuple[float, ...] | None = None
+    sphere_radius_m: float | None = None
+    visible_share: float | None = None
+
+    def coordinate(self, axis: int) -> float | None:
+        """North, west or up of the centre of a sphere, metres; None for a plane."""
+        return None if self.centre_m is None else self.centre_m[axis]
+
+
+PICKED_SIGHTINGS_TABLE = Table[PickedSightingValues](
+    "Sightings",
+    (
+        Column("quality.target", "Target"),
+        Column("quality.line", "Line"),
+        Column("points", "Points", COUNT),
+        Column("rms_m", "RMS", MILLIMETRES),
+        Column("quality.rating", "Quality"),
+    ),
+)
+"""Table of the command line; the window shows the sightings as a tree."""
+CENTRE_METRES = Format("m", 3, is_grouped=False)
+PICKED_SPHERES_TABLE = Table[PickedSightingValues](
+    "Sphere in each line",
+    (
+        Column("quality.line", "Line"),
+        Column(lambda row: row.coordinate(0), "North", CENTRE_METRES),
+        Column(lambda row: row.coordinate(1), "West", CENTRE_METRES),
+        Column(lambda row: row.coordinate(2), "Up", CENTRE_METRES),
+        Column("sphere_radius_m", "Radius", CENTRE_METRES),
+        Column("visible_share", "Surface seen", PERCENT, has_unit_in_cells=True),
+    ),
+)
 QUALITY_TABLE = Table[SightingQualityValues](
     N_("Quality of each sighting of targets and validation planes"),
     (

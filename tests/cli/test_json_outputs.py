@@ -197,15 +197,16 @@ def test_printed_schema_has_all_definitions_that_it_uses_and_no_others(
         Draft202012Validator(schema).validate({"lines": {"L1": {**line, "points": "5"}}})
 
 
-def test_an_undetermined_angle_of_a_proposal_has_no_sigma(
+def test_a_proposal_that_does_not_determine_the_angles_has_no_sigma(
     copy: Project, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     found = Proposal((), {}, lambda names: np.array([0.001, np.inf, np.inf]), (), ())
     monkeypatch.setattr(
         "lispac.workflow.calibration.proposals.propose_targets", lambda *_, **__: found
     )
-    sigma = run_json(capsys, "propose", copy.folder)["sigma_deg"]
-    assert sigma == {"roll": pytest.approx(np.degrees(0.001)), "pitch": None, "yaw": None}
+    assert run_json(capsys, "propose", copy.folder)["sigma_deg"] is None
+    out = run(capsys, "propose", copy.folder)[1]
+    assert out.splitlines()[2].split() == ["all", "targets", *["not", "determined"] * 3]
 
 
 def report_of(folder: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:

@@ -31,11 +31,11 @@ from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, Find
 
 if TYPE_CHECKING:
     from lispac.cli.json_outputs import (
-        PickedSightingOutput,
         PickOutput,
         SeedOutput,
         SharedPointsOutput,
     )
+    from lispac.present.sighting_quality import PickedSightingValues
     from lispac.project import Project, Target
     from lispac.survey.crs import CoordinateSystem
     from lispac.targets.sighting_quality import SightingQuality
@@ -266,25 +266,24 @@ def _target_output(
         max_tilt_deg=degrees(target.choices.max_tilt),
         stop=target.choices.stop,
         random_seed=target.choices.seed,
-        lines=_sighting_outputs(target, spheres, qualities),
+        lines=_sighting_values(target, spheres, qualities),
         missing=target.missing,
         same_points_as=_shared_points(project, target),
     )
 
 
-def _sighting_outputs(
+def _sighting_values(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
-) -> dict[str, PickedSightingOutput]:
-    """Sightings of a target for JSON, by line."""
-    from lispac.cli.json_outputs import PickedSightingOutput
+) -> dict[str, PickedSightingValues]:
+    """Sightings of a target by line."""
     from lispac.present.angles import floats
-    from lispac.present.sighting_quality import sighting_quality_values
+    from lispac.present.sighting_quality import PickedSightingValues, sighting_quality_values
 
     found = {}
     for sighting in target.sightings:
         line = sighting.line
         values = sighting_quality_values(target.name, line, qualities[line])
-        output = PickedSightingOutput(len(sighting.indices), sighting.rms, values)
+        output = PickedSightingValues(len(sighting.indices), sighting.rms, values)
         if line in spheres:
             patch = spheres[line]
             output = replace(
@@ -298,26 +297,19 @@ def _sighting_outputs(
 def _print_target(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
-    from lispac.present.tables import ratio
+    from lispac.present.sighting_quality import PICKED_SIGHTINGS_TABLE, PICKED_SPHERES_TABLE
 
-    for sighting in target.sightings:
-        print(
-            f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm, {qualities[sighting.line].rating}"
-        )
-        for reason in qualities[sighting.line].reasons:
-            print(f"    {console_text(reason)}")
-        if sighting.line in spheres:
-            patch = spheres[sighting.line]
-            centre = " ".join(ratio(3).plain_text(value) for value in patch.centre)
-            known = "given" if target.sphere_radius is not None else "estimated"
-            print(
-                f"    centre {centre} m, "
-                f"radius {patch.sphere.radius:.3f} m ({known}), "
-                f"{100 * patch.share:.0f} % of the surface seen"
-            )
+    found = _sighting_values(target, spheres, qualities)
+    print_table(PICKED_SIGHTINGS_TABLE, list(found.values()))
+    if spheres:
+        known = "given" if target.sphere_radius is not None else "estimated"
+        table = replace(PICKED_SPHERES_TABLE, title=f"Sphere in each line, radius {known}")
+        print_table(table, [found[line] for line in spheres])
+    for line, values in found.items():
+        for reason in values.quality.reasons:
+            print(f"{target.name} on {line}: {console_text(reason)}")
     for line, missing in target.missing.items():
-        print(f"{target.name} on {line:20s} not found: {console_text(missing)}")
+        print(f"{target.name} on {line} not found: {console_text(missing)}")
 
 
 def _pick_list(
@@ -381,7 +373,7 @@ def _seed_output(project: Project, survey: Survey, outcome: SeedOutcome) -> Seed
     if target is None:
         return output
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
-    lines = _sighting_outputs(target, spheres, assess_target(project, survey, target))
+    lines = _sighting_values(target, spheres, assess_target(project, survey, target))
     return replace(output, lines=lines, missing=target.missing)
 
 

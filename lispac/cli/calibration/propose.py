@@ -5,7 +5,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
-from lispac.cli.console import ConsoleProgress, opened_project, print_json
+from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
 from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
 from lispac.messages import error
@@ -28,8 +28,8 @@ def run(arguments: Namespace) -> None:
     ProjectError
         If targets are to be added to a project that already has some.
     """
-    from lispac.adjustment.result import ANGLES
-    from lispac.present.angles import degrees, finite_or_none
+    from lispac.present.angles import AnglesRow
+    from lispac.present.planning import PREDICTED_SIGMAS_TABLE, known_degrees
     from lispac.present.tables import ratio
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
@@ -50,7 +50,7 @@ def run(arguments: Namespace) -> None:
         if arguments.accept:
             names = [target.name for target in proposal.targets]
             projects.save_project(with_accepted_targets(project, proposal, names)[0])
-    sigma = dict(zip(ANGLES, degrees(proposal.sigma), strict=True))
+    sigma = known_degrees(proposal.sigma)
     if arguments.json:
         from lispac.cli.json_outputs import ProposedTargetOutput, ProposeOutput, SightingOutput
 
@@ -62,12 +62,11 @@ def run(arguments: Namespace) -> None:
             )
             for target in proposal.targets
         )  # fmt: skip
-        known = {angle: finite_or_none(value) for angle, value in sigma.items()}
-        print_json(ProposeOutput(targets, known, proposal.warnings, arguments.accept))
+        print_json(ProposeOutput(targets, sigma, proposal.warnings, arguments.accept))
         return
     for target in proposal.targets:
         place = " ".join(ratio(2).plain_text(value) for value in target.seed)
         print(f"{target.name:4s} {target.role:10s} at {place} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
-    print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
+    print_table(PREDICTED_SIGMAS_TABLE, [AnglesRow("all targets", sigma)])
     print_messages(proposal.warnings, sys.stdout)

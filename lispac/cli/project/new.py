@@ -14,7 +14,7 @@ from lispac.cli.argument_types import (
     finite_number,
     positive_number,
 )
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.former_options import split_reading_option
 from lispac.cli.messages import print_messages
 from lispac.cli.noise_options import (
@@ -123,6 +123,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Create a project and read its lines once to check them."""
+    from lispac.present.survey_data import LINES_TABLE, LineValues
     from lispac.project import LineSource, Reading, Settings
     from lispac.survey.line_source import printable
     from lispac.workflow.project import projects
@@ -178,8 +179,15 @@ def run(arguments: Namespace) -> None:
 
         print_json(NewOutput(project.folder, points, tuple(survey.messages)))
         return
-    for name, count in points.items():
-        print(f"{name:20s} {count:12,} points, heading {survey.headings_deg[name]:5.1f} deg")
+    print_table(
+        LINES_TABLE,
+        [
+            LineValues(
+                line.name, line.path.name, survey.headings_deg[line.name], points[line.name], ()
+            )
+            for line in project.lines
+        ],
+    )
     print(f"project    {project.folder}")
 
 
