@@ -127,7 +127,7 @@ PICKED_SIGHTINGS_TABLE = Table[PickedSightingValues](
 """Table of the command line; the window shows the sightings as a tree."""
 CENTRE_METRES = Format("m", 3, is_grouped=False)
 PICKED_SPHERES_TABLE = Table[PickedSightingValues](
-    "Sphere in each line",
+    "",
     (
         Column("quality.line", "Line"),
         Column(lambda row: row.coordinate(0), "North", CENTRE_METRES),
