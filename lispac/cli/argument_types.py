@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
 
+from lispac.cli.console import print_schema
 from lispac.untrusted_values import MAX_AMOUNT, MIN_AMOUNT, is_possible_amount
 
 
@@ -47,10 +48,24 @@ def picture_file(text: str) -> Path:
 
 
 def add_json_option(parser: argparse.ArgumentParser) -> None:
-    """Add the option ``--json``."""
+    """Add the options ``--json`` and ``--schema``."""
     parser.add_argument(
         "--json", action="store_true", help="print the result as one JSON object on stdout"
     )
+    parser.add_argument(
+        "--schema", action=_SchemaAction, help="print the JSON schema of this object and exit"
+    )
+
+
+class _SchemaAction(argparse.Action):
+    """Option that prints the schema of the command; other arguments are not required."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, help: str) -> None:
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help=help)
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        print_schema(parser.prog.split()[-1])
+        parser.exit()
 
 
 def add_triple_option(

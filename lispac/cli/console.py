@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import sys
 import textwrap
 import time
@@ -9,7 +10,9 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from lispac.installation_paths import resource_path
 
 if TYPE_CHECKING:
     from lispac.present.tables import Fact, Row, Table
@@ -17,6 +20,8 @@ if TYPE_CHECKING:
     from lispac.project import Project
 
 
+SCHEMA_FILE = "commands.schema.json"
+"""File with the JSON schema of the output of each command."""
 TEXT_WIDTH = 100
 """Number of characters in a line of running text."""
 
@@ -87,9 +92,26 @@ def has_display() -> bool:
     return True
 
 
-def print_json(content: dict[str, Any]) -> None:
-    """Print plain values as JSON."""
-    print(json.dumps(content, indent=1, allow_nan=False))
+def print_json(output: object) -> None:
+    """Print the output of a command, one of `lispac.cli.json_outputs`, as JSON."""
+    from lispac.present.json_values import json_values
+
+    print(json.dumps(json_values(output), indent=1, allow_nan=False))
+
+
+def print_schema(command: str) -> None:
+    """Print the JSON schema (draft 2020-12) of what a command prints with ``--json``."""
+    published = json.loads(resource_path(SCHEMA_FILE).read_text(encoding="utf-8"))
+    definitions, used = published["$defs"], {}
+    schema = published["properties"][command]
+    unread = [schema]
+    while unread:
+        for name in re.findall(r'"#/\$defs/(\w+)"', json.dumps(unread.pop())):
+            if name not in used:
+                used[name] = definitions[name]
+                unread.append(definitions[name])
+    head = {"$schema": published["$schema"], "title": f"lispac {command} --json"}
+    print(json.dumps({**head, **schema, "$defs": used}, indent=1, ensure_ascii=False))
 
 
 def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:

@@ -6,7 +6,7 @@ of the JSON report.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -395,15 +395,26 @@ _ANGLE_SIGNS = {
     "roll": N_("positive port side up"), "pitch": N_("positive bow down"),
     "yaw": N_("positive clockwise seen from above"),
 }  # fmt: skip
+SHORT_ANGLE_SIGNS = (N_("+ port up"), N_("+ bow down"), N_("+ clockwise"))
+"""Directions of positive angles, below the names of the angles."""
 _NAME_COLUMN = Column[AngleValues]("name", N_("Angle"), texts=VALUE_TITLES)
-_PRIOR_COLUMN = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
-_ESTIMATED_COLUMNS = (
-    Column[AngleValues]("estimated_deg", N_("Estimated"), DEGREES.signed),
-    Column[AngleValues]("sigma_deg", N_("1 sigma"), DEGREES),
-    Column[AngleValues]("interval95_deg", N_("95 % interval"), DEGREES.half_interval),
+_PRIOR_COLUMN = Column[AngleValues](
+    "prior_deg", N_("Prior"), DEGREES.signed, N_("Angle before the adjustment")
 )
-_TRUE_COLUMN = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
-_ERROR_COLUMN = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
+ESTIMATED_COLUMN = Column[AngleValues](
+    "estimated_deg", N_("Estimated"), DEGREES.signed, N_("Angle after the adjustment")
+)
+_SIGMA_COLUMN = Column[AngleValues]("sigma_deg", N_("1 sigma"), DEGREES, N_("Standard deviation"))
+_INTERVAL_COLUMN = Column[AngleValues](
+    "interval95_deg", N_("95 % interval"), DEGREES.half_interval,
+    N_("Half width of the 95 % confidence interval: 1.96 σ"),
+)  # fmt: skip
+_TRUE_COLUMN = Column[AngleValues](
+    "true_deg", N_("True value"), DEGREES.signed, N_("Angle used to simulate the survey")
+)
+ERROR_FORMAT = DEGREES.signed
+"""Format of an estimated minus a true angle."""
+_ERROR_COLUMN = Column[AngleValues]("error_deg", N_("Error"), ERROR_FORMAT)
 _SIGN_COLUMN = Column[AngleValues]("name", N_("Sign"), texts=_ANGLE_SIGNS)
 
 
@@ -411,7 +422,16 @@ def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
     """Table of the boresight, with columns for the values that are available."""
     columns = [_NAME_COLUMN, _PRIOR_COLUMN]
     if calibrated:
-        columns += _ESTIMATED_COLUMNS
+        columns += [ESTIMATED_COLUMN, _SIGMA_COLUMN, _INTERVAL_COLUMN]
     if simulated:
         columns += [_TRUE_COLUMN, _ERROR_COLUMN] if calibrated else [_TRUE_COLUMN]
     return Table(N_("Boresight"), (*columns, _SIGN_COLUMN))
+
+
+def window_boresight_table(*, simulated: bool) -> Table[AngleValues]:
+    """Table of the window, whose columns are shown as rows; the report has `boresight_table`."""
+    columns = (
+        _PRIOR_COLUMN, ESTIMATED_COLUMN, _SIGMA_COLUMN.with_title(N_("± 1 σ")),
+        replace(_INTERVAL_COLUMN, title=N_("± 95 %"), format=DEGREES),
+    )  # fmt: skip
+    return Table(N_("Boresight angles"), (*columns, _TRUE_COLUMN) if simulated else columns)

@@ -3,9 +3,11 @@
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import AdjustmentValues
 from lispac.present.parameters import COMPONENT_TITLES
-from lispac.present.tables import Fact
-from lispac.present.text_format import fixed_number, grouped_number
+from lispac.present.tables import Fact, Format, ratio
+from lispac.present.text_format import grouped_number
 
+VARIANCE_FACTOR_FORMAT, TEST_STATISTIC_FORMAT = ratio(4), Format("", 1)
+"""Formats of the variance factor, and of the statistic of its test with its bounds."""
 FIT_TITLE = N_("Fit of the adjustment")
 VARIANCE_FACTOR_TEXT = N_(
     "{factor} = a posteriori variance / a priori variance (that of the LiDAR and POS sigmas used)"
@@ -62,7 +64,7 @@ def points_used_text(values: AdjustmentValues) -> str:
 def _variance_factor_text(values: AdjustmentValues) -> str | None:
     if values.variance_factor is None:
         return None
-    factor = fixed_number(values.variance_factor, 4)
+    factor = VARIANCE_FACTOR_FORMAT.text(values.variance_factor)
     groups = [gettext(COMPONENT_TITLES[c.name]) for c in values.components if c.applied]
     if groups:
         return gettext(ESTIMATED_VARIANCE_FACTOR_TEXT, factor=factor, groups=groups)
@@ -74,18 +76,21 @@ def _interval_text(values: AdjustmentValues) -> str | None:
     test = values.chi_square
     if test.lower is None or test.upper is None:
         return None
-    lower, upper = (bound / values.degrees_of_freedom for bound in (test.lower, test.upper))
-    return gettext("{lower} to {upper}", lower=fixed_number(lower, 4), upper=fixed_number(upper, 4))
+    lower, upper = (
+        VARIANCE_FACTOR_FORMAT.text(bound / values.degrees_of_freedom)
+        for bound in (test.lower, test.upper)
+    )
+    return gettext("{lower} to {upper}", lower=lower, upper=upper)
 
 
 def _chi_square_text(values: AdjustmentValues) -> str:
     test = values.chi_square
-    statistic = grouped_number(test.statistic, 1)
+    statistic = TEST_STATISTIC_FORMAT.text(test.statistic)
     if test.lower is None or test.upper is None:
         return gettext("test statistic {statistic}", statistic=statistic)
     return gettext(
         "test statistic {statistic}, bounds {lower} to {upper}",
         statistic=statistic,
-        lower=grouped_number(test.lower, 1),
-        upper=grouped_number(test.upper, 1),
+        lower=TEST_STATISTIC_FORMAT.text(test.lower),
+        upper=TEST_STATISTIC_FORMAT.text(test.upper),
     )

@@ -22,6 +22,9 @@ from lispac.present.text_format import VALUE_TITLES, title
 
 ANGLE_TITLES = tuple(VALUE_TITLES[name] for name in ANGLES)
 
+ROTATION_ENTRY = ratio(8).signed
+"""Format of the entries of a rotation matrix."""
+
 
 @dataclass(frozen=True)
 class Angles:
@@ -98,6 +101,8 @@ def angle_columns(
     )
 
 
+CORRELATION_FORMAT = ratio(2).signed
+"""Format of correlations in a figure; the table has another decimal."""
 CORRELATIONS_TABLE = Table[AnglesRow](
     N_("Correlations"), (Column("name", ""), *angle_columns("values", ratio(3).signed))
 )

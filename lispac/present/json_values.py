@@ -57,6 +57,11 @@ class JsonMessage:
         )  # fmt: skip
 
 
+def json_key(name: str) -> str:
+    """Key of a field in JSON: its name, without the underscore after a word of Python."""
+    return name.removesuffix("_")
+
+
 def json_values(value: Any) -> Any:
     """Convert to values that `json` writes: dataclasses to dicts, texts to English."""
     if isinstance(value, Message):
@@ -66,7 +71,9 @@ def json_values(value: Any) -> Any:
     if isinstance(value, date | Path):
         return str(value)
     if is_dataclass(value) and not isinstance(value, type):
-        return {each.name: json_values(getattr(value, each.name)) for each in fields(value)}
+        return {
+            json_key(each.name): json_values(getattr(value, each.name)) for each in fields(value)
+        }
     if isinstance(value, tuple | list):
         return [json_values(each) for each in value]
     if isinstance(value, Mapping):

@@ -1,4 +1,4 @@
-"""Colours of the survey lines, the same in the light window, the views and the report."""
+"""Colours of lines and signs, the same in the light window, the views and the report."""
 
 LINE_COLOURS = (
     (0, 114, 178),
@@ -17,3 +17,5 @@ LINE_COLOURS = (
 Okabe and Ito's colours without black and yellow, then dark ones of Tol's muted set: any two
 neighbours in the list can be distinguished with every common kind of colour blindness.
 """
+POSITIVE_COLOUR, NEGATIVE_COLOUR = "#7fb0e2", "#f0b26b"
+"""Colours of correlations of +1 and -1; those between are paler."""

@@ -1,6 +1,6 @@
 """Quality of the sightings, as values and table."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.picked_targets import Target
 from lispac.present.angles import floats
 from lispac.present.tables import COUNT, MILLIMETRES, PERCENT, Column, Format, Table
 from lispac.targets.sighting_quality import SightingQuality
@@ -71,10 +72,14 @@ def sighting_quality_values(
 
 
 def quality_list(
-    qualities: Mapping[tuple[str, str], SightingQuality],
+    qualities: Mapping[tuple[str, str], SightingQuality], targets: Iterable[Target]
 ) -> tuple[SightingQualityValues, ...]:
-    """Qualities as rows; they are given by the names of target and line."""
-    return tuple(sighting_quality_values(*key, each) for key, each in qualities.items())
+    """Qualities of the sightings of targets as rows; they are given by target and line."""
+    edited = {(t.name, s.line) for t in targets for s in t.sightings if s.by_hand}
+    return tuple(
+        sighting_quality_values(*key, each, edited_by_hand=key in edited)
+        for key, each in qualities.items()
+    )
 
 
 def rating_text(quality: SightingQualityValues) -> str:
@@ -89,6 +94,49 @@ def rating_text(quality: SightingQualityValues) -> str:
     )
 
 
+@dataclass(frozen=True)
+class PickedSightingValues:
+    """Points of a target in one line, and the RMS distance from the surface.
+
+    The last three values are those of a sphere; ``visible_share`` is the share of the surface that
+    the line has seen.
+    """
+
+    points: int
+    rms_m: float
+    quality: SightingQualityValues
+    centre_m: tuple[float, ...] | None = None
+    sphere_radius_m: float | None = None
+    visible_share: float | None = None
+
+    def coordinate(self, axis: int) -> float | None:
+        """North, west or up of the centre of a sphere, metres; None for a plane."""
+        return None if self.centre_m is None else self.centre_m[axis]
+
+
+PICKED_SIGHTINGS_TABLE = Table[PickedSightingValues](
+    "Sightings",
+    (
+        Column("quality.target", "Target"),
+        Column("quality.line", "Line"),
+        Column("points", "Points", COUNT),
+        Column("rms_m", "RMS", MILLIMETRES),
+        Column("quality.rating", "Quality"),
+    ),
+)
+"""Table of the command line; the window shows the sightings as a tree."""
+CENTRE_METRES = Format("m", 3, is_grouped=False)
+PICKED_SPHERES_TABLE = Table[PickedSightingValues](
+    "",
+    (
+        Column("quality.line", "Line"),
+        Column(lambda row: row.coordinate(0), "North", CENTRE_METRES),
+        Column(lambda row: row.coordinate(1), "West", CENTRE_METRES),
+        Column(lambda row: row.coordinate(2), "Up", CENTRE_METRES),
+        Column("sphere_radius_m", "Radius", CENTRE_METRES),
+        Column("visible_share", "Surface seen", PERCENT, has_unit_in_cells=True),
+    ),
+)
 QUALITY_TABLE = Table[SightingQualityValues](
     N_("Quality of each sighting of targets and validation planes"),
     (

@@ -299,6 +299,13 @@ POINT_TESTS_TABLE = Table[SightingValues](
         LARGEST_W_TIME_COLUMN,
     ),
 )
+POS_ERROR_CAPTION = N_(
+    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
+    "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
+    "given, or another error was attributed to it."
+)
+"""Explanation of the figure of the POS errors."""
+
 MAX_DETERMINED_SIGMA_RATIO = 0.995
 """Largest ratio of the sigma of a component after the adjustment to the prior one with which the
 data determine the component at all."""

@@ -139,6 +139,8 @@ LINES_TABLE = Table[LineValues](
         Column("points", N_("Points"), COUNT),
     ),
 )  # fmt: skip
+WINDOW_LINES_TABLE = LINES_TABLE.without("File")
+"""Table of the window, which shows the file as a tooltip."""
 
 
 @dataclass(frozen=True)

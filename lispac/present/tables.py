@@ -86,6 +86,8 @@ DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)
 PERCENT = Format("%", 0, 100.0)
 SECONDS = Format("s", 3, is_grouped=False)
+ARROW = "\u2192"
+"""Sign between the values before and after the calibration."""
 YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}
 """Texts of a column with truth values."""
 
@@ -114,6 +116,8 @@ class Column(Generic[Row]):
         English text of each value, for values that are names.
     sigma : str, callable or None
         Standard deviation written beside the value, as a path or a function of the row.
+    before : str or None
+        Path of the value before the calibration, which is written before the value with an arrow.
     half_interval : str or None
         Path of the field with half the width of the 95 % interval, which is written after the
         value.
@@ -133,6 +137,7 @@ class Column(Generic[Row]):
     tip: str | LazyText = ""
     texts: Mapping[Any, str] | None = None
     sigma: str | Callable[[Row], Any] | None = None
+    before: str | None = None
     half_interval: str | None = None
     has_unit_in_cells: bool = False
     is_wide: bool = False
@@ -157,6 +162,10 @@ class Column(Generic[Row]):
         if value is not None and self.texts is not None:
             return gettext(self.texts[value])
         return sentence_text(value) if isinstance(value, Message) else value
+
+    def before_of(self, row: Row) -> float | None:
+        """Value before the calibration in a row; None if it is not known or not shown."""
+        return None if self.before is None else _part_of(row, self.before)
 
     def sigma_of(self, row: Row) -> float | None:
         """Standard deviation of the value in a row, in the unit of the value."""
@@ -230,6 +239,9 @@ def cell_text(column: Column[Row], row: Row) -> str:
     if form is None:
         return str(value)
     text = form.text(value)
+    before = column.before_of(row)
+    if before is not None:
+        text = f"{form.text(before)} {ARROW} {text}"
     if column.has_unit_in_cells:
         text = with_unit(text, form.unit)
     if column.half_interval is not None:
@@ -249,6 +261,9 @@ def plain_cell_text(column: Column[Row], row: Row) -> str:
     if form is None:
         return str(value)
     text = form.plain_text(value)
+    before = column.before_of(row)
+    if before is not None:
+        text = f"{form.plain_text(before)} {ARROW} {text}"
     if column.has_unit_in_cells:
         text = with_unit(text, form.unit)
     if column.half_interval is not None:

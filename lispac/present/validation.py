@@ -559,7 +559,7 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
     )
 
 
-def pooled_pairs_text(plane: ValidationPlane | PlaneComparison) -> str:
+def pooled_pairs_text(plane: ValidationPlane) -> str:
     """Number of the pairs of lines in the statistics of a plane."""
     total = len(plane.pairs)
     if plane.pooled_from == "all pairs":
@@ -579,6 +579,37 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column("largest_offset_lines", N_("Between\nlines")),
     ),
 )
+WINDOW_PLANES_TABLE = Table[ValidationPlane](
+    N_("Validation planes before and after"),
+    (
+        Column(
+            "name", N_("Plane"),
+            tip=N_("Validation plane, and whether it meets the acceptance criteria"),
+        ),
+        Column(
+            "after.rms_m", N_("RMS"), MILLIMETRES,
+            N_("Root mean square distance between the lines, all pairs together, before → after"),
+            before="before.rms_m",
+        ),
+        Column(
+            "largest_offset_m", N_("Offset"), MILLIMETRES,
+            N_(
+                "Largest offset of two lines after the calibration: the absolute value of the "
+                "median distance along the normal"
+            ),
+        ),
+        Column(
+            "after.p95_m", N_("95 %"), MILLIMETRES,
+            N_("95 % of the distances between the lines are smaller, before → after"),
+            before="before.p95_m",
+        ),
+        Column(
+            pooled_pairs_text, N_("Pairs\nof lines"),
+            tip=N_("Pairs of lines compared, which RMS, 95 % and histogram contain"),
+        ),
+    ),
+)  # fmt: skip
+"""Table of the window with the values that are compared with the acceptance criteria."""
 RECIPROCAL_PAIRS_TEXT = N_(
     "{planes:names}: values of the reciprocal pairs only (lines run in opposite directions), from "
     "an earlier version of the program."

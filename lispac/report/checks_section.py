@@ -9,6 +9,7 @@ from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_d
 from lispac.present.sightings import (
     MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
+    POS_ERROR_CAPTION,
     POS_ERRORS_TABLE,
     SIGHTING_TESTS_TABLE,
     SightingValues,
@@ -40,11 +41,6 @@ POINT_TEST_TEXT = N_(
     "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
     "the farthest point divided by its sigma, with its time on the line; averaged points have the "
     "mean of their times."
-)
-POS_ERROR_CAPTION = N_(
-    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
-    "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
-    "given, or another error was attributed to it."
 )
 NOT_DETERMINED_TEXT = N_(
     "–, and no point in the figure: not determined by the data, for instance a component that no "

@@ -24,7 +24,7 @@ from lispac.present.cross_checks import cross_check_values
 from lispac.present.error_budget import ErrorBudgetValues
 from lispac.present.methods import MethodValues
 from lispac.present.settings import CONVENTION_TEXT, settings_used
-from lispac.present.sighting_quality import sighting_quality_values
+from lispac.present.sighting_quality import quality_list
 from lispac.present.survey_data import (
     LINE_ROLE,
     InputFile,
@@ -104,7 +104,6 @@ def report_content(
         )
         for line in project.lines
     )
-    edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
     adjustment = (
         adjustment_values(project.result, headings_deg, project.picked_points)
         if project.result
@@ -137,10 +136,7 @@ def report_content(
         settings=settings_used(project, origin_deg_m),
         files=_input_files(project, progress) if digests else (),
         notes=tuple(notes),
-        qualities=tuple(
-            sighting_quality_values(*key, each, edited_by_hand=key in edited)
-            for key, each in (qualities or {}).items()
-        ),
+        qualities=quality_list(qualities or {}, project.targets),
         in_convention=convention_values(project, convention) if convention else None,
         matrix=scanner_to_body_matrix(project),
         absolute=None if project.absolute is None else AbsoluteCheckValues.of(project.absolute),

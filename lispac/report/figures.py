@@ -19,23 +19,21 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
 from matplotlib.ticker import Locator, ScalarFormatter
 from matplotlib.transforms import Transform, offset_copy
 from numpy.typing import ArrayLike, NDArray
 
-from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, degree_signs, gettext, in_language
-from lispac.present.line_colours import LINE_COLOURS
+from lispac.present.angles import CORRELATION_FORMAT
+from lispac.present.line_colours import LINE_COLOURS, NEGATIVE_COLOUR, POSITIVE_COLOUR
 from lispac.present.sightings import POS_COMPONENTS, SightingValues
 from lispac.present.survey_data import LineValues, PickedPlane
-from lispac.present.text_format import (
-    fixed_number,
-    localised_number,
-    parameter_name,
-    signed_number,
-)
+from lispac.present.tables import unit_text
+from lispac.present.text_format import fixed_number, localised_number
+from lispac.present.text_format import title as value_title
 from lispac.report.text_width import POINTS_PER_INCH, text_width
 
 Array = NDArray[np.float64]
@@ -67,6 +65,8 @@ WIDE_FIGURE = 5.2
 
 MAX_TITLE_SHARE = 0.95
 """Largest share of the width of the figure that a title in one line fills."""
+LABELLED_SHARE = 0.7
+"""Share of the width of a figure of correlations for the columns, and so for their labels."""
 HEADROOM_RATIO = 1.08
 """Ratio of the upper limit of the axes to the highest bar of a histogram."""
 
@@ -75,36 +75,38 @@ MIN_LABEL_DISTANCE = 0.05, 0.09
 drawn extent."""
 
 
-def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
-    """Correlations between all estimated values."""
-    return correlation_figure_of(result.estimated, result.correlation_all, figure)
-
-
 def correlation_figure_of(
     names: Sequence[str],
     correlation: ArrayLike,
     figure: Figure | None = None,
 ) -> Figure:
-    """Draw `correlation_figure` from report values; names as in `AdjustmentResult.estimated`."""
+    """Correlations between estimated values; names as in `AdjustmentResult.estimated`.
+
+    A new figure has square cells and a title; a given one is filled.
+    """
     matrix = np.asarray(correlation)
     side = max(2.8, 0.9 + 0.42 * len(names))
+    is_new = figure is None
     figure = blank_figure(figure, (side + 0.6, side))
     axes = figure.add_subplot()
-    image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
+    shades = LinearSegmentedColormap.from_list(
+        "correlation", [NEGATIVE_COLOUR, "white", POSITIVE_COLOUR]
+    )
+    image = axes.imshow(matrix, cmap=shades, vmin=-1, vmax=1, aspect="equal" if is_new else "auto")
     for (row, column), value in np.ndenumerate(matrix):
-        colour = "white" if abs(value) > 0.7 else INK_COLOUR
         axes.text(
             column,
             row,
-            signed_number(value, 2),
+            CORRELATION_FORMAT.text(value),
             ha="center",
             va="center",
-            color=colour,
+            color=INK_COLOUR,
             fontsize=SMALL_TEXT_SIZE,
         )
-    labels = [parameter_name(name) for name in names]
+    labels = [value_title(name) for name in names]
     axes.set_xticks(range(len(names)), labels)
-    if len(names) > 3:
+    column_width = LABELLED_SHARE * float(figure.get_size_inches()[0]) / len(names)
+    if max(text_width(label, TEXT_SIZE) for label in labels) > column_width:
         for label in axes.get_xticklabels():
             label.set(rotation=40, ha="right", rotation_mode="anchor")
     axes.set_yticks(range(len(names)), labels)
@@ -112,7 +114,8 @@ def correlation_figure_of(
     axes.spines[:].set_visible(False)
     bar = figure.colorbar(image, ax=axes, shrink=0.85, format=LocalisedFormatter())
     bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
-    axes.set_title(gettext("Correlation"), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
+    if is_new:
+        axes.set_title(gettext("Correlation"), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
     return figure
 
 
@@ -175,32 +178,30 @@ def site_figure_of(
     )
 
 
-def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
-    """RMS of each sighting about its target's surface, before and after."""
-    return _before_after_bars(
-        figure,
-        [
-            f"{short_name(s.sighting.target)}  {short_name(s.sighting.line)}"
-            for s in result.sightings
-        ],
-        [s.rms_before for s in result.sightings],
-        [s.rms_after for s in result.sightings],
-    )
-
-
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Draw `residual_figure` from the values of a report, in parts with one scale."""
+    """RMS of each sighting before and after the calibration, in parts with one scale."""
     largest = 1000 * max((max(s.rms_before_m, s.rms_after_m) for s in sightings), default=0.0)
     figures = []
     for part in _parts_of(sightings):
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
         before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
-        figures.append(_before_after_bars(None, labels, before, after, largest_mm=largest))
+        figures.append(_before_after_bars(labels, before, after, largest_mm=largest))
     return figures
 
 
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw the estimated POS errors with their prior, in parts with one scale."""
+    widest = _pos_error_ranges(sightings)
+    return [_draw_pos_errors(None, part, widest) for part in _parts_of(sightings)]
+
+
+def pos_error_figure(sightings: Sequence[SightingValues], figure: Figure) -> Figure:
+    """Draw `pos_error_figures_of` into one figure."""
+    return _draw_pos_errors(figure, sightings, _pos_error_ranges(sightings))
+
+
+def _pos_error_ranges(sightings: Sequence[SightingValues]) -> Array:
+    """Half the width of the panel of each component, millimetres and thousandths of a degree."""
     found = [each.pos_error for each in sightings if each.pos_error is not None]
     error, prior, after = (
         np.abs(rows)
@@ -210,8 +211,13 @@ def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
             [(*e.sigma_after_m, *e.sigma_after_deg) for e in found],
         )
     )
-    widest = 1150 * np.maximum(2 * prior, error + 2 * after).max(axis=0)
-    return [_pos_error_figure(part, widest) for part in _parts_of(sightings)]
+    widest: Array = 1150 * np.maximum(2 * prior, error + 2 * after).max(axis=0)
+    return widest
+
+
+def pos_errors_height(sightings: int) -> float:
+    """Height of a figure in which the names of sightings do not overlap, inches."""
+    return 0.75 + 0.17 * sightings
 
 
 def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
@@ -221,13 +227,15 @@ def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValu
     return [sightings[start:end] for start, end in pairwise(ends)]
 
 
-def _pos_error_figure(sightings: Sequence[SightingValues], widest: Array) -> Figure:
+def _draw_pos_errors(
+    figure: Figure | None, sightings: Sequence[SightingValues], widest: Array
+) -> Figure:
     """Draw the errors with their 2 sigma and prior 2 sigma intervals.
 
     Each sighting has a row, and each component of the error a panel, with half the width
     ``widest``, shape (6,), millimetres and thousandths of a degree.
     """
-    figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
+    figure = blank_figure(figure, (6.3, pos_errors_height(len(sightings))))
     panels = figure.subplots(1, 6, sharey=True)
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
     prior, after = (
@@ -253,9 +261,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues], widest: Array) -> Fig
         axes.axvline(0, color="#999999", linewidth=0.6)
         axes.set_xlim(-widest[k], widest[k])
         axes.locator_params(axis="x", nbins=3)
-        style_axes(
-            axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
-        )
+        style_axes(axes, unit_text("mm" if k < 3 else "mdeg"), "")
         axes.grid(False)
         axes.set_title(gettext(name), fontsize=TEXT_SIZE, color=INK_COLOUR)
         axes.tick_params(axis="y", length=0)
@@ -439,15 +445,14 @@ def short_name(name: str) -> str:
 
 
 def _before_after_bars(
-    figure: Figure | None,
     labels: Sequence[str],
     before: Sequence[float],
     after: Sequence[float],
     *,
-    largest_mm: float = 0.0,
+    largest_mm: float,
 ) -> Figure:
     """Bars of each label; the scale contains at least ``largest_mm``."""
-    figure = blank_figure(figure, (6.3, 0.7 + 0.2 * len(labels)))
+    figure = blank_figure(None, (6.3, 0.7 + 0.2 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (

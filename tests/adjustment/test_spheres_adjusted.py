@@ -224,9 +224,13 @@ def test_the_command_line_picks_balls(balls, capsys):
         assert 0.3 < line["visible_share"] < 0.5
     assert main([*words, "--shape", "sphere"]) == 0
     out = capsys.readouterr().out
-    assert "centre" in out
-    assert "(estimated)" in out
-    assert "% of the surface seen" in out
+    assert "Sphere in each line, radius estimated\n" in out
+    rows = [line.split() for line in out.splitlines()]
+    heads = ["Line", "North", "(m)", "West", "(m)", "Up", "(m)", "Radius", "(m)", "Surface", "seen"]
+    start = rows.index(heads) + 1
+    lines = list(balls.survey.lines)
+    assert [row[0] for row in rows[start : start + len(lines)]] == lines
+    assert all(0.14 < float(row[4]) < 0.16 for row in rows[start : start + len(lines)])
     assert open_project(balls.project.folder).target("S1").sphere_radius is None
     assert main([*words, "--sphere-radius", "0.1"]) == 2
     assert "--shape sphere" in capsys.readouterr().err

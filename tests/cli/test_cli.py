@@ -15,6 +15,7 @@ from lispac import scripting, workflow
 from lispac.cli.main import main
 from lispac.messages import error, note
 from lispac.project import Project
+from tests.documents.schemas import followed_output
 from tests.support.command_errors import codes_of, command_error, refused_with
 
 
@@ -44,9 +45,10 @@ def import_workflow() -> None:
 
 
 def run_json(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, Any]:
+    """Run a command with ``--json``; what it prints must follow the published schema."""
     code, out, err = run(capsys, *words, "--json")
     assert code == 0, err
-    return json.loads(out)  # type: ignore[no-any-return]
+    return followed_output(str(words[0]), out)  # type: ignore[no-any-return]
 
 
 def run_refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:

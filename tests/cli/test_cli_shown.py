@@ -3,6 +3,7 @@
 import subprocess
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -183,7 +184,8 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
 ) -> None:
     project = replace(sample_project(tmp_path / "demo"), truth_deg=(0.27, -1.14, 0.36))
     started: list[list[str]] = []
-    monkeypatch.setattr("lispac.workflow.planning.demo.run_demo", lambda *_, **__: (project, None))
+    made = (project, SimpleNamespace(headings_deg={}))
+    monkeypatch.setattr("lispac.workflow.planning.demo.run_demo", lambda *_, **__: made)
     monkeypatch.setattr("lispac.workflow.output.export.write_report", lambda *_: None)
     monkeypatch.setattr(demo, "rms_with_truth", lambda *_: {"V1": 0.0123})
     monkeypatch.setattr(subprocess, "run", lambda words, **_: started.append(words))

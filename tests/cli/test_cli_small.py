@@ -215,7 +215,9 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     assert out.splitlines() == [
         "T1   target     at 1.25 -15.00 5.00 m", f"     {needed}",
         "V1   validation at -4.00 -15.00 5.00 m", f"     {flat.replace('²', '2')}",
-        "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
+        "Predicted standard deviations",
+        "               Roll (deg)  Pitch (deg)  Yaw (deg)",
+        "  all targets      0.0100       0.0200     0.0300", "",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
     assert "one in 3 of them" in err

@@ -1,4 +1,4 @@
-"""Write all generated files: the catalogues, the tables of the manual, the schema of the report.
+"""Write all generated files: the catalogues, the tables of the manual, the JSON schemas.
 
 ``python -m tests.documents [FILE.po ...]`` takes new translations from FILE.po.
 """
@@ -18,9 +18,9 @@ def main() -> int:
     if sys.platform == "linux" and not os.environ.get("DISPLAY"):
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-    from tests.documents import manual_tables, report_schema
+    from tests.documents import manual_tables, schemas
 
-    report_schema.main()
+    schemas.main()
     manual_tables.main()
     return update.returncode
 

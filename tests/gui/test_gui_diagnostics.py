@@ -109,13 +109,17 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     numbers = [text.get_text() for text in heat.texts]
     assert numbers[1] == f"{result.correlation_all[0, 1]:+.2f}".replace("-", "−")
     assert [t.get_text() for t in heat.get_xticklabels()] == ["Roll", "Pitch", "Yaw"]
-    position, _attitude = turn_to(shown, "POS error").canvas.figure.axes
+    panels = turn_to(shown, "POS error").canvas.figure.axes
+    titles = ["North", "West", "Up", "Roll", "Pitch", "Heading"]
+    assert [axes.get_title() for axes in panels] == titles
+    assert [axes.get_xlabel() for axes in panels] == ["mm"] * 3 + ["0.001°"] * 3
     item = result.reliability[0]
-    assert position.lines[0].get_ydata()[0] == pytest.approx(item.pos_error[0] * 1000)
-    band = position.collections[0].get_paths()[0].get_extents()
-    half = 2 * item.pos_sigma[0] * 1000
-    assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
-    assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
+    for k, scale in ((0, 1000), (5, np.degrees(1000))):
+        drawn = [x for line in panels[k].lines for x in np.asarray(line.get_xdata())]
+        assert any(x == pytest.approx(item.pos_error[k] * scale) for x in drawn)
+        band, half = panels[k].patches[0], 2 * item.pos_sigma[k] * scale
+        assert band.get_x() == pytest.approx(-half)
+        assert band.get_width() == pytest.approx(2 * half)
     words = turn_to(shown, "Observability").text_label.text()
     for message in result.observability.messages:
         assert message_text(message) in words

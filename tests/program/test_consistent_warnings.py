@@ -21,7 +21,7 @@ from lispac.adjustment.result import (
     UncontrolledObservations,
     VarianceComponent,
 )
-from lispac.cli.calibration.result_output import print_result, result_values
+from lispac.cli.calibration.result_output import adjustment_output, print_result
 from lispac.gui.features.estimate import result_texts
 from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
@@ -303,7 +303,7 @@ def test_each_warning_is_the_same_everywhere(
     assert f"- {text}\n" in capsys.readouterr().out
     values = json_values(found)
     assert to_plain_text(values["text"]) == text
-    assert values in result_values(result, checks)["warnings"]
+    assert values in json_values(adjustment_output(result, checks))["warnings"]
     assert "are realistic" not in result_texts.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]
 

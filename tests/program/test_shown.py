@@ -16,7 +16,7 @@ from lispac.adjustment.result import (
     SigmaGroup,
     VarianceComponent,
 )
-from lispac.cli.calibration.result_output import print_result, result_values
+from lispac.cli.calibration.result_output import adjustment_output, print_result
 from lispac.gui.appearance import units
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
@@ -26,6 +26,7 @@ from lispac.language import LANGUAGES, gettext, in_language, number
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
+from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
 from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.tables import Format
@@ -83,7 +84,7 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
     ):
         result = replace(project.result, offset=offset)
         assert result_texts.form_error_text(result) == words
-        values = result_values(result, None)
+        values = json_values(adjustment_output(result, None))
         assert (values["surface_sigma_m"], values["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))
         assert content.settings.offset_sigma_m == offset
@@ -96,7 +97,8 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
 
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
     latency = ParameterEstimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
-    values = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"][0]
+    output = adjustment_output(replace(sample[0], parameters=(latency,)), None)
+    values = json_values(output.parameters[0])
     assert (values["unit"], values["value"], values["sigma"]) == ("s", 0.0021, 0.0001)
 
 
@@ -249,7 +251,7 @@ def test_the_limit_of_significance_is_the_same_everywhere(
     assert estimate.significant is significant
     print_result(result, None)
     assert f"  {words}\n" in capsys.readouterr().out
-    assert result_values(result, None)["parameters"][0]["significant"] is significant
+    assert adjustment_output(result, None).parameters[0].significant is significant
     (row,) = window_rows(PARAMETERS_TABLE, parameter_values(result))
     assert row.cells[-1].text == words
     assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
@@ -272,7 +274,7 @@ def test_the_point_with_the_largest_residual_has_its_time_everywhere(
     far = replace(first, largest_w=12.34, largest_at=416012.5)
     old = replace(second, largest_at=None)  # a result of an earlier version
     result = replace(result, reliability=(far, old, *rest))
-    sightings = result_values(result, None)["sightings"]
+    sightings = json_values(adjustment_output(result, None))["sightings"]
     assert (sightings[0]["largest_w"], sightings[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert sightings[1]["largest_w_time_s"] is None
     place = [column.title for column in SIGHTINGS_TABLE.columns].index(LARGEST_W_COLUMN.title)

@@ -25,6 +25,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.present.adjustment import TOO_SMALL_RAISED_TEXT, adjustment_values
 from lispac.present.adjustment_fit import points_used_text
+from lispac.present.sightings import sighting_values
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
@@ -456,9 +457,10 @@ def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     assert again is figure
     whole, enlarged = figure.axes
     assert enlarged.get_xlim()[1] < whole.get_xlim()[1] / 2
-    assert figures.residual_figure(project.result, figure) is figure
-    assert len(figure.axes[0].patches) == 2 * len(project.result.sightings)
-    assert figures.correlation_figure(project.result, figure) is figure
+    (bars,) = figures.residual_figures_of(sighting_values(project.result))
+    assert len(bars.axes[0].patches) == 2 * len(project.result.sightings)
+    values = project.result.estimated, project.result.correlation_all
+    assert figures.correlation_figure_of(*values, figure) is figure
     site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)
     (mark,) = [line for line in site.axes[0].lines if line.get_label() == "target"]
     assert (list(mark.get_xdata()), list(mark.get_ydata())) == ([-2.0], [5.0])  # east, north

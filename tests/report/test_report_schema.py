@@ -14,7 +14,7 @@ from lispac.report.content import ReportContent
 from lispac.report.json_report import json_text
 from lispac.workflow.output.export import write_report
 from lispac.workflow.project.survey import load_survey
-from tests.documents.report_schema import PATH, followed, schema_text
+from tests.documents.schemas import PATH, followed, schema_text
 from tests.report.test_identity import FULL
 from tests.support.report_sample import sample_content, sample_project
 

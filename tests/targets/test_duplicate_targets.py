@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.warnings import result_warnings
-from lispac.cli.calibration.result_output import print_result, project_result_values
+from lispac.cli.calibration.result_output import print_result, project_adjustment_output
 from lispac.duplicate_targets import (
     duplicate_warnings,
     find_overlap,
@@ -122,7 +122,7 @@ def test_a_result_with_shared_points_has_a_warning_everywhere(
     assert result_warnings(result, checks, duplicate_warnings(both))[0] == message
     print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
-    assert text in [each["text"] for each in project_result_values(both)["warnings"]]
+    assert message in project_adjustment_output(both, {}).warnings
     assert "can be used" not in result_texts.fit_verdict(result, checks, duplicate_warnings(both))
     assert message in sample_content(both).warnings
     step = step_statuses(both, None, waiting=False, refusal="")[2]

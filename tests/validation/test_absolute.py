@@ -31,7 +31,7 @@ from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
 from tests.cli.test_cli import run, run_json
-from tests.documents.report_schema import followed
+from tests.documents.schemas import followed
 from tests.support.absolute_sample import (
     check_against_points,
     project_with_true_boresight,

@@ -61,7 +61,6 @@ def run(arguments: Namespace) -> None:
         CalibrationValues,
         CombinedCalibrations,
     )
-    from lispac.present.json_values import json_values
     from lispac.validation.repeatability import (
         combine_calibrations,
         compare_calibrations,
@@ -88,13 +87,13 @@ def run(arguments: Namespace) -> None:
         single_calibration(counted[0]) if only else combine_calibrations(counted), counted
     )
     if arguments.json:
-        content = {
-            "calibrations": found,
-            "differences": differences,
-            "combined": combined,
-            "messages": compared.messages,
-        }
-        print_json(json_values(content))
+        from lispac.cli.json_outputs import ComparedCalibrationsOutput
+
+        print_json(
+            ComparedCalibrationsOutput(
+                tuple(found), tuple(differences), combined, tuple(compared.messages)
+            )
+        )
         return
     _print_comparison(found, differences, combined)
     sys.stdout.flush()
@@ -127,7 +126,6 @@ def _compare_methods(arguments: Namespace) -> None:
         If no method has a result.
     """
     from lispac.method_comparison import comparison_messages, method_results, missing_methods
-    from lispac.present.json_values import json_values
     from lispac.present.methods import MethodValues
 
     refused: dict[str, Message] = {}
@@ -139,13 +137,13 @@ def _compare_methods(arguments: Namespace) -> None:
         raise ProjectError(error("cli.no_results", project=project.name))
     rows = [MethodValues.of(each) for each in found]
     if arguments.json:
-        content = {
-            "methods": rows,
-            "messages": comparison_messages(found),
-            "missing": missing_methods(project),
-            "refused": refused,
-        }
-        print_json(json_values(content))
+        from lispac.cli.json_outputs import ComparedMethodsOutput
+
+        print_json(
+            ComparedMethodsOutput(
+                tuple(rows), comparison_messages(found), missing_methods(project), refused
+            )
+        )
         return
     _print_methods(rows, comparison_messages(found))
     sys.stdout.flush()

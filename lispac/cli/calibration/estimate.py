@@ -126,14 +126,13 @@ def run(arguments: Namespace) -> None:
         If options cannot be combined.
     """
     from lispac.cli.calibration.result_output import (
+        adjustment_output,
         print_origin,
         print_result,
         print_sigmas,
-        project_result_values,
-        result_values,
+        project_adjustment_output,
     )
     from lispac.duplicate_targets import project_warnings
-    from lispac.present.json_values import json_values
     from lispac.present.sighting_quality import quality_list
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import estimation as calibration
@@ -144,7 +143,7 @@ def run(arguments: Namespace) -> None:
     if arguments.planes:
         result, checks = _estimate_planes(arguments)
         if arguments.json:
-            print_json(result_values(result, checks))
+            print_json(adjustment_output(result, checks))
         else:
             print_result(result, checks)
         return
@@ -170,13 +169,15 @@ def run(arguments: Namespace) -> None:
             found = sighting_qualities(project, survey, progress=sub_progress(progress, 0.9, 1.0))
         projects.save_project(project)
     if arguments.json:
+        from lispac.cli.json_outputs import EstimateOutput, extended
+
         print_json(
-            project_result_values(project)
-            | {
-                "origin_deg_m": survey.trajectory.frame.origin_deg_m,
-                "qualities": json_values(quality_list(found)),
-            }
-        )
+            extended(
+                EstimateOutput, project_adjustment_output(project, survey.headings_deg),
+                origin_deg_m=survey.trajectory.frame.origin_deg_m,
+                qualities=quality_list(found, project.targets),
+            )
+        )  # fmt: skip
     else:
         assert project.result is not None
         print_result(

@@ -59,7 +59,6 @@ def run(arguments: Namespace) -> None:
         If a box is invalid or a line is unknown.
     """
     from lispac.patchtest.object_proposal import MAX_OBJECTS
-    from lispac.present.json_values import json_values
     from lispac.present.patch_test import PatchTestValues
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import patch_test as workflow
@@ -94,7 +93,7 @@ def run(arguments: Namespace) -> None:
             save_project(project.with_alternative_result(patch_test_result(found)))
     values = PatchTestValues.of(found)
     if arguments.json:
-        print_json(json_values(values))
+        print_json(values)
     else:
         print_patch_test(values)
 

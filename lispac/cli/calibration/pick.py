@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,6 +30,12 @@ from lispac.messages import Message, note
 from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
 if TYPE_CHECKING:
+    from lispac.cli.json_outputs import (
+        PickOutput,
+        SeedOutput,
+        SharedPointsOutput,
+    )
+    from lispac.present.sighting_quality import PickedSightingValues
     from lispac.project import Project, Target
     from lispac.survey.crs import CoordinateSystem
     from lispac.targets.sighting_quality import SightingQuality
@@ -167,22 +174,18 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     )  # fmt: skip
     print_messages(notes)
     if arguments.json:
-        print_json(
-            _target_values(target, spheres, found)
-            | {"same_points_as": _shared_points_values(project, target)}
-        )
+        print_json(_target_output(project, target, spheres, found))
     else:
         _print_target(target, spheres, found)
 
 
-def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | None:
-    """Name of the target with the largest share of common points, line and share; None if none."""
+def _shared_points(project: Project, target: Target) -> SharedPointsOutput | None:
+    """Target with the largest share of common points; None if there is none."""
+    from lispac.cli.json_outputs import SharedPointsOutput
     from lispac.duplicate_targets import find_overlap
 
     found = find_overlap(target, project.targets)
-    if found is None:
-        return None
-    return {"name": found.other, "line": found.line, "share_of_the_smaller": found.share}
+    return None if found is None else SharedPointsOutput(found.other, found.line, found.share)
 
 
 def _require_matching_options(arguments: Namespace) -> None:
@@ -243,66 +246,70 @@ def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
     return (*widened, *thinned_notes(target))
 
 
-def _target_values(
-    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
-) -> dict[str, Any]:
-    """Values of a target and its sightings for ``pick --json``, lengths in metres."""
-    from lispac.present.json_values import json_values
-    from lispac.present.sighting_quality import sighting_quality_values
+def _target_output(
+    project: Project,
+    target: Target,
+    spheres: dict[str, SpherePatch],
+    qualities: dict[str, SightingQuality],
+) -> PickOutput:
+    """A target and its sightings for ``pick --json``."""
+    from lispac.cli.json_outputs import PickOutput
 
-    lines: dict[str, dict[str, Any]] = {
-        s.line: {
-            "points": len(s.indices),
-            "rms_m": s.rms,
-            "quality": json_values(sighting_quality_values(target.name, s.line, qualities[s.line])),
-        }
-        for s in target.sightings
-    }
-    for line, patch in spheres.items():
-        lines[line] |= {
-            "centre_m": patch.centre.tolist(),
-            "sphere_radius_m": patch.sphere.radius,
-            "visible_share": patch.share,
-        }
-    return {
-        "name": target.name,
-        "role": target.role,
-        "shape": target.shape,
-        "sphere_radius_m": target.sphere_radius,
-        "radius_m": target.radius,
-        "threshold_m": target.threshold,
-        "min_points": target.choices.min_points,
-        "max_tilt_deg": degrees(target.choices.max_tilt),
-        "stop": target.choices.stop,
-        "random_seed": target.choices.seed,
-        "lines": lines,
-        "missing": json_values(target.missing),
-    }
+    return PickOutput(
+        name=target.name,
+        role=target.role,
+        shape=target.shape,
+        sphere_radius_m=target.sphere_radius,
+        radius_m=target.radius,
+        threshold_m=target.threshold,
+        min_points=target.choices.min_points,
+        max_tilt_deg=degrees(target.choices.max_tilt),
+        stop=target.choices.stop,
+        random_seed=target.choices.seed,
+        lines=_sighting_values(target, spheres, qualities),
+        missing=target.missing,
+        same_points_as=_shared_points(project, target),
+    )
+
+
+def _sighting_values(
+    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
+) -> dict[str, PickedSightingValues]:
+    """Sightings of a target by line."""
+    from lispac.present.angles import floats
+    from lispac.present.sighting_quality import PickedSightingValues, sighting_quality_values
+
+    found = {}
+    for sighting in target.sightings:
+        line = sighting.line
+        values = sighting_quality_values(target.name, line, qualities[line])
+        output = PickedSightingValues(len(sighting.indices), sighting.rms, values)
+        if line in spheres:
+            patch = spheres[line]
+            output = replace(
+                output, centre_m=floats(patch.centre), sphere_radius_m=patch.sphere.radius,
+                visible_share=patch.share,
+            )  # fmt: skip
+        found[line] = output
+    return found
 
 
 def _print_target(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
-    from lispac.present.tables import ratio
+    from lispac.present.sighting_quality import PICKED_SIGHTINGS_TABLE, PICKED_SPHERES_TABLE
 
-    for sighting in target.sightings:
-        print(
-            f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm, {qualities[sighting.line].rating}"
-        )
-        for reason in qualities[sighting.line].reasons:
-            print(f"    {console_text(reason)}")
-        if sighting.line in spheres:
-            patch = spheres[sighting.line]
-            centre = " ".join(ratio(3).plain_text(value) for value in patch.centre)
-            known = "given" if target.sphere_radius is not None else "estimated"
-            print(
-                f"    centre {centre} m, "
-                f"radius {patch.sphere.radius:.3f} m ({known}), "
-                f"{100 * patch.share:.0f} % of the surface seen"
-            )
+    found = _sighting_values(target, spheres, qualities)
+    print_table(PICKED_SIGHTINGS_TABLE, list(found.values()))
+    if spheres:
+        known = "given" if target.sphere_radius is not None else "estimated"
+        table = replace(PICKED_SPHERES_TABLE, title=f"Sphere in each line, radius {known}")
+        print_table(table, [found[line] for line in spheres])
+    for line, values in found.items():
+        for reason in values.quality.reasons:
+            print(f"{target.name} on {line}: {console_text(reason)}")
     for line, missing in target.missing.items():
-        print(f"{target.name} on {line:20s} not found: {console_text(missing)}")
+        print(f"{target.name} on {line} not found: {console_text(missing)}")
 
 
 def _pick_list(
@@ -344,35 +351,30 @@ def _pick_list(
         notes += thinned_notes(outcome.target) if outcome.target is not None else ()
     print_messages(notes)
     if arguments.json:
-        print_json({"seeds": [_outcome_values(project, survey, outcome) for outcome in outcomes]})
+        from lispac.cli.json_outputs import SeedListOutput
+
+        print_json(SeedListOutput(tuple(_seed_output(project, survey, each) for each in outcomes)))
     else:
         _print_outcomes(outcomes, len(survey.lines))
     sys.stdout.flush()  # print the table before the messages on stderr
     require_all_found(seeds, outcomes)
 
 
-def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> dict[str, Any]:
-    from lispac.present.json_values import json_values
-    from lispac.present.sighting_quality import sighting_quality_values
+def _seed_output(project: Project, survey: Survey, outcome: SeedOutcome) -> SeedOutput:
+    from lispac.cli.json_outputs import SeedOutput
+    from lispac.workflow.calibration import picking
     from lispac.workflow.calibration.sighting_assessment import assess_target
 
     seed, target = outcome.seed, outcome.target
-    content = {
-        "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
-        "found": target is not None, "reason": json_values(outcome.message),
-    }  # fmt: skip
+    output = SeedOutput(
+        row=seed.row, name=seed.name, role=seed.role, seed_m=seed.place, found=target is not None,
+        reason=outcome.message, lines={}, missing={},
+    )  # fmt: skip
     if target is None:
-        return content | {"lines": {}, "missing": {}}
-    rated = assess_target(project, survey, target)
-    lines = {
-        s.line: {
-            "points": len(s.indices),
-            "rms_m": s.rms,
-            "quality": json_values(sighting_quality_values(target.name, s.line, rated[s.line])),
-        }
-        for s in target.sightings
-    }
-    return content | {"lines": lines, "missing": json_values(target.missing)}
+        return output
+    spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
+    lines = _sighting_values(target, spheres, assess_target(project, survey, target))
+    return replace(output, lines=lines, missing=target.missing)
 
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:

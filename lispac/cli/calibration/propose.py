@@ -5,11 +5,10 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
-from lispac.cli.console import ConsoleProgress, opened_project, print_json
+from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
 from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
 from lispac.messages import error
-from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -29,9 +28,8 @@ def run(arguments: Namespace) -> None:
     ProjectError
         If targets are to be added to a project that already has some.
     """
-    import numpy as np
-
-    from lispac.adjustment.result import ANGLES
+    from lispac.present.angles import AnglesRow
+    from lispac.present.planning import PREDICTED_SIGMAS_TABLE, known_degrees
     from lispac.present.tables import ratio
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
@@ -52,24 +50,23 @@ def run(arguments: Namespace) -> None:
         if arguments.accept:
             names = [target.name for target in proposal.targets]
             projects.save_project(with_accepted_targets(project, proposal, names)[0])
-    sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
+    sigma = known_degrees(proposal.sigma)
     if arguments.json:
-        targets = [
-            {
-                "name": target.name, "role": target.role, "seed_m": list(target.seed),
-                "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
-                          for s in target.sightings},
-                "reason": json_values(proposal.reasons[target.name]),
-            }
+        from lispac.cli.json_outputs import ProposedTargetOutput, ProposeOutput, SightingOutput
+
+        targets = tuple(
+            ProposedTargetOutput(
+                target.name, target.role, target.seed,
+                {s.line: SightingOutput(len(s.indices), s.rms) for s in target.sightings},
+                proposal.reasons[target.name],
+            )
             for target in proposal.targets
-        ]  # fmt: skip
-        warnings = json_values(proposal.warnings)
-        print_json({"targets": targets, "sigma_deg": sigma, "warnings": warnings,
-                    "accepted": arguments.accept})  # fmt: skip
+        )  # fmt: skip
+        print_json(ProposeOutput(targets, sigma, proposal.warnings, arguments.accept))
         return
     for target in proposal.targets:
         place = " ".join(ratio(2).plain_text(value) for value in target.seed)
         print(f"{target.name:4s} {target.role:10s} at {place} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
-    print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
+    print_table(PREDICTED_SIGMAS_TABLE, [AnglesRow("all targets", sigma)])
     print_messages(proposal.warnings, sys.stdout)

@@ -1,7 +1,9 @@
-"""Result of an adjustment, as text and as JSON values."""
+"""Result of an adjustment, as text and for JSON."""
 
-from collections.abc import Sequence
-from typing import Any
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
@@ -12,9 +14,8 @@ from lispac.geometry.frames import LocalFrame
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
 from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
-from lispac.present.angles import angles
+from lispac.present.angles import ROTATION_ENTRY, angles
 from lispac.present.cross_checks import cross_check_values
-from lispac.present.json_values import json_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
 from lispac.present.settings import origin_fact
 from lispac.present.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
@@ -22,34 +23,44 @@ from lispac.present.tables import Fact
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text
 
+if TYPE_CHECKING:
+    from lispac.cli.json_outputs import AdjustmentOutput, ProjectAdjustmentOutput
 
-def project_result_values(project: Project) -> dict[str, Any]:
-    """Result of a project as plain values, in degrees and metres."""
+
+def project_adjustment_output(
+    project: Project, headings_deg: Mapping[str, float]
+) -> ProjectAdjustmentOutput:
+    """Result of a project for JSON; the headings are those of the lines, by name."""
+    from lispac.cli.json_outputs import ProjectAdjustmentOutput, extended
+
     assert project.result is not None
-    values = result_values(
+    output = adjustment_output(
         project.result, project.cross_checks, project_warnings(project),
-        picked_points=project.picked_points,
+        headings_deg=headings_deg, picked_points=project.picked_points,
     )  # fmt: skip
-    return values | {
-        "subsample_m": project.settings.subsample,
-        "standard_deviations": json_values(sigmas_used(project)),
-    }
+    return extended(
+        ProjectAdjustmentOutput, output, subsample_m=project.settings.subsample,
+        standard_deviations=sigmas_used(project),
+    )  # fmt: skip
 
 
-def result_values(
+def adjustment_output(
     result: AdjustmentResult,
     checks: CrossChecks | None,
     also: Sequence[Message] = (),
     *,
+    headings_deg: Mapping[str, float] | None = None,
     picked_points: int | None = None,
-) -> dict[str, Any]:
-    """Result of an adjustment as plain values, with the keys of the JSON report."""
-    values: dict[str, Any] = json_values(adjustment_values(result, picked_points=picked_points))
-    return values | {
-        "elapsed_s": result.elapsed,
-        "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
-        "warnings": json_values(result_warnings(result, checks, also)),
-    }
+) -> AdjustmentOutput:
+    """Result of an adjustment for JSON, with the keys of the JSON report."""
+    from lispac.cli.json_outputs import AdjustmentOutput, extended
+
+    return extended(
+        AdjustmentOutput, adjustment_values(result, headings_deg, picked_points),
+        elapsed_s=result.elapsed,
+        cross_checks=None if checks is None else cross_check_values(checks),
+        warnings=tuple(result_warnings(result, checks, also)),
+    )  # fmt: skip
 
 
 def print_result(
@@ -118,7 +129,7 @@ def print_steep_rotation(result: AdjustmentResult) -> None:
     print(f"Orientation: {orientation_text(result.angles)}")
     print("Rotation matrix, LiDAR to body (forward, left, up):")
     for row in result.mounting.rotation_body_lidar:
-        print("".join(f"{value:+14.8f}" for value in row))
+        print("".join(f"{ROTATION_ENTRY.plain_text(value):>14s}" for value in row))
 
 
 def _error_model_text(result: AdjustmentResult) -> str:

@@ -10,7 +10,6 @@ from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.messages import console_text
 from lispac.messages import Message, note
-from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     from lispac.project import Project
@@ -42,7 +41,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.cli.calibration.result_output import print_result, print_sigmas, result_values
+    from lispac.cli.calibration.result_output import adjustment_output, print_result, print_sigmas
     from lispac.progress import sub_progress
     from lispac.workflow.calibration.method_runs import with_targetless_result
     from lispac.workflow.calibration.targetless import targetless as find
@@ -65,16 +64,19 @@ def run(arguments: Namespace) -> None:
             project = with_targetless_result(project, found)
             save_project(project)
     if arguments.json:
+        from lispac.cli.json_outputs import TargetlessOutput, extended
+
         print_json(
-            result_values(found.result, None)
-            | {
-                "matching_iterations": found.iterations,
-                "converged": found.converged,
-                "candidates": found.candidates,
-                "given_targets": found.targets,
-                "disagreeing_lines": list(found.disagreeing_lines),
-                "messages": json_values(found.messages),
-            }
+            extended(
+                TargetlessOutput,
+                adjustment_output(found.result, None, headings_deg=survey.headings_deg),
+                matching_iterations=found.iterations,
+                converged=found.converged,
+                candidates=found.candidates,
+                given_targets=found.targets,
+                disagreeing_lines=found.disagreeing_lines,
+                messages=found.messages,
+            )
         )
         return
     print_result(found.result, None)

@@ -67,7 +67,6 @@ def run(arguments: Namespace) -> None:
         If a project could not be calibrated; the exit code is then 1.
     """
     from lispac.present.batch import BATCH_TABLE
-    from lispac.present.json_values import json_values
     from lispac.workflow.output.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
 
@@ -86,7 +85,9 @@ def run(arguments: Namespace) -> None:
             if arguments.output is not None:  # keeps finished rows after an interruption
                 write_table(rows, arguments.output)
     if arguments.json:
-        print_json({"projects": json_values(rows)})
+        from lispac.cli.json_outputs import BatchOutput
+
+        print_json(BatchOutput(tuple(rows)))
     else:
         print_table(BATCH_TABLE, rows)
         for row in rows:

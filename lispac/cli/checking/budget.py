@@ -31,7 +31,6 @@ def run(arguments: Namespace) -> None:
     """Print a table for each direction of the beam."""
     from lispac.adjustment.diagnostics.error_budget import DEFAULT_DISTANCES
     from lispac.present.error_budget import ErrorBudgetValues, budget_table
-    from lispac.present.json_values import json_values
     from lispac.workflow.checking.budget import error_budget_of
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
@@ -51,7 +50,7 @@ def run(arguments: Namespace) -> None:
         )
     )
     if arguments.json:
-        print_json(json_values(found))
+        print_json(found)
         return
     for beam in found.beams:
         print_table(*budget_table(found, beam))

@@ -42,7 +42,6 @@ def run(arguments: Namespace) -> None:
         AbsoluteCheckValues,
         line_states,
     )
-    from lispac.present.json_values import json_values
     from lispac.workflow.checking.absolute_check import check_absolute
     from lispac.workflow.project.projects import save_project
     from lispac.workflow.project.survey import load_survey
@@ -61,7 +60,7 @@ def run(arguments: Namespace) -> None:
     found = AbsoluteCheckValues.of(project.absolute)
     print_messages(notes)
     if arguments.json:
-        print_json(json_values(found))
+        print_json(found)
         return
     print_table(REFERENCE_DISTANCES_TABLE, line_states(found))
     if found.points:

@@ -34,7 +34,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print a table for each system and, on request, draw the control chart of the first system."""
-    from lispac.present.json_values import json_values
     from lispac.workflow.checking.calibration_history import read_histories
 
     with ConsoleProgress() as progress:
@@ -44,7 +43,9 @@ def run(arguments: Namespace) -> None:
     if arguments.picture is not None:
         _draw_chart(arguments, found[0])
     if arguments.json:
-        print_json(json_values({"systems": found, "messages": messages}))
+        from lispac.cli.json_outputs import HistoryOutput
+
+        print_json(HistoryOutput(tuple(found), tuple(messages)))
         return
     for each in found:
         _print_history(each)

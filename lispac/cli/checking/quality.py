@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from lispac.cli.argument_types import add_json_option, picture_file, positive_number
 from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.messages import print_messages
-from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     from lispac.workflow.checking.line_quality import LineQuality
@@ -61,13 +60,9 @@ def run(arguments: Namespace) -> None:
     if arguments.csv is not None:
         _write_differences(found, arguments.csv)
     if arguments.json:
-        print_json(
-            {
-                "boresight": found.which,
-                "differences": json_values(found.rows()),
-                "not_compared": json_values(found.not_compared),
-            }
-        )
+        from lispac.cli.json_outputs import QualityOutput
+
+        print_json(QualityOutput(found.which, tuple(found.rows()), found.not_compared))
         return
     title = f"{LINE_DIFFERENCES_TABLE.title}, {found.which} boresight"
     print_table(replace(LINE_DIFFERENCES_TABLE, title=title), found.rows())

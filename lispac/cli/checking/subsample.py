@@ -19,7 +19,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print one row for each point spacing."""
-    from lispac.present.json_values import json_values
     from lispac.present.subsampling import SUBSAMPLING_TABLE
     from lispac.workflow.checking.subsampling import DEFAULT_DISTANCES, subsampling_study
     from lispac.workflow.project.projects import open_project
@@ -31,6 +30,8 @@ def run(arguments: Namespace) -> None:
         distances = arguments.distances or DEFAULT_DISTANCES
         found = subsampling_study(project, survey, distances, progress=progress)
     if arguments.json:
-        print_json({"adjustments": json_values(found)})
+        from lispac.cli.json_outputs import SubsampleOutput
+
+        print_json(SubsampleOutput(tuple(found)))
     else:
         print_table(SUBSAMPLING_TABLE, found)

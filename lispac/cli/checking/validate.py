@@ -49,9 +49,6 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.present.acceptance import AcceptanceValues
-    from lispac.present.json_values import json_values
-    from lispac.present.validation import ValidationPlane
     from lispac.validation.local_models import DEFAULT_NEIGHBOURS, LocalModel
     from lispac.workflow.checking.validation import validate as validated
     from lispac.workflow.project import projects
@@ -74,16 +71,18 @@ def run(arguments: Namespace) -> None:
         projects.save_project(project)
     true = rms_with_truth(project, survey)
     if arguments.json:
+        from lispac.cli.json_outputs import ValidateOutput
+        from lispac.present.acceptance import AcceptanceValues
+        from lispac.present.validation import ValidationPlane
+
         print_json(
-            {
-                "validation": json_values(
-                    [ValidationPlane.of(each) for each in project.validation]
-                ),
-                "rms_truth_m": true,
-                "not_compared": json_values(project.not_compared),
-                "acceptance": json_values(AcceptanceValues.of(project.judgement)),
-                "warnings": json_values(_warnings(project)),
-            }
+            ValidateOutput(
+                tuple(map(ValidationPlane.of, project.validation)),
+                true,
+                tuple(project.not_compared.values()),
+                AcceptanceValues.of(project.judgement),
+                _warnings(project),
+            )
         )
     else:
         print_validation(project, true)

@@ -6,7 +6,6 @@ from pathlib import Path
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import console_text
-from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -29,7 +28,9 @@ def run(arguments: Namespace) -> None:
         rated = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
     found = warnings_of(project, survey, rated)
     if arguments.json:
-        print_json({"warnings": json_values(found)})
+        from lispac.cli.json_outputs import WarningsOutput
+
+        print_json(WarningsOutput(tuple(found)))
         return
     if not found:
         print("No warnings.")

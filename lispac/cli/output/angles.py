@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, add_triple_option
-from lispac.cli.console import UsageError
+from lispac.cli.console import UsageError, print_json
 
 if TYPE_CHECKING:
     import numpy as np
@@ -99,7 +98,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.cli.output.angles_output import conversion_values, list_systems, print_conversion
+    from lispac.cli.output.angles_output import conversion_output, list_systems, print_conversion
     from lispac.survey.conventions.mounting_replacement import replace_mounting
 
     if not arguments.values and arguments.from_matrix is None:
@@ -115,7 +114,7 @@ def run(arguments: Namespace) -> None:
         applied=arguments.current_applied, has_lever_arm=conversion_input.has_lever_arm,
     )  # fmt: skip
     if arguments.json:
-        print(json.dumps(conversion_values(conversion_input, new), indent=1, allow_nan=False))
+        print_json(conversion_output(conversion_input, new))
     else:
         print_conversion(conversion_input, new, matrices=arguments.matrix)
 

@@ -1,17 +1,19 @@
-"""Output of ``lispac angles``, as text and as JSON values."""
+"""Output of ``lispac angles``, as text and for JSON."""
 
-import json
+from __future__ import annotations
+
 import textwrap
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.console import TEXT_WIDTH, print_facts, print_table
+from lispac.cli.console import TEXT_WIDTH, print_facts, print_json, print_table
 from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present.angles import matrix
 from lispac.present.conventions import (
     ConventionRules,
     ConventionValues,
@@ -24,7 +26,6 @@ from lispac.present.conventions import (
     rotation_text,
     signs_text,
 )
-from lispac.present.json_values import json_values
 from lispac.present.tables import Fact
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
@@ -32,6 +33,9 @@ from lispac.survey.conventions.mounting_texts import lever_arm_text as position_
 from lispac.survey.conventions.mounting_texts import orientation_text
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.georeferencing import Mounting
+
+if TYPE_CHECKING:
+    from lispac.cli.json_outputs import ConversionOutput
 
 Array = NDArray[np.float64]
 
@@ -118,7 +122,7 @@ def list_systems(as_json: bool) -> None:
     """Print all conventions with their rules."""
     rules = [ConventionRules.of(ConventionSetup(each)) for each in SYSTEMS]
     if as_json:
-        print(json.dumps(json_values(rules), indent=1))
+        print_json(rules)
         return
     print("Enter and read the angles of each system in the order given here, in degrees.\n")
     for each in rules:
@@ -164,20 +168,21 @@ def _print_matrices(
     has_lever_arm = values.lever_arm_m is not None
     title += "lever arm in metres" if has_lever_arm else "no lever arm given, zeros used"
     found[title] = values.transform
-    for title, matrix in found.items():
-        print(f"\n{to_plain_text(title)}\n{matrix_text(matrix, 10)}")
+    for title, rows in found.items():
+        print(f"\n{to_plain_text(title)}\n{matrix_text(rows, 10)}")
 
 
-def conversion_values(
+def conversion_output(
     conversion_input: ConversionInput, new: MountingReplacement
-) -> dict[str, Any]:
-    """Result of the conversion as values for JSON."""
+) -> ConversionOutput:
+    """Result of the conversion for JSON."""
+    from lispac.cli.json_outputs import ConversionOutput
+
     mounting = conversion_input.mounting
-    content = {
-        "from": conversion_input.values,
-        "to": conversion_input.converted(new),
-        "matrix": new.in_system.rotation.tolist(),
-        "orientation_text": orientation_text(mounting.without_nominal_axes.boresight),
-        "correction": CorrectionValues.of(new),
-    }
-    return json_values(content)
+    return ConversionOutput(
+        conversion_input.values,
+        conversion_input.converted(new),
+        matrix(new.in_system.rotation),
+        orientation_text(mounting.without_nominal_axes.boresight),
+        CorrectionValues.of(new),
+    )

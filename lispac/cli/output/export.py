@@ -107,7 +107,9 @@ def run(arguments: Namespace) -> None:
                 )  # fmt: skip
                 print_messages(() if system is None else system.assumptions)
     if arguments.json:
-        print_json({"files": [str(path) for path in paths]})
+        from lispac.cli.json_outputs import ExportOutput
+
+        print_json(ExportOutput(tuple(paths)))
         return
     for path in paths:
         print(path)

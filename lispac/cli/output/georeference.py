@@ -6,7 +6,6 @@ from pathlib import Path
 from lispac.cli.argument_types import add_crs_options, add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -51,14 +50,13 @@ def run(arguments: Namespace) -> None:
     found = dict.fromkeys(each for done in written for each in done.notes)
     print_messages(found)
     if arguments.json:
-        lines = [
-            {
-                "file": str(done.path), "points": done.points, "outside": done.outside,
-                "in_gaps": done.in_gaps,
-            }
+        from lispac.cli.json_outputs import GeoreferencedLineOutput, GeoreferenceOutput
+
+        lines = tuple(
+            GeoreferencedLineOutput(done.path, done.points, done.outside, done.in_gaps)
             for done in written
-        ]  # fmt: skip
-        print_json({"lines": lines, "notes": json_values(tuple(found))})
+        )
+        print_json(GeoreferenceOutput(lines, tuple(found)))
         return
     for done in written:
         print(f"{done.path}  {done.points:,} points")

@@ -7,7 +7,6 @@ from pathlib import Path
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.present.json_values import json_values
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -32,7 +31,9 @@ def run(arguments: Namespace) -> None:
     if arguments.output is not None:
         save_script(made, arguments.output)
     if arguments.json:
-        print_json({"script": made.text, "messages": json_values(made.messages)})
+        from lispac.cli.json_outputs import ScriptOutput
+
+        print_json(ScriptOutput(made.text, tuple(made.messages)))
     else:
         print(made.text if arguments.output is None else arguments.output, end="")
         if arguments.output is not None:

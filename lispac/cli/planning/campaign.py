@@ -36,7 +36,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Print the scatter of the simulated results, and the formal and predicted sigmas."""
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.json_values import json_values
     from lispac.present.planning import ANGLES_BY_ROW_TABLE, SimulationValues
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys
@@ -52,8 +51,14 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
     values = SimulationValues.of(found)
     if arguments.json:
-        head = {"title": titled.title, "surveys": arguments.surveys, "seed": arguments.seed}
-        print_json(head | json_values(values))
+        from lispac.cli.json_outputs import CampaignOutput, extended
+
+        print_json(
+            extended(
+                CampaignOutput, values, title=titled.title, surveys=arguments.surveys,
+                seed=arguments.seed,
+            )
+        )  # fmt: skip
         return
     heading = result_heading(titled.title, found, arguments.surveys)
     print_table(replace(ANGLES_BY_ROW_TABLE, title=heading), values.rows)

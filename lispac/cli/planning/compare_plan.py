@@ -20,7 +20,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Print predicted and obtained standard deviations, and the deviations from the plan."""
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.json_values import json_values
     from lispac.present.planning import ANGLES_BY_ROW_TABLE
     from lispac.workflow.planning.plan_comparison import compare_with_plan
     from lispac.workflow.project.projects import open_project
@@ -32,7 +31,7 @@ def run(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
     found = compare_with_plan(project, survey, titled)
     if arguments.json:
-        print_json(json_values(found))
+        print_json(found)
         return
     title = f"Standard deviations of {project.name} compared with {titled.title}"
     print_table(replace(ANGLES_BY_ROW_TABLE, title=title), found.rows)

@@ -24,11 +24,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Simulate, calibrate, validate and report; then open the window if there is a display."""
-    from lispac.adjustment.result import ANGLES
     from lispac.cli.calibration.result_output import (
         print_result,
         print_sigmas,
-        project_result_values,
+        project_adjustment_output,
     )
     from lispac.duplicate_targets import project_warnings
     from lispac.workflow.output.export import write_report
@@ -43,9 +42,16 @@ def run(arguments: Namespace) -> None:
     truth_deg = project.truth_deg
     assert truth_deg is not None  # the survey is simulated
     if arguments.json:
-        truth = dict(zip(ANGLES, truth_deg, strict=True))
-        print_json(project_result_values(project) | {"truth_deg": truth, "rms_truth_m": true}
-                    | {"report": str(report), "project": str(project.folder)})  # fmt: skip
+        from lispac.cli.json_outputs import DemoOutput, extended
+        from lispac.present.angles import angles
+
+        print_json(
+            extended(
+                DemoOutput, project_adjustment_output(project, survey.headings_deg),
+                truth_deg=angles(truth_deg), rms_truth_m=true, report=report,
+                project=project.folder,
+            )
+        )  # fmt: skip
     else:
         assert project.result is not None
         print_result(

@@ -52,7 +52,6 @@ def run(arguments: Namespace) -> None:
     from lispac.design.prediction import predict
     from lispac.io.config.plan_file import read_site
     from lispac.present import planning
-    from lispac.present.json_values import json_values
     from lispac.present.survey_plan import PLANNED_LINES_TABLE, PLANNED_TARGETS_TABLE
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import observability_messages, write_design
@@ -73,7 +72,9 @@ def run(arguments: Namespace) -> None:
     thesis = predict(thesis_plan(site))
     values = planning.DesignValues.of(found, site.wall, thesis)
     if arguments.json:
-        print_json({"title": title} | json_values(values))
+        from lispac.cli.json_outputs import DesignOutput, extended
+
+        print_json(extended(DesignOutput, values, title=title))
         return
     print(f"{title}: smallest {CRITERION_TEXTS[objective.criterion]}")
     print_table(

@@ -23,7 +23,6 @@ def run(arguments: Namespace) -> None:
     from lispac.design.prediction import predict as predicted
     from lispac.io.config.plan_file import read_plan
     from lispac.present import planning
-    from lispac.present.json_values import json_values
     from lispac.workflow.planning.plan_checks import observability_messages, plan_warnings
 
     titled = read_plan(arguments.plan)
@@ -33,14 +32,15 @@ def run(arguments: Namespace) -> None:
     gains = planning.gain_rows(information_gains(plan, PlanObjective()), largest)
     messages = (*plan_warnings(titled), *observability_messages(plan))
     if arguments.json:
+        from lispac.cli.json_outputs import PredictOutput, extended
+
+        without = {row.name: row.without_deg for row in gains}
         print_json(
-            {
-                "title": titled.title,
-                **json_values(values),
-                "largest_sigma_without_deg": {row.name: row.without_deg for row in gains},
-                "messages": json_values(messages),
-            }
-        )
+            extended(
+                PredictOutput, values, title=titled.title, largest_sigma_without_deg=without,
+                messages=messages,
+            )
+        )  # fmt: skip
         return
     print(titled.title)
     if values.determined:

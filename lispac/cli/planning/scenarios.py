@@ -34,7 +34,6 @@ def run(arguments: Namespace) -> None:
     """Print a table for each scenario with both stochastic models; write tables and plots."""
     from lispac.design.scenarios import SCENARIOS, predict_scenarios, thesis_setting
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.json_values import json_values
     from lispac.present.planning import SCENARIOS_TABLE, ScenarioValues
     from lispac.workflow.planning.plan_checks import write_scenarios
 
@@ -45,7 +44,9 @@ def run(arguments: Namespace) -> None:
         write_scenarios(arguments.output, found)
     values = [ScenarioValues.of(each) for each in found]
     if arguments.json:
-        print_json({"outcomes": json_values(values)})
+        from lispac.cli.json_outputs import ScenariosOutput
+
+        print_json(ScenariosOutput(tuple(values)))
         return
     for scenario in dict.fromkeys(each.scenario for each in values):
         print_table(

@@ -1,7 +1,6 @@
 """``lispac sensors``: list of the scanners and INS/GNSS in the library, with sources."""
 
 from argparse import ArgumentParser, Namespace
-from dataclasses import asdict
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import print_json, print_table
@@ -22,19 +21,17 @@ def run(arguments: Namespace) -> None:
     found = read_library(folder)
     print_messages(found.messages)
     if arguments.json:
-        print_json(
-            {
-                "folder": str(folder),
-                "scanners": {
-                    s.name: {**asdict(s.figures), "user_defined": s.is_user_defined}
-                    for s in found.scanners
-                },
-                "pos": {
-                    s.name: {**asdict(s.figures), "user_defined": s.is_user_defined}
-                    for s in found.pos
-                },
-            }
-        )
+        from lispac.cli.json_outputs import PosOutput, ScannerOutput, SensorsOutput, extended
+
+        known_scanners = {
+            each.name: extended(ScannerOutput, each.figures, user_defined=each.is_user_defined)
+            for each in found.scanners
+        }
+        known_pos = {
+            each.name: extended(PosOutput, each.figures, user_defined=each.is_user_defined)
+            for each in found.pos
+        }
+        print_json(SensorsOutput(folder, known_scanners, known_pos))
         return
     scanners = [
         ScannerRow(

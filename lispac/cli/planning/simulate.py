@@ -124,16 +124,11 @@ def run(arguments: Namespace) -> None:
         project.folder / name for name in (simulated.TARGET_LIST_FILE, simulated.SPHERE_LIST_FILE)
     )
     if arguments.json:
-        print_json(
-            {
-                "project": str(project.folder),
-                "points": points,
-                "truth": str(truth),
-                "seeds": str(targets) if targets.is_file() else None,
-                "ball_seeds": str(balls) if balls.is_file() else None,
-                **{kind: chosen.titles[kind] for kind in PART_KINDS},
-            }
-        )
+        from lispac.cli.json_outputs import SimulateOutput
+
+        seeds, ball_seeds = (path if path.is_file() else None for path in (targets, balls))
+        titles = (chosen.titles[kind] for kind in PART_KINDS)
+        print_json(SimulateOutput(project.folder, points, truth, seeds, ball_seeds, *titles))
         return
     for kind in PART_KINDS:
         print(f"{kind:10s} {chosen.titles[kind]}")
@@ -168,7 +163,9 @@ def _print_supplied(arguments: Namespace) -> None:
 
     known = {f"{kind}s": supplied_titles(kind) for kind in PART_KINDS}
     if arguments.json:
-        print_json(known)
+        from lispac.cli.json_outputs import SuppliedPartsOutput
+
+        print_json(SuppliedPartsOutput(**known))
         return
     for kind, titles in known.items():
         print(kind)

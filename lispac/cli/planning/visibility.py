@@ -48,7 +48,6 @@ def run(arguments: Namespace) -> None:
         If a systematic error is not simulated on this site.
     """
     from lispac.present import visibility
-    from lispac.present.json_values import json_values
     from lispac.simulation.thesis_site import SITES
     from lispac.simulation.visibility_study import study_visibility as study
     from lispac.workflow.planning.visibility import write_visibility
@@ -68,18 +67,13 @@ def run(arguments: Namespace) -> None:
         )
     compared = [] if arguments.hit_beams else visibility.compared_configurations(found, errors)
     if arguments.json:
-        best = [
+        from lispac.cli.json_outputs import VisibilityOutput
+
+        best = tuple(
             visibility.ConfigurationValues.of(found.best_configuration(error)) for error in errors
-        ]
-        print_json(
-            {
-                "site": site.name,
-                "beams": found.beams,
-                "best": json_values(best),
-                "thesis": json_values([row.thesis for row in compared]),
-                "files": [str(path) for path in written],
-            }
         )
+        thesis = tuple(row.thesis for row in compared)
+        print_json(VisibilityOutput(site.name, found.beams, best, thesis, tuple(written)))
         return
     if not arguments.hit_beams:
         print_table(visibility.CONFIGURATIONS_TABLE, compared)

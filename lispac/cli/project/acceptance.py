@@ -60,7 +60,6 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.acceptance import FIELD_NAMES
     from lispac.present.acceptance import AcceptanceValues
-    from lispac.present.json_values import json_values
     from lispac.workflow.project.projects import save_project
 
     given = {name: getattr(arguments, name) for name in FIELD_NAMES}
@@ -74,7 +73,7 @@ def run(arguments: Namespace) -> None:
             project = project.with_acceptance(project.acceptance.changed(**values))
             save_project(project)
     if arguments.json:
-        print_json(json_values(AcceptanceValues.of(project.judgement)))
+        print_json(AcceptanceValues.of(project.judgement))
     else:
         print_acceptance(project)
     verdict = project.judgement.verdict

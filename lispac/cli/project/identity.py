@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -52,7 +51,7 @@ def run(arguments: Namespace) -> None:
             "history omits this calibration.", file=sys.stderr,
         )  # fmt: skip
     if arguments.json:
-        print_json(asdict(project.identity))
+        print_json(project.identity)
         return
     width = max(map(len, FIELD_LABELS.values())) + 2
     for name in FIELD_NAMES:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
@@ -15,6 +15,7 @@ from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
+    from lispac.cli.json_outputs import ImportedLineOutput
     from lispac.progress import Progress
     from lispac.workflow.importing.line_import import ImportedLine
 
@@ -64,7 +65,9 @@ def run(arguments: Namespace) -> None:
         )
         raise
     if arguments.json:
-        print_json({"lines": {item.stored.name: _imported_values(item) for item in found}})
+        from lispac.cli.json_outputs import ImportOutput
+
+        print_json(ImportOutput({item.stored.name: _imported_line(item) for item in found}))
         return
     for item in found:
         _print_imported(item)
@@ -97,15 +100,12 @@ def _print_imported(item: ImportedLine) -> None:
     )
 
 
-def _imported_values(item: ImportedLine) -> dict[str, Any]:
+def _imported_line(item: ImportedLine) -> ImportedLineOutput:
+    from lispac.cli.json_outputs import ImportedLineOutput
     from lispac.workflow.importing.line_import import assumptions_of
 
     manifest = item.stored.manifest
-    return {
-        "folder": str(item.stored.folder),
-        "points": manifest.points,
-        "excluded_points": manifest.excluded_points,
-        "bytes": manifest.bytes,
-        "seconds": item.seconds,
-        "assumptions": list(map(message_text, assumptions_of(item.stored))),
-    }
+    return ImportedLineOutput(
+        item.stored.folder, manifest.points, manifest.excluded_points, manifest.bytes,
+        item.seconds, tuple(map(message_text, assumptions_of(item.stored))),
+    )  # fmt: skip

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import console_text
-from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     from lispac.workflow.importing.file_reading import FileCheck
@@ -38,8 +37,9 @@ def run(arguments: Namespace) -> None:
     if not arguments.quick:
         found = _checks_with_audit(arguments.file, found)
     if arguments.json:
-        values = [item.values for item in found]
-        print_json({"file": str(arguments.file), "formats": json_values(values)})
+        from lispac.cli.json_outputs import InspectOutput
+
+        print_json(InspectOutput(arguments.file, tuple(item.values for item in found)))
         return
     print(arguments.file)
     for item in found:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from argparse import ArgumentParser, Namespace
 from dataclasses import replace
@@ -15,7 +14,7 @@ from lispac.cli.argument_types import (
     finite_number,
     positive_number,
 )
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.former_options import split_reading_option
 from lispac.cli.messages import print_messages
 from lispac.cli.noise_options import (
@@ -25,7 +24,6 @@ from lispac.cli.noise_options import (
     noise_and_offset_settings,
 )
 from lispac.identity import EMPTY_IDENTITY
-from lispac.present.json_values import json_values
 
 if TYPE_CHECKING:
     pass
@@ -125,6 +123,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Create a project and read its lines once to check them."""
+    from lispac.present.survey_data import LINES_TABLE, LineValues
     from lispac.project import LineSource, Reading, Settings
     from lispac.survey.line_source import printable
     from lispac.workflow.project import projects
@@ -176,12 +175,19 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
-        messages = json_values(survey.messages)
-        print_json({"project": str(project.folder), "points": points, "messages": messages})
+        from lispac.cli.json_outputs import NewOutput
+
+        print_json(NewOutput(project.folder, points, tuple(survey.messages)))
         return
-    for name, count in points.items():
-        heading = math.degrees(survey.heading[name]) % 360
-        print(f"{name:20s} {count:12,} points, heading {heading:5.1f} deg")
+    print_table(
+        LINES_TABLE,
+        [
+            LineValues(
+                line.name, line.path.name, survey.headings_deg[line.name], points[line.name], ()
+            )
+            for line in project.lines
+        ],
+    )
     print(f"project    {project.folder}")
 
 

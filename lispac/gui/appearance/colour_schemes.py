@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from lispac.present.line_colours import LINE_COLOURS
+from lispac.present.line_colours import LINE_COLOURS, NEGATIVE_COLOUR, POSITIVE_COLOUR
 
 Colour = tuple[int, int, int]
 Lines = tuple[Colour, ...]
@@ -160,8 +160,8 @@ LIGHT_SCHEME = ColourScheme(
     hint_edge="#cfe0f2",
     wrong_ground="#fdeceb",
     progress="#7fb0e2",
-    positive="#7fb0e2",
-    negative="#f0b26b",
+    positive=POSITIVE_COLOUR,
+    negative=NEGATIVE_COLOUR,
     level="#7fb0e2",
     wall="#8a8f98",
     moved="#c24d00",

@@ -16,8 +16,8 @@ from lispac.gui.widgets.diagnostics_table import (
 )
 from lispac.language import gettext, short_date
 from lispac.present.csv_text import csv_text
+from lispac.present.tables import ARROW, Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Column as ResultColumn
-from lispac.present.tables import Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Row as ResultRow
 from lispac.present.text_format import with_unit
 
@@ -62,7 +62,10 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
         return Cell(str(value), shown=short_date(value) if isinstance(value, date) else "")
     if column.has_unit_in_cells:
         return Cell(_with_unit(value, form), value)
-    sigma = column.sigma_of(row)
+    before, sigma = column.before_of(row), column.sigma_of(row)
+    if before is not None:
+        text = f"{local_number(before, form)} {ARROW} {local_number(value, form)}"
+        return Cell(text, value)
     if sigma is not None:
         text = gettext(
             "{error} (σ {sigma})", error=local_number(value, form), sigma=local_number(sigma, form)
@@ -71,6 +74,12 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
     if form.unit not in BASE_OF_UNIT:
         return Cell(form.text(value), value)
     return number_cell(value, _python_form(form), form.factor)
+
+
+def local_cell_text(column: ResultColumn[ResultRow], row: ResultRow) -> str:
+    """Text of a cell in the units and the language of the user."""
+    value, form, cell = column.value_of(row), column.format_of(row), _cell(column, row)
+    return cell.text if cell.figure is None or form is None else local_number(value, form)
 
 
 def spreadsheet_text(table: Table[ResultRow], rows: Iterable[ResultRow]) -> str:

@@ -50,7 +50,7 @@ def report_content_of(
         tracks[name] = survey.trajectory.at(times).position[:, :2]
     return report_content(
         project,
-        headings_deg={n: float(np.degrees(h)) % 360 for n, h in survey.heading.items()},
+        headings_deg=survey.headings_deg,
         counts={name: len(scan) for name, scan in survey.scans.items()},
         track_local=tracks,
         notes=(*survey.notes, *read),

@@ -89,6 +89,11 @@ class Survey:
         """Names of the lines in the project's order."""
         return tuple(self.scans)
 
+    @property
+    def headings_deg(self) -> dict[str, float]:
+        """Median heading of the vessel on each line, degrees, 0 to 360."""
+        return {name: float(np.degrees(heading)) % 360 for name, heading in self.heading.items()}
+
     def placed(self, project: Project, which: Literal["prior", "estimated"]) -> Mapping[str, Cloud]:
         """Point clouds of the lines, georeferenced with the prior or the estimated mounting."""
         if which == "prior":

@@ -22,7 +22,7 @@ class MountingParameter:
     Attributes
     ----------
     title : name at the beginning of a sentence
-    short_title : name for a switch and for the axis of a figure
+    short_title : name for a switch
     summary : name within a list
     sigma_title : title of the field with the standard deviation of the prior
     scale : number of displayed units in one metre, radian or second

@@ -4,16 +4,15 @@ from textwrap import fill
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
-from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
-from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.result import AdjustmentResult
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
-from lispac.gui.widgets.ticks import FONT_SIZE, SMALL_SIZE, style_axes
-from lispac.language import N_, gettext
+from lispac.gui.widgets.ticks import FONT_SIZE, SMALL_SIZE, convert_axis_units, style_axes
+from lispac.language import N_, degree_signs, gettext
 from lispac.present.angles import ANGLE_TITLES
+from lispac.present.sightings import sighting_values
+from lispac.report.figures import correlation_figure_of, pos_error_figure
 
 ANGLE_MARKERS = ("o", "s", "^")
 """Markers of the angles, which can be distinguished without colours."""
@@ -58,71 +57,17 @@ def draw_convergence(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def draw_correlations(result: AdjustmentResult, figure: Figure) -> None:
-    """Draw a heat map of the correlations of all estimated values, with numbers."""
-    axes = _new_axes(figure)
-    names = [short_title(name) for name in result.estimated]
-    shades = LinearSegmentedColormap.from_list(
-        "correlation", [theme.NEGATIVE, theme.PAPER, theme.POSITIVE]
-    )
-    image = axes.imshow(result.correlation_all, cmap=shades, vmin=-1, vmax=1, aspect="auto")
-    for (row, column), value in np.ndenumerate(result.correlation_all):
-        axes.text(
-            column, row, units.localised(f"{value:+.2f}"),
-            ha="center", va="center", fontsize=SMALL_SIZE,
-            color=theme.TEXT,
-        )  # fmt: skip
-    axes.set_xticks(range(len(names)), names)
-    axes.set_yticks(range(len(names)), names)
-    axes.tick_params(length=0)
-    axes.spines[:].set_visible(False)
-    bar = figure.colorbar(image, ax=axes, shrink=0.9)
-    bar.ax.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
+    """Draw the correlations of all estimated values, as in the report."""
+    correlation_figure_of(result.estimated, result.correlation_all, figure)
 
 
 def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
-    """Draw the estimated POS error of each sighting, with the band of its prior ± 2 σ."""
-    figure.clear()
-    parts = (
-        (
-            N_("Position, {unit}"), "mm", 1e3, slice(0, 3),
-            (N_("north"), N_("west"), N_("up")),
-        ),
-        (
-            N_("Attitude, {unit}"), "m°", float(np.degrees(1e3)), slice(3, 6),
-            (N_("roll"), N_("pitch"), N_("heading")),
-        ),
-    )  # fmt: skip
-    items = result.reliability
-    names = [f"{item.sighting.target} {item.sighting.line}" for item in items]
-    positions = np.arange(len(items))
-    for subplot, (title, base, scale, which, components) in enumerate(parts, start=1):
-        axes = figure.add_subplot(1, 2, subplot)
-        style_axes(axes)
-        scale *= units.shown_unit(base).factor
-        error = np.array([item.pos_error[which] for item in items]) * scale
-        prior = np.array([item.pos_sigma[which] for item in items]) * scale
-        for k, component in enumerate(components):
-            offset = positions + 0.24 * (k - 1)
-            # One collection, since a patch for each bar would double the drawing time
-            left, right, up = offset - 0.1, offset + 0.1, 2 * prior[:, k]
-            corners = ((left, -up), (left, up), (right, up), (right, -up))
-            bars = PolyCollection(
-                np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1),
-                facecolor=theme.current_scheme().series[k], alpha=0.18, linewidth=0,
-                label=None if k else gettext("prior ± 2 σ"),
-            )  # fmt: skip
-            axes.add_collection(bars)
-            axes.plot(
-                offset, error[:, k], linestyle="none", marker=ANGLE_MARKERS[k], markersize=4,
-                color=theme.current_scheme().series[k], label=gettext(component),
-            )  # fmt: skip
-        axes.axhline(0, color=theme.MUTED, linewidth=0.8)
-        axes.set_xticks(positions, names, rotation=60, ha="right", rotation_mode="anchor")
-        for text in axes.get_xticklabels():
-            text.set_parse_math(False)
-            text.set_fontsize(SMALL_SIZE if len(items) < 20 else SMALL_SIZE - 2)
-        axes.set_ylabel(gettext(title, unit=units.local_sign(base)), fontsize=FONT_SIZE)
-        _legend_above(axes)
+    """Draw the estimated POS error of each sighting as in the report, in the units of the user."""
+    tested = [each for each in sighting_values(result) if each.pos_error is not None]
+    with degree_signs():
+        pos_error_figure(tested, figure)
+    for k, axes in enumerate(figure.axes):
+        convert_axis_units(axes.xaxis, "mm" if k < 3 else "m°")
 
 
 NAME_LETTERS = 20
@@ -166,22 +111,8 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     )  # fmt: skip
 
 
-def short_title(name: str) -> str:
-    """Short title of an estimated value for an axis, in the user's language."""
-    if name in MOUNTING_PARAMETERS:
-        return gettext(MOUNTING_PARAMETERS[name].short_title)
-    return gettext(ANGLE_TITLES[ANGLES.index(name)])
-
-
 def _new_axes(figure: Figure) -> Axes:
     figure.clear()
     axes = figure.add_subplot()
     style_axes(axes)
     return axes
-
-
-def _legend_above(axes: Axes) -> None:
-    axes.legend(
-        fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, ncols=4, loc="lower center",
-        bbox_to_anchor=(0.5, 1.0), borderaxespad=0.1,
-    )  # fmt: skip

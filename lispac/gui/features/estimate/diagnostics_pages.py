@@ -5,6 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QFrame,
     QHBoxLayout,
     QScrollArea,
@@ -22,7 +23,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
 from lispac.present.parameters import WINDOW_PARAMETERS_TABLE, angle_parameters, parameter_values
-from lispac.present.sightings import SIGHTINGS_TABLE, sighting_values
+from lispac.present.sightings import POS_ERROR_CAPTION, SIGHTINGS_TABLE, sighting_values
 from lispac.present.tables import Table
 from lispac.present.targets import TARGETS_TABLE, target_values
 from lispac.project import Project
@@ -92,6 +93,8 @@ class FigurePage(DiagnosticsPage):
 
     draw_function = ""
     """Name of the function in `diagnostic_figures`."""
+    is_of_report = False
+    """Whether the figure is that of the report, for white paper."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -107,13 +110,14 @@ class FigurePage(DiagnosticsPage):
         """Draw into the canvas, which is created on first use."""
         # Imported here, so that the start of the window does not wait for it.
         from lispac.gui.features.estimate import diagnostic_figures
-        from lispac.gui.widgets.chart import Chart
+        from lispac.gui.widgets.chart import WHITE, Chart
 
         if self.canvas is None:
-            self.canvas = Chart(200, 120, theme.PAPER)
+            self.canvas = Chart(200, 120, WHITE if self.is_of_report else theme.PAPER)
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
             self.canvas.setAccessibleName(gettext(self.title))
-            self._row.addWidget(self.canvas, 1)
+            shown = _scroll_area(self.canvas) if self.is_of_report else self.canvas
+            self._row.addWidget(shown, 1)
         getattr(diagnostic_figures, self.draw_function)(result, self.canvas.figure)
         self.canvas.draw_idle()
 
@@ -136,7 +140,7 @@ class ConvergencePage(FigurePage):
 class CorrelationsPage(FigurePage):
     """Page with the correlations of all estimated values."""
 
-    title, draw_function = N_("Correlations"), "draw_correlations"
+    title, draw_function, is_of_report = N_("Correlations"), "draw_correlations", True
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the correlations between all "
         "estimated values."
@@ -146,15 +150,29 @@ class CorrelationsPage(FigurePage):
 class PosErrorsPage(FigurePage):
     """Page with the estimated POS error of each sighting."""
 
-    title, draw_function = N_("POS error"), "draw_pos_errors"
+    title, draw_function, is_of_report = N_("POS error"), "draw_pos_errors", True
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the estimated POS error of each "
         "sighting with its prior standard deviation."
     )
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._row.setDirection(QBoxLayout.Direction.TopToBottom)
+        self._row.addWidget(widgets.label(gettext(POS_ERROR_CAPTION), "muted", wrap=True))
+
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if no POS error of a sighting was estimated."""
         return _reliability_advice(result)
+
+    def draw(self, result: AdjustmentResult) -> None:
+        """Draw into a canvas that is high enough for the names of all sightings."""
+        from lispac.report.figures import pos_errors_height
+
+        super().draw(result)
+        assert self.canvas is not None
+        height = pos_errors_height(len(result.reliability)) * self.canvas.figure.dpi
+        self.canvas.setMinimumHeight(round(height / self.canvas.devicePixelRatioF()))
 
 
 class ObservabilityPage(FigurePage):

@@ -5,9 +5,9 @@ from html import escape
 
 from lispac.adjustment.diagnostics.warnings import MAX_FLAT_FORM_SIGMA, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.appearance import quantities, theme
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
-from lispac.language import N_, Plural, gettext, number
+from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.adjustment import (
@@ -15,6 +15,7 @@ from lispac.present.adjustment import (
     agreement_template,
     small_residuals_template,
 )
+from lispac.present.adjustment_fit import TEST_STATISTIC_FORMAT
 from lispac.present.cross_checks import agreement_text, cross_check_values
 from lispac.present.parameters import (
     COMPONENT_TITLES,
@@ -104,8 +105,7 @@ def chi_square_text(result: AdjustmentResult) -> str:
     """Text of the chi-square test with its bounds, as rich text."""
     test = result.chi_square
     statistic, lower, upper = (
-        number(value, 0) if value >= 1000 else units.localised(f"{value:.4g}")
-        for value in (test.statistic, test.lower, test.upper)
+        TEST_STATISTIC_FORMAT.text(value) for value in (test.statistic, test.lower, test.upper)
     )
     interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":

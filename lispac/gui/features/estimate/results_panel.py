@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from html import escape
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
@@ -27,29 +26,40 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
-from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.appearance import theme, units
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.column_flow import ColumnFlow
 from lispac.gui.widgets.mounting_texts import SIGNS_TEXT, boresight_sentence, convention_html
-from lispac.language import N_, gettext, number
+from lispac.gui.widgets.result_tables import fact_text, local_cell_text, local_number
+from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
-from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
-from lispac.present.tables import cell_text
+from lispac.present.adjustment import (
+    ERROR_FORMAT,
+    ESTIMATED_COLUMN,
+    SHORT_ANGLE_SIGNS,
+    adjustment_values,
+    angle_values,
+    window_boresight_table,
+)
+from lispac.present.adjustment_fit import VARIANCE_FACTOR_FORMAT
+from lispac.present.angles import (
+    ANGLE_TITLES,
+    CORRELATIONS_TABLE,
+    ROTATION_ENTRY,
+    angles,
+    correlation_rows,
+)
+from lispac.present.tables import MILLIMETRES, Fact, cell_text, title_text
 from lispac.project import Project, Settings, Triple
 
-ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
-SIGN_TEXTS = (N_("+ port up"), N_("+ bow down"), N_("+ clockwise"))
-"""Directions of positive angles, below the names of the angles."""
 EMPTY_TEXT = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
     "step 3."
 )
 OUTDATED_NOTE = note("project.out_of_date")
 WAITING_TEXT = N_("Estimating …")
-_SIGMA_FACTOR_95 = 1.96
-"""Half width of the 95 % interval of a normal distribution, in standard deviations."""
 _ROW_HEIGHT_PX = 21
 _SIGNS_HEIGHT_PX = 38
 """Height of a header of two lines."""
@@ -300,11 +310,11 @@ class ResultsPanel(QWidget):
         return self.checks
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
-        before = quantities.figure(1000 * result.rms_before, "mm", 1)
-        after = quantities.amount(1000 * result.rms_after, "mm", 1)
+        before = local_number(result.rms_before, MILLIMETRES)
+        after = fact_text(Fact("", result.rms_after, MILLIMETRES))
         texts = {
             "rms": f"{before} → <b>{after}</b>",
-            "factor": number(result.variance_factor, 3),
+            "factor": VARIANCE_FACTOR_FORMAT.text(result.variance_factor),
             "chi": result_texts.chi_square_text(result),
             "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
@@ -336,7 +346,7 @@ class ResultsPanel(QWidget):
         self._settings = found = given.with_lidar_noise_scaled(ratio)
         if given.lidar_sigma_xyz is None and given.lidar_beam_sigma is None:
             one, other = (
-                quantities.amount(1000 * each.used_lidar_sigma, "mm", 1) for each in (found, given)
+                fact_text(Fact("", each.used_lidar_sigma, MILLIMETRES)) for each in (found, given)
             )
             text = gettext("Use LiDAR noise {found} instead of {given}", found=one, given=other)
         else:
@@ -354,7 +364,7 @@ def _block(*parts: QWidget) -> QWidget:
 
 
 def _matrix_cell(value: float) -> str:
-    return f"<td align=right>{quantities.signed_number(value, 8)}&nbsp;&nbsp;</td>"
+    return f"<td align=right>{ROTATION_ENTRY.text(value)}&nbsp;&nbsp;</td>"
 
 
 def _correlation_times(model: StochasticModel) -> str:
@@ -376,7 +386,7 @@ def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWid
     table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    heads = [gettext(angle) for angle in ANGLE_NAMES]
+    heads = [gettext(angle) for angle in ANGLE_TITLES]
     table.setHorizontalHeaderLabels([f"{head} ({unit})" if unit else head for head in heads])
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_ALIGN_RIGHT)
@@ -395,7 +405,7 @@ def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWid
 
 def _show_signs(table: QTableWidget) -> None:
     """Show the directions of positive angles in a second line of the headers."""
-    for column, text in enumerate(SIGN_TEXTS):
+    for column, text in enumerate(SHORT_ANGLE_SIGNS):
         head = table.horizontalHeaderItem(column)
         head.setText(f"{head.text()}\n{gettext(text)}")
         head.setToolTip(widgets.plain_tip(gettext(SIGNS_TEXT)))
@@ -412,44 +422,39 @@ def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
-    prior, value = np.degrees(result.prior_angles), np.degrees(result.angles)
-    sigma = np.degrees(result.sigma)
-    interval = _SIGMA_FACTOR_95 * sigma
-    rows = [
-        (gettext("Prior"), gettext("Angle before the adjustment"), prior, True),
-        (gettext("Estimated"), gettext("Angle after the adjustment"), value, True),
-        ("± 1 σ", gettext("Standard deviation"), sigma, False),
-        ("± 95 %", gettext("Half width of the 95 % confidence interval: 1.96 σ"), interval, False),
-    ]
-    if truth is not None:
-        tip = gettext("Angle used to simulate the survey")
-        rows.append((gettext("True value"), tip, np.array(truth), True))
-    _set_row_titles(table, [row[0] for row in rows])
-    for k, (_, tip, angles, sign) in enumerate(rows):
-        texts = [quantities.figure(angle, "°", 4, sign=sign) for angle in angles]
-        _write_row(table, k, texts, bold=angles is value)
-        table.verticalHeaderItem(k).setToolTip(tip)
-    for column in range(len(ANGLES) if truth is not None else 0):
-        error = value[column] - truth[column]
-        is_inside = abs(error) <= interval[column]
-        item = table.item(4, column)
-        item.setForeground(QBrush(QColor(theme.DONE if is_inside else theme.WARNING)))
-        item.setToolTip(
-            gettext(
-                N_("Estimated minus true angle: {difference}, inside the 95 % interval")
-                if is_inside
-                else N_("Estimated minus true angle: {difference}, outside the 95 % interval"),
-                difference=quantities.amount(error, "°", 4, sign=True),
-            )
+    values = adjustment_values(result)
+    true = None if truth is None else angles(truth)
+    shown = angle_values(values.prior_boresight_deg, values, true)
+    columns = window_boresight_table(simulated=true is not None).columns
+    _set_row_titles(table, [title_text(column.title) for column in columns])
+    for row, column in enumerate(columns):
+        texts = [local_cell_text(column, each) for each in shown]
+        _write_row(table, row, texts, bold=column is ESTIMATED_COLUMN)
+        table.verticalHeaderItem(row).setToolTip(title_text(column.tip))
+    for column, each in enumerate(shown):
+        if each.error_deg is not None and each.interval95_deg is not None:
+            _mark_true_value(table.item(len(columns) - 1, column), each.error_deg,
+                             is_inside=abs(each.error_deg) <= each.interval95_deg)  # fmt: skip
+
+
+def _mark_true_value(item: QTableWidgetItem, error_deg: float, *, is_inside: bool) -> None:
+    item.setForeground(QBrush(QColor(theme.DONE if is_inside else theme.WARNING)))
+    item.setToolTip(
+        gettext(
+            N_("Estimated minus true angle: {difference}, inside the 95 % interval")
+            if is_inside
+            else N_("Estimated minus true angle: {difference}, outside the 95 % interval"),
+            difference=fact_text(Fact("", error_deg, ERROR_FORMAT)),
         )
+    )
 
 
 def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
     _, *columns = CORRELATIONS_TABLE.columns
     rows = correlation_rows(result.correlation)
     _set_row_titles(table, [each.name for each in rows])
-    for row, angles in enumerate(rows):
-        _write_row(table, row, [cell_text(column, angles) for column in columns])
+    for row, each in enumerate(rows):
+        _write_row(table, row, [cell_text(column, each) for column in columns])
         for column in range(3):
             item = table.item(row, column)
             value = float(result.correlation[row, column])

@@ -22,7 +22,9 @@ from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.pos_sigmas import PosSigmaFields
-from lispac.language import N_, Plural, gettext, number
+from lispac.language import N_, Plural, gettext
+from lispac.present.survey_data import WINDOW_LINES_TABLE, LineValues
+from lispac.present.tables import cell_text, title_text
 from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey
 
@@ -174,6 +176,8 @@ class DataPanel(QWidget):
         }
         table.blockSignals(True)
         table.setRowCount(len(names))
+        headings = {} if survey is None else survey.headings_deg
+        counts = {} if survey is None else {name: len(s) for name, s in survey.scans.items()}
         for row, line in enumerate(project.lines):
             item = QTableWidgetItem(theme.swatch(colours[line.name]), line.name)
             item.setFlags(
@@ -185,11 +189,13 @@ class DataPanel(QWidget):
             use = gettext("Tick to show the line in the view")
             item.setToolTip(widgets.plain_tip(f"{line.path}\n{use}"))
             table.setItem(row, 0, item)
-            is_loaded = survey is not None and line.name in survey.scans
-            heading = f"{_heading_degrees(survey.heading[line.name])}°" if is_loaded else "–"
-            points = number(len(survey.scans[line.name]), 0) if is_loaded else "–"
-            for column, text in ((1, heading), (2, points)):
-                cell = QTableWidgetItem(text)
+            values = LineValues(
+                line.name, line.path.name, headings.get(line.name), counts.get(line.name), ()
+            )
+            for column, definition in enumerate(WINDOW_LINES_TABLE.columns[1:], start=1):
+                is_angle = definition.unit == "deg" and definition.value_of(values) is not None
+                text = cell_text(definition, values)
+                cell = QTableWidgetItem(f"{text}°" if is_angle else text)
                 if column == 2 and survey is not None and line.name in survey.excluded:
                     unused = survey.excluded[line.name]
                     cell.setToolTip(gettext(EXCLUDED_TEXT, count=unused, lines=(line.name,)))
@@ -300,11 +306,12 @@ class DataPanel(QWidget):
 
 
 def _lines_table() -> QTableWidget:
-    table = QTableWidget(0, 3)
+    table = QTableWidget(0, len(WINDOW_LINES_TABLE.columns))
     table.setTabKeyNavigation(False)
     table.setObjectName("lines_table")
     table.setAccessibleName(gettext("Lines of the survey"))
-    table.setHorizontalHeaderLabels([gettext("Line"), gettext("Heading"), gettext("Points")])
+    titles = [title_text(column.title) for column in WINDOW_LINES_TABLE.columns]
+    table.setHorizontalHeaderLabels(titles)
     for column in (1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -340,7 +347,3 @@ def _unless_same(shown: Triple | None, stored: Triple | None) -> Triple | None:
     """Values shown, or the stored ones with all their digits if they were not changed."""
     is_same = shown is not None and stored is not None and not _is_changed(shown, stored)
     return stored if is_same else shown
-
-
-def _heading_degrees(heading: float) -> int:
-    return round(heading * 57.29577951308232) % 360

@@ -16,50 +16,21 @@ from lispac.acceptance import (
     AcceptanceCriteria,
     Quantity,
     Verdict,
-    largest_offset,
     planes_to_show,
 )
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
+from lispac.gui.widgets.result_tables import local_cell_text, local_number, window_columns
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
-from lispac.present.validation import pooled_pairs_text
+from lispac.present.tables import MILLIMETRES, title_text
+from lispac.present.validation import WINDOW_PLANES_TABLE, ValidationPlane
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 
 NAME, RMS, OFFSET, P95, PAIRS = range(5)
-"""Columns of the table."""
-_COLUMNS = (
-    (N_("Plane"), N_("Validation plane, and whether it meets the acceptance criteria")),
-    # Units or limits in a second line, so that all columns fit on a small screen
-    (
-        N_("RMS\n({unit})"),
-        N_("Root mean square distance between the lines, all pairs together, before → after"),
-    ),
-    (
-        N_("Offset\n({unit})"),
-        N_(
-            "Largest offset of two lines after the calibration: the absolute value of the median "
-            "distance along the normal"
-        ),
-    ),
-    (
-        N_("95 %\n({unit})"),
-        N_("95 % of the distances between the lines are smaller, before → after"),
-    ),
-    (
-        N_("Pairs\nof lines"),
-        N_("Pairs of lines compared, which RMS, 95 % and histogram contain"),
-    ),
-)
-"""Heading and tooltip of each column."""
-_LIMIT_HEADS = {
-    RMS: N_("RMS ({unit})\nlimit {limit}"),
-    OFFSET: N_("Offset ({unit})\nlimit {limit}"),
-    P95: N_("95 % ({unit})\nlimit {limit}"),
-}
-"""Headings of the values that have a criterion."""
+"""Columns of `WINDOW_PLANES_TABLE`."""
 _COLUMN_QUANTITIES: dict[Quantity, int] = {"rms": RMS, "p95": P95, "offset": OFFSET}
 VERDICT_QUALITIES: dict[Verdict, str] = {"pass": "good", "fail": "poor"}
 """Quality whose icon shows a verdict beside the name of a plane; a plane not judged has none."""
@@ -82,13 +53,13 @@ class PlanesTable(QTableWidget):
     """The user selected a plane, or clicked the selected one."""
 
     def __init__(self) -> None:
-        super().__init__(0, len(_COLUMNS))
+        super().__init__(0, len(WINDOW_PLANES_TABLE.columns))
         self.failed: frozenset[str] = frozenset()
         """Names of the planes that fail an acceptance criterion."""
         self._comparisons: tuple[PlaneComparison, ...] = ()
         self.setTabKeyNavigation(False)
         self.setObjectName("comparison_table")
-        self.setAccessibleName(gettext("Validation planes before and after"))
+        self.setAccessibleName(title_text(WINDOW_PLANES_TABLE.title))
         self.verticalHeader().hide()
         self.verticalHeader().setMinimumSectionSize(ROW_HEIGHT_PX)
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
@@ -130,8 +101,9 @@ class PlanesTable(QTableWidget):
         self.setRowCount(len(comparisons))
         font = theme.tabular_font(self.font())
         for row, each in enumerate(comparisons):
-            for column, text in enumerate(_comparison_texts(each)):
-                item = QTableWidgetItem(text)
+            values = ValidationPlane.of(each)
+            for column, shown in enumerate(WINDOW_PLANES_TABLE.columns):
+                item = QTableWidgetItem(local_cell_text(shown, values))
                 item.setFont(font)
                 if column:
                     item.setTextAlignment(_ALIGN_RIGHT)
@@ -190,22 +162,19 @@ class PlanesTable(QTableWidget):
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def _show_heads(self, criteria: AcceptanceCriteria) -> None:
-        unit = units.local_sign("mm")
         limits = {RMS: criteria.rms, P95: criteria.p95, OFFSET: criteria.offset}
-        heads = []
-        for column, (title, _) in enumerate(_COLUMNS):
+        for column, shown in enumerate(window_columns(WINDOW_PLANES_TABLE)):
             limit = limits.get(column)
-            if limit is None:
-                heads.append(gettext(title, unit=unit))
-            else:
-                figure = units.local_figure(1000 * limit, "mm", ".1f")
-                heads.append(gettext(_LIMIT_HEADS[column], unit=unit, limit=figure))
-        self.setHorizontalHeaderLabels(heads)
-        for column, (_, tip) in enumerate(_COLUMNS):
-            head = self.horizontalHeaderItem(column)
-            head.setToolTip(widgets.wrapped_tip(gettext(tip)))
+            # Units or limits in a second line, so that all columns fit on a small screen
+            text = shown.title.replace(" (", "\n(")
+            if limit is not None:
+                figure = local_number(limit, MILLIMETRES)
+                text = gettext("{title}\nlimit {limit}", title=shown.title, limit=figure)
+            head = QTableWidgetItem(text)
+            head.setToolTip(widgets.wrapped_tip(shown.tip))
             if column:
                 head.setTextAlignment(_ALIGN_RIGHT)
+            self.setHorizontalHeaderItem(column, head)
         self.updateGeometry()
 
     def _announce_plane(self) -> None:
@@ -226,20 +195,3 @@ def _plane_tip(each: PlaneComparison) -> str:
         POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
         pooled=sum(pair.reciprocal for pair in each.pairs), total=len(each.pairs),
     )  # fmt: skip
-
-
-def _comparison_texts(each: PlaneComparison) -> list[str]:
-    def figure(metres: float) -> str:
-        return units.local_figure(1000 * metres, "mm", ".1f")
-
-    def change(before: float, after: float) -> str:
-        return f"{figure(before)} → {figure(after)}"
-
-    offset = largest_offset(each)
-    return [
-        each.name,
-        change(each.before.rms, each.after.rms),
-        "–" if offset is None else figure(offset[0]),
-        change(each.before.p95, each.after.p95),
-        pooled_pairs_text(each),
-    ]

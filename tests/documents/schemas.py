@@ -1,0 +1,158 @@
+"""The JSON schemas of the report and of the commands, made from the dataclasses of their content.
+
+``python -m tests.documents`` writes them again after a change of the dataclasses.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from jsonschema import Draft202012Validator
+from pydantic import TypeAdapter
+
+from lispac.cli.console import SCHEMA_FILE as COMMANDS_FILE
+from lispac.cli.json_outputs import OUTPUTS
+from lispac.present.json_values import JsonMessage, json_key
+from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION
+from lispac.report.report_values import ReportContent
+
+RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+PATH = RESOURCES / SCHEMA_FILE
+COMMANDS_PATH = RESOURCES / COMMANDS_FILE
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+NAMES_TEXT = (
+    "Names end in the unit of their values: _m metres, _deg degrees, _s seconds. What is not known "
+    "is null."
+)
+ABOUT = f"What `lispac report --output report.json` writes. {NAMES_TEXT}"
+ABOUT_COMMANDS = (
+    "What the commands of LISPAC write with `--json`: each property is the schema for the command "
+    f"of its name, which `lispac COMMAND --schema` prints. {NAMES_TEXT}"
+)
+
+
+def schema_text() -> str:
+    """Text of the schema file of the report."""
+    head = {
+        "schema": {"const": SCHEMA_NAME},
+        "schema_version": {"const": SCHEMA_VERSION},
+    }
+    _, definitions = _schemas({"report": ReportContent})
+    made = definitions.pop("ReportContent")
+    return _as_text({
+        "$schema": DRAFT,
+        "title": "LISPAC boresight report",
+        "description": ABOUT,
+        "type": "object",
+        "properties": head | made["properties"],
+        "required": [*head, *made["required"]],
+        "$defs": definitions,
+    })  # fmt: skip
+
+
+def commands_schema_text() -> str:
+    """Text of the schema file of the commands."""
+    properties, definitions = _schemas(OUTPUTS)
+    return _as_text({
+        "$schema": DRAFT,
+        "title": "Output of the commands of LISPAC",
+        "description": ABOUT_COMMANDS,
+        "type": "object",
+        "properties": properties,
+        "$defs": definitions,
+    })  # fmt: skip
+
+
+def _as_text(schema: dict[str, Any]) -> str:
+    return json.dumps(schema, indent=1, ensure_ascii=False) + "\n"
+
+
+def _schemas(kinds: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Schemas of types by name, and the definitions that they use."""
+    inputs = [(name, "serialization", TypeAdapter(kind)) for name, kind in kinds.items()]
+    inputs.append(("", "serialization", TypeAdapter(JsonMessage)))
+    found, whole = TypeAdapter.json_schemas(inputs)  # type: ignore[arg-type]
+    made = _plain(_in_json({"$defs": whole["$defs"]}))
+    return {
+        name: _plain(_in_json(found[name, "serialization"])) for name in kinds
+    }, made["$defs"]  # fmt: skip
+
+
+def _in_json(value: Any) -> Any:
+    """Schema with texts, messages and keys as they are in JSON."""
+    if isinstance(value, list):
+        return [_in_json(item) for item in value]
+    if isinstance(value, str):
+        return json_key(value)
+    if not isinstance(value, dict):
+        return value
+    if value.get("$ref") == "#/$defs/Message":
+        return {"$ref": "#/$defs/JsonMessage"}
+    if value.get("$ref") == "#/$defs/LazyText":
+        return {"type": "string"}
+    unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural")
+    return {
+        json_key(key): _in_json(
+            {name: each for name, each in item.items() if name not in unused}
+            if key == "$defs"
+            else item
+        )
+        for key, item in value.items()
+    }
+
+
+def _plain(value: Any, *, named: bool = False) -> Any:
+    """Schema without titles that only repeat names, and with the sentences of docstrings only.
+
+    ``named`` is True if the keys are names of the content.
+    """
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    if not isinstance(value, dict):
+        return value
+    kept = {}
+    for key, item in value.items():
+        if key == "title" and not named:
+            continue
+        if key == "description" and not named:
+            item = " ".join(item.split("\n\nAttributes")[0].split())
+        kept[key] = _plain(item, named=key in ("properties", "$defs") and not named)
+    return kept
+
+
+def followed(text: str) -> dict[str, Any]:
+    """Read the report from a JSON text and check it against the published schema.
+
+    Raises
+    ------
+    jsonschema.ValidationError
+    """
+    data = json.loads(text)
+    Draft202012Validator(json.loads(PATH.read_text(encoding="utf-8"))).validate(data)
+    return data  # type: ignore[no-any-return]
+
+
+def followed_output(command: str, text: str) -> Any:
+    """Read the output of a command from a JSON text and check it against the published schema.
+
+    Keys that are not in the schema are errors too.
+
+    Raises
+    ------
+    jsonschema.ValidationError
+    """
+    data = json.loads(text)
+    published = json.loads(COMMANDS_PATH.read_text(encoding="utf-8"))
+    definitions = {
+        name: {**each, "additionalProperties": False} if "properties" in each else each
+        for name, each in published["$defs"].items()
+    }
+    schema = {"$schema": DRAFT, **published["properties"][command], "$defs": definitions}
+    Draft202012Validator(schema).validate(data)
+    return data
+
+
+def main() -> None:
+    """Write the schemas."""
+    for path, text in ((PATH, schema_text()), (COMMANDS_PATH, commands_schema_text())):
+        path.write_text(text, encoding="utf-8", newline="\n")
