@@ -1,8 +1,8 @@
 """Write the tables of fields and formats of the manual, from the window and the readers.
 
 ``python -m tests.documents`` renews ``resources/manual/*/tables``; a test in
-`tests/gui/test_gui_manual.py` holds what is there against what would be written. No screen is
-needed.
+`tests/gui/features/help/test_gui_manual.py` holds what is there against what would be written. No
+screen is needed.
 """
 
 import os

@@ -54,7 +54,7 @@ from lispac.validation.absolute_check import (
     SigmaSources,
 )
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
-from tests.program.test_consistent_warnings import CASES
+from tests.present.test_consistent_warnings import CASES
 from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
 from tests.support.long_runs import others_long

@@ -15,7 +15,7 @@ from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.survey.georeferencing import Mounting
-from tests.program.test_consistent_warnings import CASES
+from tests.present.test_consistent_warnings import CASES
 from tests.support.report_sample import sample_content
 
 COMMENT_MARKS = (

@@ -30,7 +30,7 @@ from lispac.workflow.project.survey import load_survey
 from tests.cli.test_cli import run_json
 from tests.support.long_runs import others_long
 from tests.validation.test_truth import beside_truth
-from tests.workflow.test_reading import write_cloud
+from tests.workflow.importing.test_reading import write_cloud
 
 
 def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: object) -> Any:

@@ -9,8 +9,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.script_runs import run, same_part
 
 DialogAction = Callable[[QWidget], None]

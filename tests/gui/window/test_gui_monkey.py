@@ -14,7 +14,7 @@ from PySide6.QtGui import QGuiApplication
 from lispac.workflow.project.projects import open_project, save_project
 from tests.gui.support import Demo
 
-CHECKOUT = Path(__file__).resolve().parents[2]
+CHECKOUT = Path(__file__).resolve().parents[3]
 WARMING_S = 120
 """Time for starting, for both memory measurements and for closing, on busy processors."""
 MAX_GROWTH = 1.10

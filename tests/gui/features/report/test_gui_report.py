@@ -31,6 +31,7 @@ from lispac.report.pdf import Preview
 from lispac.targets.cross_section import common_normal
 from lispac.workflow.calibration import sighting_assessment
 from lispac.workflow.planning.sensors import read_library
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import (
     WAIT_MS,
     Demo,
@@ -42,7 +43,6 @@ from tests.gui.support import (
     open_step,
     type_into,
 )
-from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
 

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
-from tests.gui.test_gui_seed_coordinates import use_next_dialog
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:

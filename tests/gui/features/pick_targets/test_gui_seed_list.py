@@ -21,9 +21,9 @@ from lispac.progress import Progress, Step
 from lispac.workflow.calibration import seed_lists
 from lispac.workflow.calibration.seed_lists import pick_seeds
 from lispac.workflow.planning.demo import demo_seeds
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
-from tests.gui.test_gui_seed_coordinates import use_next_dialog
 from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()

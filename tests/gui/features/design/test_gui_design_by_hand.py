@@ -12,8 +12,8 @@ from lispac.language import gettext, gettext_lazy
 from lispac.present.planning import SimulationValues
 from tests.gui.by_hand import Hands, choose, open_menu
 from tests.gui.design_support import opened_by_keys, plan, wait_for_plan
+from tests.gui.features.design.test_gui_design_surveys import surveyed_once
 from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
-from tests.gui.test_gui_design_surveys import surveyed_once
 
 
 def turn_to(hands: Hands, tabs, page: int) -> None:

@@ -19,8 +19,8 @@ from lispac.gui.features.open_project.import_survey.import_dialog import ImportD
 from lispac.gui.widgets.chart import Chart, with_inverted_lightness
 from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
+from tests.gui.app.test_gui_language import SOON_MS, choose, open_menu
 from tests.gui.support import Demo, in_front, show_panel
-from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 from tests.support.long_runs import others_long
 
 Scheming = Qt.ColorScheme

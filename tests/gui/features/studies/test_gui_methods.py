@@ -12,9 +12,9 @@ from lispac.gui.features.studies.methods_dialog import MethodsDialog
 from lispac.messages import note
 from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
+from tests.gui.features.studies.test_gui_studies import use_next_dialog
+from tests.gui.features.warnings.test_gui_warnings import listed
 from tests.gui.support import Driver, Left, wait_until_idle
-from tests.gui.test_gui_studies import use_next_dialog
-from tests.gui.test_gui_warnings import listed
 
 
 def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:

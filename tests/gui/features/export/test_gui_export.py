@@ -18,7 +18,7 @@ from lispac.workflow.project.output_crs import utm_zone
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
 from tests.support.cloud_files import track
 from tests.support.message_codes import is_shown
-from tests.workflow.test_target_systems import ITRF, NAD83, on_map
+from tests.workflow.output.test_target_systems import ITRF, NAD83, on_map
 
 Shift = Control.__class__.ShiftModifier
 

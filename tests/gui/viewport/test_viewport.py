@@ -462,7 +462,7 @@ if "close" in sys.argv:
 def test_high_resolution_screen_and_clean_exit(qapp, ending):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    root = Path(__file__).resolve().parents[2]
+    root = Path(__file__).resolve().parents[3]
     environment = {**os.environ, "QT_SCALE_FACTOR": "2", "PYTHONPATH": str(root)}
     done = subprocess.run(
         [sys.executable, "-c", SEPARATE_PROGRAM, ending],

@@ -132,7 +132,7 @@ def test_the_project_stores_choices_other_than_the_default(tmp_path: Path) -> No
 
 
 def test_a_project_of_an_earlier_version_has_the_default_choices(tmp_path: Path) -> None:
-    old = Path(__file__).parents[1] / "data" / "project-3"
+    old = Path(__file__).parents[2] / "data" / "project-3"
     read = read_project(Path(shutil.copytree(old, tmp_path / "old")))
     assert read.result is not None
     assert {target.choices for target in read.targets} == {DEFAULT_CHOICES}

@@ -18,8 +18,8 @@ from tests.gui.design_support import (
     plan,
     wait_until_designed,
 )
+from tests.gui.features.design.test_gui_design_work import SITE
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
-from tests.gui.test_gui_design_work import SITE
 
 
 def start_search(driver: Driver, design: DesignWindow, folder: Path) -> None:
