@@ -4,14 +4,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
 from operator import attrgetter
-from typing import Any, Literal
-
-import numpy as np
+from typing import Any
 
 from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 from lispac.present.acceptance import VERDICT_TEXTS
+from lispac.present.distance_bins import DistancesBySteps
 from lispac.present.distance_maps import DistanceMapValues
 from lispac.present.tables import (
     COUNT,
@@ -34,7 +33,6 @@ from lispac.validation.comparison_results import (
     SignedStatistics,
     TwoModes,
 )
-from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.plane_offset import PlaneOffset
 
 
@@ -187,121 +185,6 @@ class PairValues:
     def absolute_offset_m(self) -> float | None:
         """Absolute median signed distance after the calibration, metres."""
         return None if self.after.signed is None else abs(self.after.signed.median_m)
-
-
-@dataclass(frozen=True)
-class DistancesBySteps:
-    """Distances by intervals of height or range; None for an interval with too few points."""
-
-    edges_m: tuple[float, ...]
-    n: tuple[int, ...]
-    median_before_m: tuple[float | None, ...]
-    median_after_m: tuple[float | None, ...]
-    p95_before_m: tuple[float | None, ...]
-    p95_after_m: tuple[float | None, ...]
-
-    @classmethod
-    def of(cls, profile: DistanceProfile) -> "DistancesBySteps":
-        """Values of a profile of distances."""
-        return cls(
-            tuple(profile.edges.tolist()),
-            tuple(profile.n.tolist()),
-            *(
-                tuple(None if np.isnan(each) else each for each in figures.tolist())
-                for figures in (
-                    profile.median_before, profile.median_after, profile.p95_before,
-                    profile.p95_after,
-                )
-            ),
-        )  # fmt: skip
-
-
-BIN_EDGE = Format("", 4, 1e3, is_grouped=False)
-STEP_EDGE = Format("", 3, is_grouped=False)
-STEP_DISTANCE = Format("", 3, 1e3, is_grouped=False)
-
-
-@dataclass(frozen=True)
-class HistogramBin:
-    """Bin of a histogram of distances; ``to_m`` is None for the last one, which has no end."""
-
-    from_m: float
-    to_m: float | None
-    before: int
-    after: int
-
-
-def histogram_bins(
-    edges_m: Sequence[float], before: Sequence[int], after: Sequence[int]
-) -> list[HistogramBin]:
-    """Bins of a histogram from its edges and the numbers of points in each bin."""
-    ends = [*edges_m[1:-1], None]
-    return [
-        HistogramBin(*each) for each in zip(edges_m[:-1], ends, before, after, strict=True)
-    ]  # fmt: skip
-
-
-HISTOGRAM_TABLE = Table[HistogramBin](
-    "",
-    (
-        Column("from_m", N_("From (mm)"), BIN_EDGE),
-        Column("to_m", N_("To (mm)"), BIN_EDGE, unknown=N_("and beyond")),
-        Column("before", N_("Points before calibration"), COUNT),
-        Column("after", N_("Points after calibration"), COUNT),
-    ),
-)
-"""Table of a histogram, for spreadsheets."""
-
-
-@dataclass(frozen=True)
-class DistanceStep:
-    """Distances in one interval of height or range, as in `DistancesBySteps`."""
-
-    quantity: Literal["height", "range"]
-    from_m: float
-    to_m: float
-    n: int
-    median_before_m: float | None
-    median_after_m: float | None
-    p95_before_m: float | None
-    p95_after_m: float | None
-
-
-def distance_steps(
-    quantity: Literal["height", "range"], profile: DistancesBySteps | None
-) -> list[DistanceStep]:
-    """Intervals of a profile by height or range; none if it is unknown."""
-    if profile is None:
-        return []
-    columns = (
-        profile.edges_m[:-1], profile.edges_m[1:], profile.n, profile.median_before_m,
-        profile.median_after_m, profile.p95_before_m, profile.p95_after_m,
-    )  # fmt: skip
-    return [DistanceStep(quantity, *each) for each in zip(*columns, strict=True)]
-
-
-DISTANCE_STEPS_TABLE = Table[DistanceStep](
-    "",
-    (
-        Column("from_m", N_("From (m)"), STEP_EDGE),
-        Column("to_m", N_("To (m)"), STEP_EDGE),
-        Column("n", N_("Distances"), COUNT),
-        Column("median_before_m", N_("Median before (mm)"), STEP_DISTANCE),
-        Column("median_after_m", N_("Median after (mm)"), STEP_DISTANCE),
-        Column("p95_before_m", N_("95 % before (mm)"), STEP_DISTANCE),
-        Column("p95_after_m", N_("95 % after (mm)"), STEP_DISTANCE),
-    ),
-)
-"""Table of a profile by height or range, for spreadsheets."""
-BOTH_PROFILES_TABLE = replace(
-    DISTANCE_STEPS_TABLE,
-    columns=(
-        Column(
-            "quantity", N_("Quantity"), texts={"height": N_("Height"), "range": N_("Range")}
-        ),
-        *DISTANCE_STEPS_TABLE.columns,
-    ),
-)  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from lispac.language import N_, gettext
-from lispac.present.validation import DistancesBySteps, ValidationPlane
+from lispac.present.distance_bins import DistancesBySteps
+from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,

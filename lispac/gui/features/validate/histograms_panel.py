@@ -27,14 +27,16 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext
 from lispac.present.acceptance import AcceptanceCriteriaValues, AcceptanceValues, failed_texts
-from lispac.present.validation import (
+from lispac.present.distance_bins import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
+    distance_steps,
+    histogram_bins,
+)
+from lispac.present.validation import (
     WINDOW_PAIRS_TABLE,
     PairValues,
     ValidationPlane,
-    distance_steps,
-    histogram_bins,
 )
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
 from lispac.validation.distance_bins import merge_bins
