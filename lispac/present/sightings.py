@@ -204,12 +204,18 @@ RMS_BEFORE_COLUMN = Column[SightingValues](
 )  # fmt: skip
 RMS_AFTER_COLUMN = Column[SightingValues](
     "rms_after_m", N_("After"), MILLIMETRES,
-    N_("RMS distance to the adjusted surface; POS errors not removed"),
+    N_(
+        "RMS distance to the adjusted surface. It contains the POS error of the line and may be "
+        "larger than before."
+    ),
 )  # fmt: skip
 MEAN_AFTER_COLUMN = Column[SightingValues]("mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed)
 SHIFT_COLUMN = Column[SightingValues](
     "shift_m", N_("Shift"), MILLIMETRES.signed,
-    N_("Shift of the sighting from the surface fitted to all other sightings"),
+    N_(
+        "Shift of the sighting from the surface fitted to all other sightings, without the "
+        "estimated POS error of the line"
+    ),
 )  # fmt: skip
 W_COLUMN = Column[SightingValues](
     "w", "w", ratio(2).signed, N_("Shift divided by its standard deviation (Baarda's test)")
