@@ -26,8 +26,8 @@ LINKS = (
     ("tour", "compass-outline", N_("Three-minute tour"),
      N_("Calibrate the demo survey step by step")),
     ("new", "folder-plus-outline", N_("New project…"), N_("Import a trajectory and lines")),
-    ("open", "folder-open-outline", N_("Open project…"), N_("Open a folder with a project.json "
-                                                            "file")),
+    ("open", "folder-open-outline", N_("Open project…"),
+     N_("Choose the file project.json of a project")),
     ("demo", "ferry", N_("Demo survey"), N_("A quay with two boards, surveyed in six lines")),
     ("design", "vector-square", N_("Design a survey…"),
      N_("Plan boards and lines before the survey")),
