@@ -115,18 +115,19 @@ TEXTS: Mapping[str, Template] = {
         "mm. Check the trajectory during this line."
     ),
     "validation.offset_not_smaller": N_(
-        "The uncertainties of POS and boresight explain that some lines are not closer to each "
-        "other than before: {items:names}. No line is shifted by more than {ratio:x.1} times its "
-        "standard deviation (limit {limit:x.1})."
+        "The two lines with the largest offset are not closer to each other than before on "
+        "{items:names}. The uncertainties of POS and boresight explain it: no shift of lines there "
+        "exceeds {ratio:x.1} times its standard deviation (limit {limit:x.1})."
     ),
     "validation.offset_not_smaller_shifted": N_(
-        "Some lines are not closer to each other than before the calibration: {items:names}. The "
-        "uncertainties of POS and boresight do not explain it: a line is shifted by {ratio:x.1} "
-        "times its standard deviation (limit {limit:x.1})."
+        "The two lines with the largest offset are not closer to each other than before on "
+        "{items:names}. The uncertainties of POS and boresight do not explain it: lines are "
+        "shifted by {ratio:x.1} times the standard deviation of the shift (limit {limit:x.1})."
     ),
     "validation.offset_not_smaller_unknown": N_(
-        "Some lines are not closer to each other than before the calibration: {items:names}. "
-        "Validate again to compare the offset with the uncertainties of POS and boresight."
+        "The two lines with the largest offset are not closer to each other than before on "
+        "{items:names}. Validate again to compare the offset with the uncertainties of POS and "
+        "boresight."
     ),
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"

@@ -250,12 +250,6 @@ class ValidationPlane:
         return None if pair is None else pair.absolute_offset_m
 
     @property
-    def largest_offset_before_m(self) -> float | None:
-        """Largest absolute offset of two lines before the calibration, metres."""
-        known = [pair.before.signed for pair in self.pairs if pair.before.signed is not None]
-        return max((abs(signed.median_m) for signed in known), default=None)
-
-    @property
     def former_offset_m(self) -> float | None:
         """Absolute offset before the calibration of the lines of `largest_offset_m`, metres."""
         pair = self._pair_of_largest_offset
@@ -457,9 +451,9 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column("name", N_("Plane")),
         Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
-        Column("largest_offset_before_m", N_("Largest\noffset\nbefore"), PLAIN_MILLIMETRES),
-        Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
-        Column("largest_offset_lines", N_("Between\nlines")),
+        Column("largest_offset_lines", N_("Largest\noffset\nbetween")),
+        Column("former_offset_m", N_("Their\noffset\nbefore"), PLAIN_MILLIMETRES),
+        Column("largest_offset_m", N_("Their\noffset\nafter"), PLAIN_MILLIMETRES),
     ),
 )
 WINDOW_PLANES_TABLE = Table[ValidationPlane](

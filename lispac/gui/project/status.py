@@ -461,8 +461,10 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
     file, date = report.path.name, local_datetime(report.exported)
     if report.is_current and report.has_other_options:
         return StepStatus(
-            "todo",
-            gettext("report options changed"),
+            "warning" if is_failed else "todo",
+            gettext("not accepted, report options changed")
+            if is_failed
+            else gettext("report options changed"),
             gettext(
                 "The report {file} was exported with other options on {date}. Export it again to "
                 "apply the present ones.",
@@ -488,8 +490,10 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
             reason=reason,
         )
     return StepStatus(
-        "todo",
-        gettext("report out of date"),
+        "warning" if is_failed else "todo",
+        gettext("not accepted, report out of date")
+        if is_failed
+        else gettext("report out of date"),
         gettext(
             "The project has changed since the report {file} was exported on {date}. Export it "
             "again.",

@@ -224,8 +224,9 @@ def _in_one_turn(time: Array, heading: Array) -> tuple[Array, Array]:
         inside = (shifted >= 0) & (shifted <= FULL_TURN_DEG)
         near = np.convolve(inside, [1, 1, 1], "same") > 0
         shown = np.convolve(near, [1, 1, 1], "same") > 0  # with a break after each part
-        times.append(time[shown])
-        headings.append(np.where(near, shifted, np.nan)[shown])
+        # Each part ends with a break: the next one may begin at an earlier time
+        times.append(np.append(time[shown], np.nan))
+        headings.append(np.append(np.where(near, shifted, np.nan)[shown], np.nan))
     return np.concatenate(times), np.concatenate(headings)
 
 
