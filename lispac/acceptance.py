@@ -142,11 +142,14 @@ class Acceptance:
         Empty without criteria.
     planes : tuple of str
         Names of the validation planes, with those that could not be compared.
+    excluded : tuple of str
+        Names of the validation planes that the user excluded; the verdict does not include them.
     """
 
     criteria: AcceptanceCriteria
     checks: tuple[AcceptanceCheck, ...]
     planes: tuple[str, ...]
+    excluded: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -170,6 +173,7 @@ def judge_calibration(
     sigma: NDArray[np.float64] | None,
     validation: Sequence[PlaneComparison],
     not_compared: Iterable[str] = (),
+    excluded: Iterable[str] = (),
 ) -> Acceptance:
     """Judge a calibration by its acceptance criteria.
 
@@ -178,6 +182,7 @@ def judge_calibration(
     sigma : ndarray of shape (3,), radians
         Standard deviations of the estimated roll, pitch, yaw; None if nothing is estimated.
     not_compared : names of the validation planes that could not be compared
+    excluded : names of the validation planes that are not used
     """
     checks = []
     sigmas_deg = [None] * 3 if sigma is None else np.degrees(sigma).tolist()
@@ -195,7 +200,7 @@ def judge_calibration(
             if limit is not None:
                 checks.append(AcceptanceCheck(quantity, limit, None, name))
     names = (*(plane.name for plane in validation), *others)
-    return Acceptance(criteria, tuple(checks), names)
+    return Acceptance(criteria, tuple(checks), names, tuple(excluded))
 
 
 def _plane_checks(criteria: AcceptanceCriteria, plane: PlaneComparison) -> list[AcceptanceCheck]:

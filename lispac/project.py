@@ -498,7 +498,10 @@ class Project:
     def judgement(self) -> Acceptance:
         """Judgement of the result and the validation by the acceptance criteria."""
         sigma = None if self.result is None else self.result.sigma
-        return judge_calibration(self.acceptance, sigma, self.validation, self.not_compared)
+        excluded = [each.name for each in self.targets_of_role("validation") if not each.used]
+        return judge_calibration(
+            self.acceptance, sigma, self.validation, self.not_compared, excluded
+        )
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; results that depend on them are removed."""

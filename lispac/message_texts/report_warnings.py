@@ -59,7 +59,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- targets and sightings ---------------------------------------------------------------
     "report.left_out_target": N_("Target {target} is excluded."),
-    "report.left_out_plane": N_("Validation plane {target} is excluded."),
+    "report.left_out_plane": N_(
+        "Validation plane {target} is excluded; the verdict does not include it."
+    ),
     "report.left_out_target_on_lines": N_("Target {target} is excluded on {lines:names}."),
     "report.left_out_plane_on_lines": N_("Validation plane {target} is excluded on {lines:names}."),
     "report.target_on_no_line": N_(

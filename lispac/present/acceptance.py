@@ -12,7 +12,7 @@ from lispac.acceptance import (
     Quantity,
     Verdict,
 )
-from lispac.language import N_, gettext, gettext_lazy
+from lispac.language import N_, Plural, gettext, gettext_lazy
 from lispac.present.tables import Column, Format, Table, cell_text
 
 ANGLE_FORMAT, LENGTH_FORMAT = Format("deg", 4), Format("mm", 1, 1e3)
@@ -106,6 +106,7 @@ class AcceptanceValues:
     criteria: AcceptanceCriteriaValues
     verdict: Verdict
     planes: tuple[PlaneVerdict, ...]
+    excluded_planes: tuple[str, ...]
     checks: tuple[AcceptanceCheckValues, ...]
 
     @classmethod
@@ -115,6 +116,7 @@ class AcceptanceValues:
             AcceptanceCriteriaValues.of(judgement.criteria),
             judgement.verdict,
             tuple(PlaneVerdict(name, judgement.verdict_on(name)) for name in judgement.planes),
+            judgement.excluded,
             tuple(map(AcceptanceCheckValues.of, judgement.checks)),
         )
 
@@ -183,17 +185,21 @@ def verdict_text(verdict: Verdict) -> str:
 
 
 def calibration_verdict_text(values: AcceptanceValues) -> str:
-    """Verdict on the calibration, with the number of the criteria if only some are given."""
-    verdict, given = verdict_text(values.verdict), given_criteria_text(values)
-    if values.checks and given:
-        return gettext("{verdict} ({given})", verdict=verdict, given=given)
+    """Verdict on the calibration, with what it does not include."""
+    verdict, scope = verdict_text(values.verdict), verdict_scope_text(values)
+    if values.checks and scope:
+        return gettext("{verdict} ({given})", verdict=verdict, given=scope)
     return verdict
 
 
-def given_criteria_text(values: AcceptanceValues) -> str:
-    """Number of the criteria that are given; empty if all are."""
+def verdict_scope_text(values: AcceptanceValues) -> str:
+    """Number of the given criteria and of the excluded planes; empty if nothing is missing."""
     total = len(LIMIT_NAMES)
-    given = total - len(values.criteria.missing)
-    if given == total:
-        return ""
-    return gettext("{given:n} of {total:n} criteria given", given=given, total=total)
+    given, excluded = total - len(values.criteria.missing), len(values.excluded_planes)
+    texts = []
+    if given < total:
+        texts.append(gettext("{given:n} of {total:n} criteria given", given=given, total=total))
+    if excluded:
+        text = Plural("{count:n} validation plane excluded", "{count:n} validation planes excluded")
+        texts.append(gettext(text, count=excluded))
+    return ", ".join(texts)

@@ -9,7 +9,7 @@ from lispac.identity import FIELD_LABELS, TITLE_FIELDS
 from lispac.language import LazyText, gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.present.acceptance import given_criteria_text
+from lispac.present.acceptance import verdict_scope_text
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections, short_report
 from lispac.report.boresight_section import boresight_blocks, convention_blocks
@@ -245,8 +245,10 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
         return "bad", gettext("NOT ACCEPTED: ACCEPTANCE CRITERIA NOT MET")
     if verdict == "pass":
         text = gettext("{calibrated} – ACCEPTANCE CRITERIA MET", calibrated=text)
-        given = given_criteria_text(content.acceptance).upper()
-        return status, gettext("{verdict} ({given})", verdict=text, given=given) if given else text
+        if content.acceptance.excluded_planes and status == "good":
+            status = "fair"  # an excluded plane may be one that failed
+        scope = verdict_scope_text(content.acceptance).upper()
+        return status, gettext("{verdict} ({given})", verdict=text, given=scope) if scope else text
     # Without a verdict, green would look like a pass.
     status = "fair" if status == "good" else status
     return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)

@@ -348,3 +348,17 @@ def test_planes_that_failed_are_shown_before_planes_with_a_larger_rms() -> None:
     assert planes_to_show(rms, {"V3"}, 2) == {"V3", "V2"}
     assert planes_to_show(rms, (), 3) == {"V1", "V2", "V4"}
     assert planes_to_show(rms, (), 9) == set(rms)
+
+
+def test_a_verdict_names_the_number_of_excluded_planes(project: Project) -> None:
+    names = [target.name for target in project.targets_of_role("validation")][:2]
+    left = tuple(each for each in project.validation if each.name not in names)
+    targets = tuple(replace(each, used=each.name not in names) for each in project.targets)
+    limits = AcceptanceCriteria(1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    every = replace(project.with_acceptance(limits), targets=targets, validation=left)
+    content = sample_content(every)
+    assert content.acceptance.excluded_planes == tuple(names)
+    document = undrawn_document(content, {}, FULL_REPORT)
+    assert "2 VALIDATION PLANES EXCLUDED" in document.verdict
+    assert document.status != "good"
+    assert "2 validation planes excluded" in calibration_verdict_text(content.acceptance)
