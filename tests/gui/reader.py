@@ -198,7 +198,9 @@ class Reader(QObject):
                 if bar.tabText(k).replace("&", "") == text:
                     found.append((bar, bar.tabRect(k).center()))
         for label in self._all(QLabel):
-            if _plain(label) == text and (field := _field_of(label)) is not None:
+            # An asterisk marks a needed field
+            name = _plain(label).removesuffix(" *")
+            if name == text and (field := _field_of(label)) is not None:
                 found.append((field, field.rect().center()))
         return found
 

@@ -26,7 +26,7 @@ def test_named_packages_modules_and_tests_exist() -> None:
     assert all((CHECKOUT / "lispac" / package).is_dir() for package in PACKAGES)
     assert all((CHECKOUT / module).is_file() for module in COMPILED)
     for tests in PACKAGES.values():
-        assert [each for each in tests if not [*CHECKOUT.glob(f"tests/*/test_{each}.py")]] == []
+        assert [each for each in tests if not [*CHECKOUT.glob(f"tests/**/test_{each}.py")]] == []
 
 
 def test_an_unknown_step_is_refused(

@@ -110,14 +110,17 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert numbers[1] == f"{result.correlation_all[0, 1]:+.2f}".replace("-", "−")
     assert [t.get_text() for t in heat.get_xticklabels()] == ["Roll", "Pitch", "Yaw"]
     panels = turn_to(shown, "POS error").canvas.figure.axes
-    titles = ["North", "West", "Up", "Roll", "Pitch", "Heading"]
+    titles = ["East", "North", "Up", "Roll", "Pitch", "Heading"]
     assert [axes.get_title() for axes in panels] == titles
     assert [axes.get_xlabel() for axes in panels] == ["mm"] * 3 + ["0.001°"] * 3
     item = result.reliability[0]
-    for k, scale in ((0, 1000), (5, np.degrees(1000))):
+    is_determined = item.pos_sigma_after < 0.995 * item.pos_sigma
+    assert any(is_determined[:2])
+    for k, place, scale in ((0, 1, -1000), (1, 0, 1000), (5, 5, np.degrees(1000))):
         drawn = [x for line in panels[k].lines for x in np.asarray(line.get_xdata())]
-        assert any(x == pytest.approx(item.pos_error[k] * scale) for x in drawn)
-        band, half = panels[k].patches[0], 2 * item.pos_sigma[k] * scale
+        error = item.pos_error[place] * scale
+        assert any(x == pytest.approx(error) for x in drawn) == is_determined[place]
+        band, half = panels[k].patches[0], 2 * item.pos_sigma[place] * abs(scale)
         assert band.get_x() == pytest.approx(-half)
         assert band.get_width() == pytest.approx(2 * half)
     words = turn_to(shown, "Observability").text_label.text()
