@@ -1,7 +1,7 @@
 """Maps of the distances between two lines on a plane, before and after the calibration.
 
-The colours show deviations from the offset of the two lines, which is given above each map: after
-the calibration most of a distance is the offset of a whole line, which would hide the pattern.
+All maps of a plane have one colour scale, so that before and after can be compared. The offset of
+the two lines is given above each map.
 """
 
 from collections.abc import Sequence
@@ -43,18 +43,14 @@ SOME_CAPTION = N_(
 )
 MAP_TITLES = N_("before\n{offset} mm"), N_("after\n{offset} mm")
 """Titles of a map: its state and the offset of the lines."""
-BAR_TITLES = N_("Before: deviation from offset (mm)"), N_("After: deviation from offset (mm)")
-"""Titles of the colour bars."""
-FINER_TEXT, COARSER_TEXT = N_("scale {factor} × finer"), N_("scale {factor} × coarser")
-"""Second line of the title of the colour bar after, if the scales differ."""
-MAX_COMMON_RATIO = 2.0
-"""Largest ratio of the two colour scales for which both states have the larger one."""
+BAR_TITLE = N_("Distance (mm)")
+"""Title of the colour bar."""
 COLOUR_MAP = "RdBu_r"
-"""Colour map: red where the first line is nearer to the vessel than by the offset."""
+"""Colour map: red where the first line is nearer to the vessel."""
 SCALE_PERCENTILE = 98.0
-"""Percentile of the absolute deviations at the ends of the colour scale."""
+"""Percentile of the absolute distances at the ends of the colour scale."""
 MIN_COLOUR_LIMIT_M = 1e-4
-"""Smallest deviation at the ends of the colour scale, metres."""
+"""Smallest distance at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
 MAX_BAR_TICKS = 5
@@ -65,12 +61,12 @@ MARGIN_LEFT, MARGIN_TOP, MARGIN_BOTTOM = 5.0, 5.0, 4.2
 """Margins around a pair of maps, as multiples of the size of the texts in them."""
 MIN_MAP_HEIGHT = 0.3
 """Smallest height of the space for a map, inches."""
-WIDTH, BARS_WIDTH = 6.3, 1.5
-"""Width of a figure of maps, and of the space at its right for the colour bars, inches."""
-BAR_PITCH, BAR_THICKNESS, BAR_MARGIN = 0.65, 0.09, 0.15
-"""Distance of the two colour bars, their thickness and the margins at their ends, inches."""
-MIN_HEIGHT, MAX_HEIGHT, MAX_ROW_HEIGHT = 2.0, 4.2, 2.3
-"""Smallest height of a figure of maps, for the titles of the colour bars, and largest height of a
+WIDTH, BAR_WIDTH = 6.3, 0.85
+"""Width of a figure of maps, and of the space at its right for the colour bar, inches."""
+BAR_THICKNESS, BAR_MARGIN = 0.09, 0.15
+"""Thickness of the colour bar and the margins at its ends, inches."""
+MIN_HEIGHT, MAX_HEIGHT, MAX_ROW_HEIGHT = 1.3, 4.2, 2.3
+"""Smallest height of a figure of maps, for the title of the colour bar, and largest height of a
 figure of all maps of a plane and of one row of maps, inches."""
 MAX_MAPS_IN_ROW = 2
 """Largest number of pairs of maps in one row."""
@@ -84,8 +80,7 @@ def _inches(texts: float) -> float:
 def map_figure_of(plane: ValidationPlane) -> Figure:
     """Maps of the signed distances on the plane, before and after, for each mapped pair of lines.
 
-    Both maps of a pair have the same axes, and all maps the same scale. A state with much smaller
-    deviations has a finer colour scale; the title of its colour bar says so.
+    Both maps of a pair have the same axes, and all maps the same scale and colours.
     """
     return _draw_maps(plane, _largest_maps(plane), MAX_HEIGHT)
 
@@ -132,11 +127,11 @@ def _offsets_of(plane: ValidationPlane, values: DistanceMapValues) -> tuple[floa
 
 @dataclass(frozen=True, eq=False)
 class _Map:
-    """Deviations of the distances from the offset, in the smallest rectangle of cells.
+    """Signed distances in the smallest rectangle of cells.
 
     Attributes
     ----------
-    grid : deviations (up, across), metres, NaN for cells without distance
+    grid : distances (up, across), metres, NaN for cells without distance
     extent : left, right, lower and upper edge, metres
     title : state and offset
     """
@@ -163,7 +158,7 @@ def _maps_of(pair: DistanceMapValues, offsets_m: tuple[float, float]) -> tuple[_
 
     def of_state(distances_m: Sequence[float], offset_m: float, title: str) -> _Map:
         grid = np.full((high - low, right - left), np.nan)
-        grid[rows - low, columns - left] = np.array(distances_m) - offset_m
+        grid[rows - low, columns - left] = distances_m
         return _Map(grid, extent, gettext(title, offset=signed_number(1000 * offset_m, 1)))
 
     before, after = map(of_state, (pair.before_m, pair.after_m), offsets_m, MAP_TITLES)
@@ -196,7 +191,7 @@ def _arrange(pairs: Sequence[tuple[_Map, _Map]], max_height: float) -> _Arrangem
     found = []
     for columns in range(1, len(pairs) + 1):
         rows = ceil(len(pairs) / columns)
-        width = ((WIDTH - BARS_WIDTH) / columns - left - MAP_SPACING - MARGIN_RIGHT) / 2
+        width = ((WIDTH - BAR_WIDTH) / columns - left - MAP_SPACING - MARGIN_RIGHT) / 2
         height = max_height / rows - above - below
         has_space = width >= least, height >= MIN_MAP_HEIGHT
         scale = float(min(width / sides[0], max(height, MIN_MAP_HEIGHT) / sides[1]))
@@ -213,10 +208,10 @@ def _draw_maps(
     pairs = [_maps_of(each, _offsets_of(plane, each)) for each in values]
     arrangement = _arrange(pairs, max_height)
     figure, places = _map_axes(pairs, arrangement)
-    limits = _colour_limits(pairs)
+    limit = _colour_limit(pairs)
     pair_width = 2 * arrangement.slot + MAP_SPACING
     for k, (pair, row, each) in enumerate(zip(pairs, places, values, strict=True)):
-        for drawn, axes, limit in zip(pair, row, limits, strict=True):
+        for drawn, axes in zip(pair, row, strict=True):
             _draw_map(axes, drawn, limit)
             is_left = axes is row[0]
             is_outer = is_left and k % arrangement.columns == 0
@@ -228,8 +223,7 @@ def _draw_maps(
             axes.tick_params(labelsize=SMALL_TEXT_SIZE, labelleft=is_left)
             axes.set_title(drawn.title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, pad=3)
         _draw_pair_texts(figure, row, each, pair_width)
-    for column, title in enumerate(_bar_titles(limits)):
-        _draw_colour_bar(figure, places[0][column], column, title)
+    _draw_colour_bar(figure, places[0][0])
     return figure
 
 
@@ -258,7 +252,7 @@ def _map_axes(
     figure = blank_figure(None, (WIDTH, height))
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
-    pitch = (WIDTH - BARS_WIDTH) / arrangement.columns
+    pitch = (WIDTH - BAR_WIDTH) / arrangement.columns
     used = left + 2 * arrangement.slot + MAP_SPACING
     places = []
     for k, (width, up) in enumerate(shapes):
@@ -313,42 +307,22 @@ def _draw_pair_texts(
     )  # fmt: skip
 
 
-def _draw_colour_bar(figure: Figure, axes: Axes, column: int, title: str) -> None:
-    """Draw the colour bar of a state at the right, in millimetres: before left, after right."""
+def _draw_colour_bar(figure: Figure, axes: Axes) -> None:
+    """Draw the colour bar of all maps at the right, in millimetres."""
     _, height = figure.get_size_inches()
-    left, length = WIDTH - BARS_WIDTH + 0.1 + column * BAR_PITCH, height - 2 * BAR_MARGIN
+    left, length = WIDTH - BAR_WIDTH + 0.1, height - 2 * BAR_MARGIN
     place = left / WIDTH, BAR_MARGIN / height, BAR_THICKNESS / WIDTH, length / height
     bar = figure.colorbar(
         axes.images[0], cax=figure.add_axes(place), extend="both", format=LocalisedFormatter()
     )
-    size = largest_fitting_font_size(title.split("\n"), height, SMALL_TEXT_SIZE)
-    bar.set_label(title, fontsize=size, color=INK_COLOUR, labelpad=2)
+    bar.set_label(gettext(BAR_TITLE), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, labelpad=2)
     bar.locator = MaxNLocator(MAX_BAR_TICKS)
     bar.update_ticks()
     bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
 
 
-def _colour_limits(pairs: Sequence[tuple[_Map, _Map]]) -> tuple[float, float]:
-    """Ends of the colour scales before and after, metres; equal unless they differ much."""
-    before, after = (
-        max(
-            float(np.nanpercentile(np.abs(each.grid), SCALE_PERCENTILE)) for each in maps
-        )
-        for maps in zip(*pairs, strict=True)
-    )  # fmt: skip
-    before, after = max(before, MIN_COLOUR_LIMIT_M), max(after, MIN_COLOUR_LIMIT_M)
-    if max(before, after) <= MAX_COMMON_RATIO * min(before, after):
-        return max(before, after), max(before, after)
-    return before, after
-
-
-def _bar_titles(limits: tuple[float, float]) -> list[str]:
-    """Titles of the colour bars, with the ratio of the scales if they differ."""
-    before, after = limits
-    titles = [gettext(title) for title in BAR_TITLES]
-    if before != after:
-        ratio = before / after
-        text = FINER_TEXT if ratio > 1 else COARSER_TEXT
-        factor = shortest_number(float(f"{max(ratio, 1 / ratio):.2g}"))
-        titles[1] = f"{titles[1]}\n{gettext(text, factor=factor)}"
-    return titles
+def _colour_limit(pairs: Sequence[tuple[_Map, _Map]]) -> float:
+    """End of the colour scale of all maps, metres."""
+    grids = [each.grid for pair in pairs for each in pair]
+    largest = max(float(np.nanpercentile(np.abs(grid), SCALE_PERCENTILE)) for grid in grids)
+    return max(largest, MIN_COLOUR_LIMIT_M)
