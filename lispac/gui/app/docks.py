@@ -135,6 +135,7 @@ class DockLayout(QObject):
         self._filled: frozenset[str] = frozenset()
         self._has_strip_height = False
         self._state_before: QByteArray | None = None
+        self._open_before: Collection[str] = ()
         self._must_close_empty = False
         for title, dock in docks.items():
             dock.setVisible(title == WORKFLOW)
@@ -227,11 +228,18 @@ class DockLayout(QObject):
         """Whether all docks are hidden, so that the view fills the window."""
         return self._state_before is not None
 
+    def _open_titles(self) -> Collection[str]:
+        """Titles of the docks that are open, or that were before the view was maximised."""
+        if self.is_maximised:
+            return self._open_before
+        return [title for title, dock in self._docks.items() if not dock.isHidden()]
+
     def set_maximised(self, maximised: bool) -> None:
         """Hide all docks and toolbars, or restore them as they were."""
         if maximised == self.is_maximised:
             return
         if maximised:
+            self._open_before = self._open_titles()
             self._state_before = self._window.saveState()
             for each in (*self._docks.values(), *self._window.findChildren(QToolBar)):
                 each.hide()
@@ -270,8 +278,10 @@ class DockLayout(QObject):
         layout = self._state_before or self._window.saveState()
         return layout, [title for title in self._docks if title in self._wanted]
 
-    def copy_front_from(self, former: "DockLayout") -> None:
-        """Bring those docks to the front that are in front in a former window."""
+    def copy_state_from(self, former: "DockLayout") -> None:
+        """Open the docks that are open in a former window, and bring the same ones to the front."""
+        for title in former._open_titles():
+            self._docks[title].show()
         for title, dock in self._docks.items():
             if not former._docks[title].visibleRegion().isEmpty():
                 dock.raise_()

@@ -172,10 +172,11 @@ class MainWindow(QMainWindow):
         panels, computations = self.panels, self.computations
         self.panel_refresh = PanelRefresh(
             document, runner, control, computations, scene, settings, actions, panels,
-            self.central_widget, self.dock_layout, self.tools.panels,
+            self.central_widget, self.dock_layout,
         )  # fmt: skip
         document.about_to_open.connect(self._discard_typed_texts)
         document.about_to_open.connect(panels.targets.reset_seed_options)
+        document.about_to_open.connect(self._restore_panel_height)
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
         tools = TargetTools(document, runner, control, dialogs, actions, panels.targets)
@@ -431,6 +432,10 @@ class MainWindow(QMainWindow):
             if isinstance(field, NumberEntry):
                 field.restore()
 
+    def _restore_panel_height(self) -> None:
+        """Restore the height of the panels at the bottom if one of them is enlarged."""
+        self.results.enlarge.setChecked(False)  # the buttons of all panels change together
+
     def _select(self, name: str, line: str) -> None:
         """Select a sighting, or a target if ``line`` is empty, without moving the view."""
         self.scene.select(name, line)
@@ -502,6 +507,7 @@ class MainWindow(QMainWindow):
         if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
+        self._restore_panel_height()
         self.save_layout()
         self.recovery_copies.discard()
         self.settings.last_project = None

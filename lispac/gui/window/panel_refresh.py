@@ -1,7 +1,5 @@
 """Refresh of the panels from the document, and availability of the actions."""
 
-from collections.abc import Collection
-
 from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
@@ -60,13 +58,12 @@ class PanelRefresh(QObject):
         panels: Panels,
         central_widget: CentralWidget,
         dock_layout: DockLayout,
-        tool_titles: Collection[str],
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._controller = document, runner, controller
         self._computations, self._settings, self._actions = computations, settings, actions
         self._panels, self._central_widget = panels, central_widget
-        self._dock_layout, self._tool_titles = dock_layout, tool_titles
+        self._dock_layout = dock_layout
         self._opening, self._is_new_project = False, True
         document.changed.connect(self.refresh)
         document.changed.connect(self._count_points)
@@ -92,9 +89,7 @@ class PanelRefresh(QObject):
             self._central_widget.start.show_recent(self._settings.recent())
             self._central_widget.start.show_task(self._task_title())
         self._panels.show_state(state)
-        self._dock_layout.show_filled(
-            filled_docks(state, self._tool_titles), is_new_project=self._is_new_project
-        )
+        self._dock_layout.show_filled(filled_docks(state), is_new_project=self._is_new_project)
         self._is_new_project = False
         self._enable_controls(state)
 

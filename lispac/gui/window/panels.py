@@ -1,6 +1,6 @@
 """The panels of the window."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import Field, dataclass, field, fields
 from datetime import datetime
 from typing import Any, Protocol, runtime_checkable
@@ -190,10 +190,12 @@ def automatic_docks() -> list[str]:
     return [each.metadata["title"] for each in _dock_fields() if each.metadata["opens"]]
 
 
-def filled_docks(state: ProjectState, tools: Collection[str]) -> list[str]:
-    """Titles of the docks that have something to show, with those of the tools."""
-    docks = [each.metadata["title"] for each in _dock_fields() if each.metadata["content"](state)]
-    return [*docks, *(tools if state.project is not None else ())]
+def filled_docks(state: ProjectState) -> list[str]:
+    """Titles of the docks that have something to show.
+
+    Those of the tools are not among them: in another project, they are empty until they are used.
+    """
+    return [each.metadata["title"] for each in _dock_fields() if each.metadata["content"](state)]
 
 
 def _dock_fields() -> list[Field[Any]]:

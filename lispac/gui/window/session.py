@@ -164,7 +164,7 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
         panel_window.copy_state_from(former.panel_windows[title])
     if former.tour.is_running:
         window.tour.resume()
-    window.dock_layout.copy_front_from(former.dock_layout)
+    window.dock_layout.copy_state_from(former.dock_layout)
 
 
 def _copy_view(former: MainWindow, window: MainWindow) -> None:

@@ -27,6 +27,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.project.status import DATA, VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import Button
+from lispac.gui.window.session import Session
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
@@ -37,6 +38,7 @@ from tests.gui.support import (
     Key,
     Left,
     click,
+    in_front,
     press,
     seed,
     sentence,
@@ -240,6 +242,64 @@ def test_the_height_of_the_panels_is_kept(
         assert later.window.docks["Results"].height() == height
     finally:
         later.leave()
+
+
+def test_tools_and_enlarged_panels_leave_the_view_to_another_project(
+    driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = driver.window
+    window.document.open(estimated, demo.survey)
+    driver.rest()
+    initial = view_share(driver)
+    window._select("T1", "")
+    press(driver, Key.Key_X)
+    press(driver, Key.Key_S)
+    qtbot.waitUntil(lambda: is_in_front(driver, "Section"), timeout=SOON_MS)
+    click(driver, window.tools.sections.panel.enlarge)
+    qtbot.waitUntil(lambda: view_share(driver) < 0.8 * initial, timeout=SOON_MS)
+    window.document.open(demo.project, demo.survey)
+    assert shown_docks(driver) == {"Workflow"}
+    assert view_share(driver) >= 0.6
+    seed(driver, "T1")
+    press(driver, Key.Key_Return)
+    driver.rest()
+    assert shown_docks(driver) == {"Workflow", "Targets by line"}
+    assert view_share(driver) == pytest.approx(initial, abs=0.01)
+    window._select("T1", "")
+    press(driver, Key.Key_S)
+    qtbot.waitUntil(lambda: is_in_front(driver, "Section"), timeout=SOON_MS)
+    click(driver, window.tools.sections.panel.enlarge)
+    qtbot.waitUntil(lambda: view_share(driver) < 0.8 * initial, timeout=SOON_MS)
+    window.close()
+    later = Driver(qtbot, RecordingViewport(), tmp_path)
+    try:
+        later.window.document.open(estimated, demo.survey)
+        later.rest()
+        assert shown_docks(later) == {"Workflow", "Targets by line", "Results"}
+        assert view_share(later) == pytest.approx(initial, abs=0.01)
+    finally:
+        later.leave()
+
+
+@pytest.mark.parametrize("maximised", [False, True])
+def test_a_tool_stays_open_in_a_new_window_of_the_same_project(
+    session: Session, demo: Demo, qtbot: QtBot, maximised: bool
+) -> None:
+    window = session.window
+    window.document.open(demo.picked, demo.survey)
+    show_panel(window, "Section")
+    assert not window.docks["Section"].visibleRegion().isEmpty()
+    if maximised:
+        qtbot.keyClick(window, Key.Key_F11)
+    session.rebuild_window()
+    later = session.window
+    assert later is not window
+    qtbot.waitUntil(lambda: in_front(later), timeout=SOON_MS)
+    if maximised:
+        assert not later.docks["Section"].isVisible()
+        qtbot.keyClick(later, Key.Key_F11)
+    section = later.docks["Section"]
+    qtbot.waitUntil(lambda: not section.visibleRegion().isEmpty(), timeout=SOON_MS)
 
 
 # -- maximised view --------------------------------------------------------------------------
