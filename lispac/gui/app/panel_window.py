@@ -13,12 +13,21 @@ from lispac.language import gettext
 
 MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX = 24, 48
 """Distance from the right and lower edges at first opening, which includes the frame, pixels."""
+FLAGS = (
+    Qt.WindowType.Dialog
+    | Qt.WindowType.CustomizeWindowHint
+    | Qt.WindowType.WindowTitleHint
+    | Qt.WindowType.WindowSystemMenuHint
+    | Qt.WindowType.WindowMinMaxButtonsHint
+    | Qt.WindowType.WindowCloseButtonHint
+)
+"""Type of a window that stays above its parent, with the buttons of a main window."""
 OWN_KEYS = frozenset(map(QKeySequence, ("Esc", "Return", "Enter")))
 """Keys that have their own meaning in this window: close, and press the focused button."""
 
 
 class PanelWindow(QMainWindow):
-    """Window that shows one panel and stays open beside the main window.
+    """Window that shows one panel and stays open above the main window.
 
     It closes with Esc or Ctrl+W, which changes nothing, and with the main window. Its geometry is
     stored.
@@ -39,7 +48,7 @@ class PanelWindow(QMainWindow):
         settings: AppSettings,
         view: QWidget | None = None,
     ) -> None:
-        super().__init__(parent, Qt.WindowType.Window)
+        super().__init__(parent, FLAGS)
         self._size, self._settings, self._view = size, settings, view
         self.setObjectName(f"window_{title.lower().replace(' ', '_')}")
         self.setWindowTitle(f"{gettext(title)} – LISPAC")

@@ -31,6 +31,7 @@ from lispac.gui.window.session import Session
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
+from tests.gui.design_support import opened_by_keys
 from tests.gui.support import (
     Control,
     Demo,
@@ -378,6 +379,35 @@ def test_a_panel_window_closes_with_its_keys_and_with_the_main_window(
     press(driver, Key.Key_T, Control)
     driver.window.close()
     assert not own.isVisible()
+
+
+@pytest.mark.parametrize("title", ["Diagnostics", "Patch test"])
+def test_a_panel_window_stays_above_the_main_window(driver: Driver, title: str) -> None:
+    key = {"Diagnostics": Key.Key_D, "Patch test": Key.Key_T}[title]
+    window, own = driver.window, driver.window.panel_windows[title]
+    press(driver, key, Control)
+    driver.bot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+    # The window system keeps dialogues above the window that they belong to, and no other windows
+    assert own.windowType() == Qt.WindowType.Dialog
+    assert own.windowHandle().transientParent() is window.windowHandle()
+    assert own.windowModality() == Qt.WindowModality.NonModal
+    window.activateWindow()
+    click(driver, window.workflow.headers[VALIDATE])
+    assert own.isVisible()
+    driver.bot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+    press(driver, key, Control)
+    driver.bot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+
+
+def test_the_design_window_comes_back_with_its_key(driver: Driver) -> None:
+    window, design = driver.window, opened_by_keys(driver)
+    for hide in (lambda: None, design.showMinimized):
+        hide()
+        window.activateWindow()
+        driver.bot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
+        click(driver, window.workflow.headers[VALIDATE])
+        assert opened_by_keys(driver) is design
+        assert not design.isMinimized()
 
 
 @pytest.mark.parametrize("side", ["left", "right"])

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
 from lispac.design.monte_carlo import MIN_SURVEYS, MonteCarloResult
@@ -159,6 +159,7 @@ class SiteDesign(QObject):
         """Show the window in front."""
         if self.window is None:
             self.window = self._create_window()
+        self.window.setWindowState(self.window.windowState() & ~Qt.WindowState.WindowMinimized)
         self.window.show()
         self.window.raise_()
         self.window.activateWindow()
