@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from decimal import Decimal
 from math import floor, log10, radians
 from types import MappingProxyType
 from typing import Literal
@@ -155,10 +156,16 @@ def local_amount(value: float, base: Base, form: str) -> str:
     return f"{local_figure(value, base, form)}{blank}{sign}"
 
 
-def limit_text(value: float, base: Base) -> str:
+def plain_figure(value: float, digits: int) -> str:
+    """Text of a number with at most this many significant digits and without an exponent."""
+    return f"{Decimal(f'{value:.{digits}g}'):f}"
+
+
+def limit_text(value: float, base: Base | None) -> str:
     """Text of a limit of a range, with four digits if it is converted."""
-    shown = float(f"{value * _shown_units[base].factor:.4g}") if is_converted(base) else value
-    return f"{shown:,.10g}"
+    if base is None or not is_converted(base):
+        return plain_figure(value, 10)
+    return plain_figure(value * _shown_units[base].factor, 4)
 
 
 def snap_to_limits(value: float, base: Base | None, low: float, high: float) -> float:

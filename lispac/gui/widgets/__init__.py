@@ -200,7 +200,7 @@ def number(
 
 
 def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
-    first, last = (f"{v:,.10g}" if base is None else units.limit_text(v, base) for v in (low, high))
+    first, last = (units.limit_text(each, base) for each in (low, high))
     sign = "deg" if unit == "°" else unit
     first, last = units.localised(first), units.localised(last)
     if not unit:

@@ -99,7 +99,9 @@ class OptionalNumber(NumberEntry, QLineEdit):
             )
         value = number / self._scale
         if self._limits is not None and not self._limits[0] <= value <= self._limits[1]:
-            low, high = (units.localised(f"{each * self._scale:.6g}") for each in self._limits)
+            low, high = (
+                units.localised(units.plain_figure(each * self._scale, 6)) for each in self._limits
+            )
             raise InputError(
                 error(
                     "window.out_of_range",
@@ -114,7 +116,7 @@ class OptionalNumber(NumberEntry, QLineEdit):
             return
         self._pending.end()
         self.blockSignals(True)
-        shown = "" if value is None else f"{value * self._scale:.6g}"
+        shown = "" if value is None else units.plain_figure(value * self._scale, 6)
         self.setText(shown.replace(".", QLocale().decimalPoint()))
         self._shown_value = None if value is None else (self.text(), value)
         self.blockSignals(False)

@@ -226,3 +226,10 @@ def test_the_range_is_shown_in_feet_and_in_french(form, qtbot) -> None:
     finally:
         set_language("en")
         units.set_units("degrees", "metres")
+
+
+@pytest.mark.parametrize(
+    ("limit", "text"), [(1e-6, "0.000001"), (1e7, "10000000"), (-2.5, "-2.5"), (0.0, "0")]
+)
+def test_the_limit_of_a_range_has_no_exponent(limit: float, text: str) -> None:
+    assert units.limit_text(limit, None) == text

@@ -71,7 +71,7 @@ class TableColumn:
 
     def limit(self, value: float) -> str:
         """Limit of the range, in the unit shown."""
-        return f"{value:g}" if self.base is None else units.limit_text(value, self.base)
+        return units.limit_text(value, self.base)
 
     def read(self, text: str) -> float | str | None:
         """Parse a typed text into a value.
@@ -101,7 +101,7 @@ class TableColumn:
             raise InputError(
                 error(
                     "window.out_of_range", field=self.title,
-                    text=units.localised(f"{typed:g}"),
+                    text=units.localised(units.plain_figure(typed, 10)),
                     low=units.localised(self.limit(self.low)),
                     high=units.localised(self.limit(self.high)), unit=self.sign,
                 )

@@ -12,7 +12,6 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme, units
-from lispac.gui.appearance.units import Base
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
@@ -76,9 +75,9 @@ def parse_numbers(
                 error(
                     "window.out_of_range",
                     field=what,
-                    text=units.localised(f"{typed:g}"),
-                    low=units.localised(_limit_text(low, base)),
-                    high=units.localised(_limit_text(high, base)),
+                    text=units.localised(units.plain_figure(typed, 10)),
+                    low=units.localised(units.limit_text(low, base)),
+                    high=units.localised(units.limit_text(high, base)),
                     unit=shown,
                 )
             )
@@ -132,8 +131,8 @@ class LimitsForm(QWidget):
             field.setToolTip(
                 gettext(
                     "{tip}. Enter one or more numbers from {low} to {high} {unit}.",
-                    tip=gettext(tip), low=units.localised(_limit_text(low, base)),
-                    high=units.localised(_limit_text(high, base)), unit=shown,
+                    tip=gettext(tip), low=units.localised(units.limit_text(low, base)),
+                    high=units.localised(units.limit_text(high, base)), unit=shown,
                 )
             )  # fmt: skip
             field.textChanged.connect(self._check_lists)
@@ -254,10 +253,6 @@ def _list_text(values: Sequence[float], unit: str) -> str:
     between = ", " if decimal == "." else "; "
     shown = (f"{v:g}" if base is None else units.figure(v, base, "g") for v in values)
     return between.join(each.replace(".", decimal) for each in shown)
-
-
-def _limit_text(value: float, base: Base | None) -> str:
-    return f"{value:g}" if base is None else units.limit_text(value, base)
 
 
 def _integer_field(name: str, low: int, high: int, value: int, tip: str):

@@ -199,6 +199,22 @@ def test_a_wrong_text_and_an_impossible_limit_change_nothing(judged: Driver) -> 
     assert field.text() == ""
 
 
+@pytest.mark.parametrize("text", ["0", "0.0000001", "99"])
+def test_the_limits_in_the_message_have_no_exponents(judged: Driver, text: str) -> None:
+    field = judged.window.validate.acceptance.fields["roll_sigma_deg"]
+    type_into(judged, field, text)
+    judged.bot.keyClick(field, Key.Key_Tab)
+    assert field.input_error is not None
+    assert field.input_error.code == "window.out_of_range"
+    params = field.input_error.params
+    assert (params["text"], params["low"], params["high"]) == (text, "0.000001", "10")
+    assert field.toolTip() == message_text(field.input_error)
+    type_into(judged, field, "0.00002")
+    judged.bot.keyClick(field, Key.Key_Return)
+    assert field.text() == "0.00002"
+    assert judged.project.acceptance.roll_sigma_deg == pytest.approx(2e-5)
+
+
 def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
     document = judged.window.document
     limits = NO_CRITERIA.changed(roll_sigma_deg=1.0, pitch_sigma_deg=1.0, yaw_sigma_deg=1.0)
