@@ -121,8 +121,16 @@ class AcceptanceValues:
         )
 
 
-def decisive_checks(values: AcceptanceValues) -> list[AcceptanceCheckValues]:
-    """All failed checks of each criterion; without one, that of the plane with the worst value."""
+def decisive_checks(
+    values: AcceptanceValues, max_failed: int | None = None
+) -> list[AcceptanceCheckValues]:
+    """The failed checks of each criterion; without one, that of the plane with the worst value.
+
+    Parameters
+    ----------
+    max_failed : largest number of failed checks of each criterion, those with the largest values;
+        None for all
+    """
     order: list[Verdict] = ["fail", "not judged", "pass"]
     decisive: dict[Quantity, list[AcceptanceCheckValues]] = {
         check.quantity: [] for check in values.checks
@@ -132,7 +140,7 @@ def decisive_checks(values: AcceptanceValues) -> list[AcceptanceCheckValues]:
     ):
         if not decisive[check.quantity] or check.verdict == "fail":
             decisive[check.quantity].append(check)
-    return [check for checks in decisive.values() for check in checks]
+    return [check for checks in decisive.values() for check in checks[:max_failed]]
 
 
 def _format(check: AcceptanceCheckValues) -> Format:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value
-from lispac.adjustment.diagnostics.warnings import has_raised_sigmas
+from lispac.adjustment.diagnostics.warnings import has_form_errors, has_raised_sigmas
 from lispac.adjustment.model.parameters import OUTPUT_UNITS
 from lispac.adjustment.result import (
     ANGLES,
@@ -149,9 +149,14 @@ class VarianceFactorTest:
     has_assumed_sigmas: bool = False
 
 
+def agrees_by_construction(result: AdjustmentResult) -> bool:
+    """Whether standard deviations were estimated from the residuals that the test compares."""
+    return any(c.applied for c in result.components) or has_form_errors(result)
+
+
 def agreement_template(result: AdjustmentResult) -> str:
-    """Text of a passed chi-square test; estimated standard deviations agree by construction."""
-    return AGREE_ESTIMATED_TEXT if any(c.applied for c in result.components) else AGREE_TEXT
+    """Text of a passed chi-square test."""
+    return AGREE_ESTIMATED_TEXT if agrees_by_construction(result) else AGREE_TEXT
 
 
 def small_residuals_template(result: AdjustmentResult) -> str:

@@ -89,8 +89,8 @@ def undrawn_document(
         identity=identity_form(content, letterhead, blank=options.extent == "full"),
         warnings=serious,
         summary=tuple(summary),
-        notes=notes,
         conclusion=(*closing, sections.signature_lines(content)),
+        notes=notes,
         sections=tuple(section for section in parts if section.blocks),
         page=options.page,
         letterhead=Letterhead(

@@ -201,7 +201,7 @@ NO_LETTERHEAD = Letterhead()
 class Document:
     """Complete report.
 
-    Page one has ``identity``, ``warnings``, ``summary``, ``notes`` and ``conclusion`` in this
+    Page one has ``identity``, ``warnings``, ``summary``, ``conclusion`` and ``notes`` in this
     order; the conclusion is the closing text and the signatures. ``header`` has the texts at the
     left and at the right of the top of each further page. ``furniture`` has the texts that do not
     depend on the project.
@@ -216,8 +216,8 @@ class Document:
     identity: Table
     warnings: tuple[str, ...]
     summary: tuple[Block, ...]
-    notes: tuple[str, ...]
     conclusion: tuple[Block, ...]
+    notes: tuple[str, ...]
     sections: tuple[Section, ...]
     page: Page = "a4"
     letterhead: Letterhead = NO_LETTERHEAD

@@ -125,13 +125,20 @@ def angle_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def validation_summary(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Blocks on the distances on ``planes``, the acceptance, and the check against a reference."""
+def validation_summary(
+    content: ReportContent, planes: Sequence[ValidationPlane], max_failed: int | None = None
+) -> list[Block]:
+    """Blocks on the distances on ``planes``, the acceptance, and the check against a reference.
+
+    Parameters
+    ----------
+    max_failed : as in `decisive_checks`
+    """
     blocks: list[Block] = []
     if planes:
         blocks += [distances_table(content, planes), *reciprocal_pairs_note(planes)]
     if content.calibrated:
-        blocks += acceptance_blocks(content.acceptance)
+        blocks += acceptance_blocks(content.acceptance, max_failed)
     against = content.absolute
     if against is not None and not against.all_lines.after.mean_significant:
         finding = sentence_text(against.messages[0])
@@ -157,12 +164,29 @@ def distances_table(content: ReportContent, planes: Sequence[ValidationPlane]) -
     return report_table(judged_distances_table(verdicts), planes)
 
 
-def acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
-    """Table of the acceptance criteria, each with the value that decides; or why it is missing."""
+def acceptance_blocks(acceptance: AcceptanceValues, max_failed: int | None = None) -> list[Block]:
+    """Table of the acceptance criteria, each with the values that decide; or why it is missing.
+
+    Parameters
+    ----------
+    max_failed : as in `decisive_checks`
+    """
     if not acceptance.checks:
         return [Paragraph(gettext("Acceptance not judged: no acceptance criteria are given."))]
     table = acceptance_table(acceptance.criteria.source)
-    return [report_table(table, decisive_checks(acceptance))]
+    checks = decisive_checks(acceptance, max_failed)
+    blocks: list[Block] = [report_table(table, checks)]
+    shown, total = (
+        sum(check.verdict == "fail" for check in each) for each in (checks, acceptance.checks)
+    )
+    if shown < total:
+        omitted = gettext(
+            "{shown:n} of {total:n} values beyond a limit are shown: the largest of each "
+            "criterion. The errors and warnings contain all.",
+            shown=shown, total=total,
+        )  # fmt: skip
+        blocks.append(Paragraph(omitted))
+    return blocks
 
 
 def _fit_text(adjustment: AdjustmentValues) -> str:

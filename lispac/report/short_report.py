@@ -1,7 +1,8 @@
 """The short report: result, validation, signatures, system and pictures on a few pages.
 
-All errors and warnings are complete. Of a large survey, the validation planes that fail or have the
-largest RMS and the first notes are shown, with a sentence on what is omitted.
+All errors and warnings are complete. The signatures are on the page of the angles and the verdict.
+Of a large survey, the validation planes that fail or have the largest RMS, the values furthest
+beyond a limit and the first notes are shown, with a sentence on what is omitted.
 """
 
 from collections.abc import Sequence
@@ -38,6 +39,8 @@ MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures and maps."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
+MAX_FAILED_CHECKS = 4
+"""Largest number of values beyond the limit of one acceptance criterion."""
 MAX_NOTES = 8
 """Largest number of notes."""
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 60.0
@@ -136,7 +139,7 @@ def _lines_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
 
 
 def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
-    blocks = sections.validation_summary(content, planes)
+    blocks = sections.validation_summary(content, planes, MAX_FAILED_CHECKS)
     if len(planes) < len(content.validation):
         omitted = gettext(
             "{shown:n} of {total:n} planes are shown: first those that fail, then those with the "

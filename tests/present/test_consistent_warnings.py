@@ -22,12 +22,13 @@ from lispac.adjustment.result import (
     VarianceComponent,
 )
 from lispac.cli.calibration.result_output import adjustment_output, print_result
+from lispac.gui.appearance import theme
 from lispac.gui.features.estimate import result_texts
 from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
-from lispac.present.adjustment import AGREE_ESTIMATED_TEXT, AGREE_TEXT
+from lispac.present.adjustment import AGREE_ESTIMATED_TEXT, AGREE_TEXT, agreement_template
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
@@ -352,6 +353,27 @@ def test_a_good_result_has_no_warning(
     assert estimated == f"{AGREE_ESTIMATED_TEXT} {result_texts.REALISTIC_TEXT}"
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
+
+
+def test_an_agreement_by_construction_is_not_shown_as_a_confirmation(project: Project) -> None:
+    result = project.result
+    assert result is not None
+    assert theme.DONE in result_texts.chi_square_text(result)
+    lidar = VarianceComponent("LiDAR", 0.7, 0.65, 0.75, applied=True)
+    unused = replace(result, components=(replace(lidar, applied=False),), surface=0.0049)
+    fixed = replace(result, model=StochasticModel(surface=0.12), surface=0.12)
+    for given in (unused, fixed):
+        assert agreement_template(given) == AGREE_TEXT
+        assert theme.DONE in result_texts.chi_square_text(given)
+    for estimated in (
+        replace(result, components=(lidar,)),
+        replace(result, surface=0.124),
+        replace(result, surface=0.0, offset=0.124),
+    ):
+        assert agreement_template(estimated) == AGREE_ESTIMATED_TEXT
+        text = result_texts.chi_square_text(estimated)
+        assert theme.MUTED in text
+        assert theme.DONE not in text
 
 
 def test_a_given_and_estimated_value_does_not_explain_a_large_sigma(project: Project) -> None:

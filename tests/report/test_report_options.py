@@ -17,7 +17,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.identity import EMPTY_IDENTITY
 from lispac.message_texts import message_text
-from lispac.messages import note
+from lispac.messages import Level, note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.csv_tables import write_tables
@@ -184,7 +184,7 @@ def test_letterhead_and_texts_are_in_pdf_and_html(
         ),
     ],
 )
-def test_page_one_ends_with_the_signature(
+def test_page_one_has_the_signature(
     project: Project, template: Path, tmp_path: Path, page: Page, language: str, blank: bool
 ) -> None:
     options = report_options(template, page, language=language)
@@ -204,13 +204,16 @@ def test_page_one_ends_with_the_signature(
     first = _pdf_text(path, "-f", "1", "-l", "1")
     assert all(f"{k}: {sentence}" in re.sub(r"\s+", " ", first) for k in range(4))
     assert re.search("Place and date|Lieu et date", first)
-    # With too much text for one page, the signature moves on with the text above it.
-    many = replace(content, warnings=messages * 10)
-    write_pdf(many, path, {}, options)
-    pages = _pdf_text(path).split("\f")
-    (at,) = (k for k, text in enumerate(pages) if re.search("Place and date|Lieu et date", text))
-    assert at > 0
-    assert "Valid until an instrument is moved." in pages[at]
+    # Many notes continue on the next page; many warnings move the signature and the text above it.
+    serious = tuple(replace(each, level=Level.WARNING) for each in messages)
+    for many, moves in ((messages, False), (serious, True)):
+        write_pdf(replace(content, warnings=many * 10), path, {}, options)
+        pages = _pdf_text(path).split("\f")
+        (at,) = (
+            k for k, text in enumerate(pages) if re.search("Place and date|Lieu et date", text)
+        )
+        assert (at > 0) == moves
+        assert "Valid until an instrument is moved." in pages[at]
 
 
 def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:

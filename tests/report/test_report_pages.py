@@ -31,7 +31,12 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.options import EXTENTS, PAGE_SIZES, Extent, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
-from lispac.report.short_report import MAX_NOTES, MAX_PICTURED_PLANES, MAX_PLANES
+from lispac.report.short_report import (
+    MAX_FAILED_CHECKS,
+    MAX_NOTES,
+    MAX_PICTURED_PLANES,
+    MAX_PLANES,
+)
 from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
 from tests.support.long_runs import others_long
@@ -53,7 +58,7 @@ def _document(lines: int) -> Document:
     above = Paragraph("\n".join(["above"] * lines))
     return Document(
         "Title", "project", "LISPAC", "now", "good", "CALIBRATED", Table("Details", (), (), ()),
-        warnings=(), summary=(Paragraph("page one"),), notes=(), conclusion=(),
+        warnings=(), summary=(Paragraph("page one"),), conclusion=(), notes=(),
         sections=(
             Section("First", (above, Paragraph("Announced:"), Bullets(("item one", "item two")))),
             Section("Headed", (Paragraph("under its head"),)),
@@ -215,8 +220,75 @@ def test_the_short_report_is_signed_below_the_verdict_and_has_the_system(
     assert numbers == list(content.settings.lever_arm_m)
     write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions())
     pages = _pdf_text(tmp_path / "r.pdf").split("\f")
-    order = [pages[0].index(text) for text in ("Yaw", "Validation:", "Notes", "Place and date")]
+    order = [pages[0].index(text) for text in ("Yaw", "Validation:", "Place and date", "Notes")]
     assert order == sorted(order)
+
+
+SIGNED_TEXTS = {
+    "en": ("Estimated", "Acceptance criteria (", "Place and date", "Signature", "ACCEPT"),
+    "fr": ("Estimé", "Critères d’acceptation (", "Lieu et date", "Signature", "CRITÈRES D’ACCEPT"),
+}
+"""Texts of the angles, the acceptance, the lines to sign and the verdict."""
+LONG_REASON = " ".join(["reason"] * 40)
+
+
+def _signed_page(content: ReportContent, path: Path, options: ReportOptions) -> int:
+    """Return the number of the only page with the angles, the verdict and the lines to sign."""
+    write_pdf(content, path, {}, options)
+    pages = _pdf_text(path).split("\f")
+    *signed, verdict = SIGNED_TEXTS[options.language]
+    (number,) = {k for k, page in enumerate(pages, 1) if any(text in page for text in signed)}
+    assert all(text in pages[number - 1] for text in (*signed, verdict))
+    return number
+
+
+@pytest.mark.parametrize("warnings", others_long([3, 0]))
+@pytest.mark.parametrize("notes", others_long([8, 1, 2, 3, 4, 5, 6, 7]))
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("page", PAGE_SIZES)
+def test_the_short_report_is_signed_on_page_one_below_the_angles(
+    project: Project, tmp_path: Path, page: Page, language: str, notes: int, warnings: int
+) -> None:
+    messages = (
+        *(warning("report.file_missing", files=(f"L{k}.las",)) for k in range(warnings)),
+        *(note("report.not_compared", reason=f"{k} {LONG_REASON}") for k in range(notes)),
+    )
+    content = replace(_survey_content(project), warnings=messages)
+    options = ReportOptions(page, language=language)
+    assert _signed_page(content, tmp_path / "r.pdf", options) == 1
+
+
+@pytest.mark.parametrize("page", PAGE_SIZES)
+@pytest.mark.parametrize("planes", others_long([40, 5, 12]))
+def test_after_many_warnings_the_signatures_are_with_the_angles_and_the_verdict(
+    project: Project, tmp_path: Path, page: Page, planes: int
+) -> None:
+    plane = project.validation[0]
+    failed = replace(
+        project,
+        identity=FULL,
+        validation=tuple(replace(plane, name=f"V{k}") for k in range(1, planes + 1)),
+        acceptance=NO_CRITERIA.changed(
+            rms=1e-3, p95=1e-3, offset=1e-4, roll_sigma_deg=1e-3, source="Contract C-77"
+        ),
+    )
+    content = sample_content(failed, convention="qinsy")
+    total = sum(check.verdict == "fail" for check in content.acceptance.checks)
+    assert total == 3 * planes + 1
+    document = undrawn_document(content, {}, ReportOptions(page))
+    assert len(document.warnings) >= total
+    (table,) = (
+        block
+        for block in document.summary
+        if isinstance(block, Table) and block.title.startswith("Acceptance")
+    )
+    assert len(table.rows) == 3 * MAX_FAILED_CHECKS + 1
+    assert any(
+        f"{len(table.rows)} of {total} " in block.text
+        for block in document.summary
+        if isinstance(block, Paragraph)
+    )
+    assert _signed_page(content, tmp_path / "r.pdf", ReportOptions(page)) > 1
 
 
 def test_the_report_has_no_columns_on_spheres_without_spheres(project: Project) -> None:

@@ -86,10 +86,15 @@ def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterat
         yield note("adjustment.steep_pitch", subject=RESULT_CAUSE)
 
 
+def has_form_errors(result: AdjustmentResult) -> bool:
+    """Whether larger form errors than those of flat boards were estimated."""
+    return result.model.surface is None and float(result.surfaces.max()) > MAX_FLAT_FORM_SIGMA
+
+
 def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    largest = float(result.surfaces.max())
-    if result.model.surface is not None or largest <= MAX_FLAT_FORM_SIGMA:
+    if not has_form_errors(result):
         return
+    largest = float(result.surfaces.max())
     page = Cause.of_page("Sightings")
     if result.offset == largest:
         tilt = float(result.surface)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from html import escape
 
-from lispac.adjustment.diagnostics.warnings import MAX_FLAT_FORM_SIGMA, result_warnings
+from lispac.adjustment.diagnostics.warnings import has_form_errors, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import quantities, theme
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
@@ -13,6 +13,7 @@ from lispac.messages import Message
 from lispac.present.adjustment import (
     TOO_LARGE_ASSUMED_TEXT,
     agreement_template,
+    agrees_by_construction,
     small_residuals_template,
 )
 from lispac.present.adjustment_fit import TEST_STATISTIC_FORMAT
@@ -82,11 +83,8 @@ def fit_verdict(
     is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
         sentences = [gettext(agreement_template(result))]
-        if (
-            result.model.surface is None
-            and (most := float(result.surfaces.max())) > MAX_FLAT_FORM_SIGMA
-        ):
-            sentences.append(gettext(FORM_ERROR_TEXT, most=most))
+        if has_form_errors(result):
+            sentences.append(gettext(FORM_ERROR_TEXT, most=float(result.surfaces.max())))
         if is_sure:
             sentences.append(gettext(REALISTIC_TEXT))
         return " ".join(sentences)
@@ -109,7 +107,9 @@ def chi_square_text(result: AdjustmentResult) -> str:
     )
     interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":
-        title, colour = gettext("passed"), theme.DONE
+        # Agreement with standard deviations estimated from the residuals is no confirmation
+        by_construction = agrees_by_construction(result)
+        title, colour = gettext("passed"), theme.MUTED if by_construction else theme.DONE
         interval = N_("{value}, within {lower} to {upper}")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED
