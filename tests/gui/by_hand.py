@@ -30,7 +30,7 @@ from lispac.gui.viewport.base import Viewport
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
-from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, finish_layouts, in_front, press
 
 POLL_MS = 50
 CLOSES_S = 10.0
@@ -160,6 +160,7 @@ class Hands(Driver):
         QCoreApplication.processEvents()
         self.until(lambda: not self.window.runner.active)
         self.until(lambda: in_front(self.window))
+        finish_layouts()
 
     def until_dialogs_used(self) -> None:
         """Wait until all expected dialogues have been answered."""

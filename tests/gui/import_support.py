@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from tests.gui.support import WAIT_MS, Demo
+from tests.gui.support import WAIT_MS, Demo, finish_layouts
 
 
 def drop(widget: QWidget, paths: Sequence[Path]) -> None:
@@ -34,6 +34,7 @@ def rest(bot: QtBot, dialog: ImportDialog) -> None:
     QCoreApplication.processEvents()
     bot.waitUntil(lambda: not dialog.work.busy, timeout=WAIT_MS)
     QCoreApplication.processEvents()
+    finish_layouts()
 
 
 def raw(demo: Demo) -> list[Path]:

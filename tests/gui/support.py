@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -198,10 +198,11 @@ class Driver:
         return self.window.document.project
 
     def rest(self) -> None:
-        """Wait until no task is active and all results are drawn."""
+        """Wait until no task is active, all results are drawn and all widgets have their place."""
         QCoreApplication.processEvents()
         self.bot.waitUntil(lambda: not self.window.runner.active, timeout=WAIT_MS)
         self.bot.waitUntil(lambda: not self._turns, timeout=WAIT_MS)
+        finish_layouts()
 
     @property
     def _turns(self) -> list[IdleTask]:
@@ -217,6 +218,39 @@ class Driver:
         QCoreApplication.processEvents()
         assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == []
         assert [t.name for t in threading.enumerate() if t.name == "lispac-worker"] == []
+
+
+class _LayoutRequests(QObject):
+    """Counter of the layout requests that the application handles."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.count = 0
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        self.count += event.type() == QEvent.Type.LayoutRequest
+        return False
+
+
+def finish_layouts() -> None:
+    """Handle events until all widgets have their size.
+
+    A widget requests a layout by an event, which may lead to a request of its parent in a later
+    turn, so that texts are cut for some turns after a change.
+    """
+    application = QCoreApplication.instance()
+    assert application is not None
+    requests = _LayoutRequests()
+    application.installEventFilter(requests)
+    try:
+        is_first = True
+        while requests.count or is_first:
+            is_first = False
+            requests.count = 0
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+            QCoreApplication.processEvents()
+    finally:
+        application.removeEventFilter(requests)
 
 
 def labels_that_guess(window: QWidget) -> list[str]:
