@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.observations import Observations, attitude_cosines_sines
-from lispac.adjustment.model.threads import run_in_chunks
+from lispac.adjustment.model.observations import Observations, half_angle_tangents
+from lispac.adjustment.model.threads import run_over_points
 from lispac.compiled_code import kernel
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
@@ -59,9 +59,9 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
     """
     rows, by_lidar = np.empty((len(observations), COLUMN_COUNT)), np.empty((len(observations), 3))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
-    run_in_chunks(
+    run_over_points(
         lambda first, last: _linearise_kernel(first, last, points, placing, rows, by_lidar),
-        np.arange(1, len(observations) + 1),
+        len(observations),
     )
     return Conditions(rows, by_lidar)
 
@@ -80,11 +80,11 @@ def evaluate_columns(
     """
     out = np.empty((len(observations), columns.stop - columns.start))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
-    run_in_chunks(
+    run_over_points(
         lambda first, last: _evaluate_columns_kernel(
             first, last, points, placing, columns.start, out
         ),
-        np.arange(1, len(observations) + 1),
+        len(observations),
     )
     return out
 
@@ -125,10 +125,11 @@ class PointArrays(NamedTuple):
 
     xyz: Array  # in the LiDAR frame
     position: Array
-    turns: Array  # cosines and sines of roll, pitch, heading
+    half_tangents: Array  # of the halves of roll, pitch, heading
     rate: Array  # without rows if unknown
     sighting: NDArray[np.int64]
     target_of_sighting: NDArray[np.int64]
+    origins: Array  # of each target
     spheres: NDArray[np.bool_]  # whether each target is a sphere
     sigma_lidar: Array
     beam_sigmas: bool
@@ -138,20 +139,21 @@ class PointArrays(NamedTuple):
     @classmethod
     def of(cls, observations: Observations, mounting: Mounting) -> "PointArrays":
         """Take the columns of ``observations``, with the remaining latency applied to the poses."""
-        position, turns = observations.position, observations.turns
+        position, tangents = observations.position, observations.half_angle_tangents
         rate, late = observations.pose_rate, mounting.latency - observations.latency
         if rate is None:
             rate = np.zeros((0, 6))
         elif late != 0:
             position = position + late * rate[:, :3]
-            turns = attitude_cosines_sines(observations.attitude + late * rate[:, 3:])
+            tangents = half_angle_tangents(observations.attitude + late * rate[:, 3:])
         return cls(
             observations.points_lidar,
             position,
-            turns,
+            tangents,
             rate,
             observations.sighting,
             observations.target_of_sighting,
+            observations.origin_of_target,
             observations.is_sphere,
             observations.sigma_lidar,
             observations.beam_sigmas,
@@ -189,11 +191,18 @@ def lidar_point(i, points):  # type: ignore[no-untyped-def]
 
 @kernel(inline="always")
 def point_pose(i, points):  # type: ignore[no-untyped-def]
-    """Position of point ``i`` and cosines and sines of its attitude."""
-    position, turns = points.position, points.turns
+    """Position of point ``i`` relative to its target, and cosines and sines of its attitude."""
+    position, origins, tangents = points.position, points.origins, points.half_tangents
+    t = points.target_of_sighting[points.sighting[i]]
+    r, p, h = tangents[i, 0], tangents[i, 1], tangents[i, 2]
+    by_r, by_p, by_h = 1 / (1 + r * r), 1 / (1 + p * p), 1 / (1 + h * h)
     return (
-        position[i, 0], position[i, 1], position[i, 2], turns[i, 0], turns[i, 1], turns[i, 2],
-        turns[i, 3], turns[i, 4], turns[i, 5],
+        position[i, 0] - origins[t, 0],
+        position[i, 1] - origins[t, 1],
+        position[i, 2] - origins[t, 2],
+        (1 - r * r) * by_r, 2 * r * by_r,
+        (1 - p * p) * by_p, 2 * p * by_p,
+        (1 - h * h) * by_h, 2 * h * by_h,
     )  # fmt: skip
 
 

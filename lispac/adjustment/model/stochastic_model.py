@@ -114,7 +114,7 @@ class PosErrorKnots:
     """
 
     time: Array
-    left: NDArray[np.int64]
+    left: NDArray[np.int32]
     fraction: Array
     bridge_variance: Array
     precision_diagonal: Array
@@ -131,7 +131,7 @@ class PosErrorKnots:
         occupied = np.unique(cell[np.flatnonzero(np.diff(cell, prepend=cell[0] - 1))])
         grid = np.unique(np.concatenate([occupied, occupied + 1]))
         time = grid * interval
-        left = np.searchsorted(grid, cell).astype(np.int64)
+        left = np.searchsorted(grid, cell).astype(np.int32)  # half the memory
         counts = np.bincount(left, minlength=len(grid))
         filled = counts > 0
         offset = np.bincount(left, observations.time - time[left], len(grid))[filled]

@@ -70,10 +70,8 @@ def relative_to_origins(observations: Observations, origins: Array) -> Observati
     origins : ndarray of shape (targets, 3), metres, local
         Origin of each target, subtracted from the positions.
     """
-    of_sightings = origins[observations.target_of_sighting]
-    return replace(
-        observations, position=observations.position - of_sightings[observations.sighting]
-    )
+    together = observations.origin_of_target + origins
+    return replace(observations, origins=dict(zip(observations.targets, together, strict=True)))
 
 
 def shapes_relative_to(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) -> Array:

@@ -36,6 +36,19 @@ def run_in_chunks(run: Callable[[int, int], object], ends: NDArray[np.int64]) ->
         return
     bounds = np.linspace(0, points, CHUNK_COUNT + 1)[1:-1]
     cuts = np.unique([0, *np.searchsorted(ends, bounds), len(ends)])
+    _run_parts(run, cuts)
+
+
+def run_over_points(run: Callable[[int, int], object], count: int) -> None:
+    """Call ``run(first, last)`` in parallel for ranges of ``count`` points; see `run_in_chunks`."""
+    if count < MIN_PARALLEL_POINTS:
+        run(0, count)
+        return
+    cuts = np.linspace(0, count, CHUNK_COUNT + 1).astype(np.int64)
+    _run_parts(run, cuts)
+
+
+def _run_parts(run: Callable[[int, int], object], cuts: NDArray[np.int64]) -> None:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(run, cuts[:-1].tolist(), cuts[1:].tolist()))
 
