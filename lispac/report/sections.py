@@ -51,9 +51,9 @@ COMMON_SURFACE_TEXT = N_(
     "still contain the POS error of each sighting, which the boresight cannot correct."
 )
 NOISE_FACTOR_TEXT = N_(
-    "Noise factor: LiDAR noise estimated from the residuals, without POS errors, divided by the "
-    "given noise. If it is above 1, the sigmas of the angles are computed with the estimated "
-    "noise."
+    "Noise factor: LiDAR noise of a target, estimated from the residuals without POS errors, "
+    "divided by the LiDAR noise of all targets, which is given or a variance component. If it is "
+    "above 1, the sigmas of the angles are computed with the noise of the target."
 )
 LARGEST_W_TEXT = N_(
     "Largest w: largest shift of a sighting divided by its sigma; see the section on reliability."
