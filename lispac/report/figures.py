@@ -224,9 +224,17 @@ def pos_errors_height(sightings: int) -> float:
 
 
 def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
-    """Sightings divided evenly into parts for figures of at most half a page."""
-    count = max(1, -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE))
-    ends = [len(sightings) * k // count for k in range(count + 1)]
+    """Sightings divided evenly into parts for figures of at most half a page.
+
+    A target with few sightings is not divided.
+    """
+    total = len(sightings)
+    count = max(1, -(-total // MAX_SIGHTINGS_PER_FIGURE))
+    first = [0, *(k for k in range(1, total) if sightings[k].target != sightings[k - 1].target)]
+    even = [total * k // count for k in range(1, count)]
+    ends = [0, *(min(first, key=lambda k: (abs(k - end), k)) for end in even), total]
+    if any(not 0 < end - start <= MAX_SIGHTINGS_PER_FIGURE for start, end in pairwise(ends)):
+        ends = [0, *even, total]
     return [sightings[start:end] for start, end in pairwise(ends)]
 
 
