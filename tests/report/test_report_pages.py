@@ -461,3 +461,12 @@ def test_a_company_in_the_letterhead_is_not_asked_for_again(project: Project) ->
             sample_content(project), {}, replace(FULL_REPORT, company=company)
         )
         assert ("Company" in dict(document.identity.rows)) == (not company)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_date_is_in_one_line_beside_a_short_or_below_a_long_title(
+    project: Project, tmp_path: Path, language: str
+) -> None:
+    write_pdf(sample_content(project), tmp_path / "r.pdf", {}, ReportOptions(language=language))
+    first = _pdf_text(tmp_path / "r.pdf", "-layout", "-f", "1", "-l", "1")
+    assert re.search(r"(Created|Établi le) 2025-06-04 14:03 UTC", first)
