@@ -15,7 +15,9 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   the smallest number with these decimals: ``< 0.1``. The unit itself is part of the text. The
   window may show ``m``, ``mm`` and, with three or more decimals, ``deg`` in another unit
   (`use_units`); the sign after the number is then replaced. Headings and inclinations have fewer
-  decimals and remain in degrees.
+  decimals and remain in degrees. ``|other`` at the end, as in ``{rms:mm.1|limit}``, adds decimals
+  until the number differs from this parameter, unless both are equal: a value beyond its limit is
+  never written like the limit.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
@@ -60,6 +62,10 @@ _UNIT_SIGNS: Mapping[str, re.Pattern[str]] = {
 """Sign of a unit after a number in a template, by the unit of the specification."""
 _MIN_ANGLE_DECIMALS = 3
 """Smallest number of decimals of an angle that is shown in the unit of the user."""
+MAX_FURTHER_DECIMALS = 9
+"""Largest number of decimals that are added to show that two values differ."""
+_OTHER_PARAMETER = re.compile(r"\|(\w+)}")
+"""Name of the other parameter at the end of a specification."""
 _SHOWN = "shown "
 """Beginning of the specification of a number that is shown in the unit of the user."""
 
@@ -234,6 +240,7 @@ def _translated(template: Template, count: int, language: str, has_degree_signs:
         text = catalogue.ngettext(template.singular, template.plural, count)
     else:
         text = catalogue.gettext(template) if template else ""
+    text = _OTHER_PARAMETER.sub(r"|{\1}}", text)  # the formatter inserts its value
     return _DEGREES_IN_TEXT.sub("°", text) if has_degree_signs else text
 
 
@@ -261,6 +268,17 @@ def is_rounded_to_zero(value: float, decimals: int) -> bool:
 def without_negative_zero(value: float, decimals: int) -> float:
     """Value, or 0.0 if it is zero with this number of decimals; zeros have no minus sign."""
     return value if float(f"{value:.{decimals}f}") else 0.0
+
+
+def decimals_apart(value: float, other: float, decimals: int) -> int:
+    """Number of decimals with which two values are written differently, unless they are equal.
+
+    Parameters
+    ----------
+    decimals : smallest number of decimals
+    """
+    further = range(decimals, decimals + MAX_FURTHER_DECIMALS + 1)
+    return next((k for k in further if f"{value:.{k}f}" != f"{other:.{k}f}"), decimals)
 
 
 @lru_cache(maxsize=8192)
@@ -347,13 +365,17 @@ class TextFormatter(Formatter):
         if format_spec == "n":
             return number(int(value), 0)
         is_shown = format_spec.startswith(_SHOWN)
-        unit, _, digits = format_spec.removeprefix(_SHOWN).removesuffix("+").partition(".")
+        format_spec, _, other = format_spec.removeprefix(_SHOWN).partition("|")
+        unit, _, digits = format_spec.removesuffix("+").partition(".")
         if unit in _UNIT_FACTORS:
-            scaled, decimals = float(value) * _UNIT_FACTORS[unit], int(digits) if digits else None
+            factor, decimals = _UNIT_FACTORS[unit], int(digits) if digits else None
             if is_shown:
                 shown = _shown_units[unit]
-                scaled *= shown.factor
+                factor *= shown.factor
                 decimals = None if decimals is None else max(0, decimals + shown.finer)
+            scaled = float(value) * factor
+            if other and decimals is not None:
+                decimals = decimals_apart(scaled, float(other) * factor, decimals)
             if unit == "percent" and decimals is not None and is_rounded_to_zero(scaled, decimals):
                 return LESS_THAN + number(10.0**-decimals, decimals)
             return number(scaled, decimals, sign=format_spec.endswith("+"))
@@ -403,12 +425,12 @@ def _with_shown_units(template: str) -> str:
 
 
 def _unit_of(spec: str) -> str:
-    return spec.removesuffix("+").partition(".")[0]
+    return spec.partition("|")[0].removesuffix("+").partition(".")[0]
 
 
 def _is_convertible(spec: str) -> bool:
     """Whether a number with this specification may be shown in another unit."""
-    unit, _, digits = spec.removesuffix("+").partition(".")
+    unit, _, digits = spec.partition("|")[0].removesuffix("+").partition(".")
     if unit not in _shown_units:
         return False
     return unit != "deg" or (digits.isdigit() and int(digits) >= _MIN_ANGLE_DECIMALS)

@@ -101,30 +101,31 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.directions_shifted": N_(
         "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
-        "form two groups {offset:mm.1} mm apart, but the uncertainties of POS and boresight "
-        "explain only {limit:mm.1} mm. The boresight may be wrong: check the targets and the lever "
-        "arm."
+        "form two groups {offset:mm.1|limit} mm apart, but the uncertainties of POS and boresight "
+        "explain only {limit:mm.1|offset} mm. The boresight may be wrong: check the targets and "
+        "the lever arm."
     ),
     "validation.groups_shifted": N_(
         "On validation plane {target}, {lines:names} and {others:names} form two groups "
-        "{offset:mm.1} mm apart, but the uncertainties of POS and boresight explain only "
-        "{limit:mm.1} mm. The boresight or the trajectory may be wrong: check targets, lever arm "
-        "and trajectory."
+        "{offset:mm.1|limit} mm apart, but the uncertainties of POS and boresight explain only "
+        "{limit:mm.1|offset} mm. The boresight or the trajectory may be wrong: check targets, "
+        "lever arm and trajectory."
     ),
     "validation.line_shifted": N_(
         "On validation plane {target}, line {line} is shifted from the mean of {others:names} by "
-        "{offset:mm.1} mm, but the uncertainties of POS and boresight explain only {limit:mm.1} "
-        "mm. Check the trajectory during this line."
+        "{offset:mm.1|limit} mm, but the uncertainties of POS and boresight explain only "
+        "{limit:mm.1|offset} mm. Check the trajectory during this line."
     ),
     "validation.offset_not_smaller": N_(
         "The two lines with the largest offset are not closer to each other than before on "
         "{items:names}. The uncertainties of POS and boresight explain it: no shift of lines there "
-        "exceeds {ratio:x.1} times its standard deviation (limit {limit:x.1})."
+        "exceeds {ratio:x.1|limit} times its standard deviation (limit {limit:x.1|ratio})."
     ),
     "validation.offset_not_smaller_shifted": N_(
         "The two lines with the largest offset are not closer to each other than before on "
         "{items:names}. The uncertainties of POS and boresight do not explain it: lines are "
-        "shifted by {ratio:x.1} times the standard deviation of the shift (limit {limit:x.1})."
+        "shifted by {ratio:x.1|limit} times the standard deviation of the shift (limit "
+        "{limit:x.1|ratio})."
     ),
     "validation.offset_not_smaller_unknown": N_(
         "The two lines with the largest offset are not closer to each other than before on "
@@ -141,27 +142,29 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.two_modes": N_(
         "On validation plane {target}, the distances between {line} and {other} are bimodal: two "
-        "groups {distance:mm.1} mm apart ({share:percent.0} % of the places in the smaller one), "
-        "but the uncertainties explain only {limit:mm.1} mm. Check whether the plane is one "
-        "surface, and the trajectory for a jump."
+        "groups {distance:mm.1|limit} mm apart ({share:percent.0} % of the places in the smaller "
+        "one), but the uncertainties explain only {limit:mm.1|distance} mm. Check whether the "
+        "plane is one surface, and the trajectory for a jump."
     ),
     # -- acceptance --------------------------------------------------------------------------
     "acceptance.angle_sigma": N_(
-        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.4}°, "
-        "the limit is {limit:deg.4}°. Add targets or lines."
+        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.4|limit}°, "
+        "the limit is {limit:deg.4|sigma}°. Add targets or lines."
     ),
     "acceptance.rms": N_(
         "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
-        "between the lines after the calibration is {rms:mm.1} mm, the limit is {limit:mm.1} mm."
+        "between the lines after the calibration is {rms:mm.1|limit} mm, the limit is "
+        "{limit:mm.1|rms} mm."
     ),
     "acceptance.p95": N_(
         "Acceptance criterion not met: on validation plane {target} 5 % of the distances between "
-        "the lines after the calibration are larger than {p95:mm.1} mm, the limit is {limit:mm.1} "
-        "mm."
+        "the lines after the calibration are larger than {p95:mm.1|limit} mm, the limit is "
+        "{limit:mm.1|p95} mm."
     ),
     "acceptance.offset": N_(
         "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
-        "{other} after the calibration is {offset:mm.1} mm, the limit is {limit:mm.1} mm."
+        "{other} after the calibration is {offset:mm.1|limit} mm, the limit is {limit:mm.1|offset} "
+        "mm."
     ),
     "acceptance.cause_geometry": N_(
         "Probable cause: the targets and lines do not determine {angles:names} precisely enough. "
@@ -170,8 +173,9 @@ TEXTS: Mapping[str, Template] = {
     "acceptance.cause_pos": N_(
         "Probable cause on {planes:names}: the POS, because the given uncertainties explain all "
         "shifts of lines there (largest: {lines:names} on {plane}, {offset:mm.1} mm from the mean "
-        "of {others:names}, {ratio:x.1} times its standard deviation, limit {limit:x.1}). Process "
-        "the trajectory again with a more accurate solution, or check the given POS accuracy."
+        "of {others:names}, {ratio:x.1|limit} times its standard deviation, limit "
+        "{limit:x.1|ratio}). Process the trajectory again with a more accurate solution, or check "
+        "the given POS accuracy."
     ),
     "acceptance.cause_scatter": N_(
         "Probable cause on {target}: the scatter of the points, because the offset of two lines "

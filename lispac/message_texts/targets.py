@@ -166,16 +166,16 @@ TEXTS: Mapping[str, Template] = {
         "other lines. It is another surface."
     ),
     "agreement.sphere_apart": N_(
-        "The sphere found is {distance:m.2} m from the target on the other lines, farther than the "
-        "limit of {limit:m.2} m. It is another sphere."
+        "The sphere found is {distance:m.2|limit} m from the target on the other lines, farther "
+        "than the limit of {limit:m.2|distance} m. It is another sphere."
     ),
     "agreement.other_plane": N_(
         "The plane found is tilted by {tilt:deg.1}° and displaced by {offset:m.2} m from the "
         "target on the other lines. It is another surface."
     ),
     "agreement.plane_beside": N_(
-        "The plane found lies {distance:m.2} m beside the target on the other lines, farther than "
-        "the limit of {limit:m.2} m. It is another surface."
+        "The plane found lies {distance:m.2|limit} m beside the target on the other lines, farther "
+        "than the limit of {limit:m.2|distance} m. It is another surface."
     ),
     "finder.radius_differs": N_(
         "The sphere found has a radius of {radius:m.3} m, but on the line of the picked point "

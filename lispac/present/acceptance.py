@@ -144,7 +144,8 @@ def decisive_checks(
 
 
 def _format(check: AcceptanceCheckValues) -> Format:
-    return ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
+    usual = ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
+    return usual.apart(check.limit, check.value)
 
 
 MEASURED_COLUMN, LIMIT_COLUMN = (

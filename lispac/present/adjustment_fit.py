@@ -64,7 +64,7 @@ def points_used_text(values: AdjustmentValues) -> str:
 def _variance_factor_text(values: AdjustmentValues) -> str | None:
     if values.variance_factor is None:
         return None
-    factor = VARIANCE_FACTOR_FORMAT.text(values.variance_factor)
+    factor = _variance_factor_format(values).text(values.variance_factor)
     groups = [gettext(COMPONENT_TITLES[c.name]) for c in values.components if c.applied]
     if groups:
         return gettext(ESTIMATED_VARIANCE_FACTOR_TEXT, factor=factor, groups=groups)
@@ -76,21 +76,33 @@ def _interval_text(values: AdjustmentValues) -> str | None:
     test = values.chi_square
     if test.lower is None or test.upper is None:
         return None
+    form = _variance_factor_format(values)
     lower, upper = (
-        VARIANCE_FACTOR_FORMAT.text(bound / values.degrees_of_freedom)
-        for bound in (test.lower, test.upper)
+        form.text(bound / values.degrees_of_freedom) for bound in (test.lower, test.upper)
     )
     return gettext("{lower} to {upper}", lower=lower, upper=upper)
 
 
+def _variance_factor_format(values: AdjustmentValues) -> Format:
+    """Format with which the variance factor differs from the bounds of its interval."""
+    bounds = (values.chi_square.lower, values.chi_square.upper)
+    if values.variance_factor is None:
+        return VARIANCE_FACTOR_FORMAT
+    return VARIANCE_FACTOR_FORMAT.apart(
+        values.variance_factor,
+        *(bound / values.degrees_of_freedom for bound in bounds if bound is not None),
+    )
+
+
 def _chi_square_text(values: AdjustmentValues) -> str:
     test = values.chi_square
-    statistic = TEST_STATISTIC_FORMAT.text(test.statistic)
+    form = TEST_STATISTIC_FORMAT.apart(test.statistic, test.lower, test.upper)
+    statistic = form.text(test.statistic)
     if test.lower is None or test.upper is None:
         return gettext("test statistic {statistic}", statistic=statistic)
     return gettext(
         "test statistic {statistic}, bounds {lower} to {upper}",
         statistic=statistic,
-        lower=TEST_STATISTIC_FORMAT.text(test.lower),
-        upper=TEST_STATISTIC_FORMAT.text(test.upper),
+        lower=form.text(test.lower),
+        upper=form.text(test.upper),
     )

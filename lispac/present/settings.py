@@ -278,7 +278,7 @@ def _noise_factor_text(adjustment: AdjustmentValues) -> str:
     found = [
         gettext(
             "{target}: {factor}\u00a0times",
-            factor=fixed_number(t.noise_factor or 1.0, 1),
+            factor=fixed_number(t.noise_factor or 1.0, 2),
             target=t.target,
         )
         for t in larger

@@ -8,6 +8,7 @@ from lispac.language import (
     LESS_THAN,
     N_,
     LazyText,
+    decimals_apart,
     gettext,
     is_rounded_to_zero,
     without_negative_zero,
@@ -57,6 +58,15 @@ class Format:
     def half_interval(self) -> "Format":
         """Format with a plus-minus sign, for half the width of an interval."""
         return replace(self, is_half_interval=True)
+
+    def apart(self, value: float, *others: float | None) -> "Format":
+        """Format with enough decimals to write the value and each other value differently.
+
+        Equal values are written equally. A value beyond its limit is never written like the limit.
+        """
+        known = [other for other in others if other is not None]
+        shown = [decimals_apart(self.factor * value, self.factor * k, self.decimals) for k in known]
+        return replace(self, decimals=max(shown, default=self.decimals))
 
     def text(self, value: float) -> str:
         """The number in the language in use, without its unit."""

@@ -21,9 +21,9 @@ from lispac.present.tables import (
 class TargetValues:
     """Fit of the points of one target on all lines to their common surface.
 
-    ``noise_factor`` is the ratio of the LiDAR noise estimated from the residuals to the given one,
-    at least 1. It is None with uncorrelated POS errors. ``largest_w`` and ``outliers`` are None if
-    the sightings were not tested.
+    ``noise_factor`` is the ratio of the LiDAR noise estimated from the residuals to that of all
+    targets, at least 1. It is None with uncorrelated POS errors. ``largest_w`` and ``outliers`` are
+    None if the sightings were not tested.
     """
 
     target: str
@@ -102,7 +102,7 @@ TARGETS_TABLE = Table[TargetValues](
         ),
         Column(
             "noise_factor", N_("Noise\nfactor"), ratio(2),
-            N_("Noise of the residuals divided by the given noise, at least 1"),
+            N_("Noise of the residuals divided by the LiDAR noise of all targets, at least 1"),
         ),
         Column(
             "largest_w", N_("Largest w\nof a sighting"), ratio(2),

@@ -48,11 +48,13 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the estimated values and their fit."""
     adjustment = content.adjustment
     if adjustment is None:
-        return [Paragraph(gettext("No boresight has been estimated yet."))]
+        missing = Paragraph(gettext("No boresight has been estimated yet."))
+        return [missing, convention_paragraph(content)]
     # The variance factor and its test depend on the LiDAR noise used.
     lidar, *_ = sigma_facts(content.settings.standard_deviations, adjustment.sightings)
     blocks: list[Block] = [
         *precision_summary(adjustment),
+        convention_paragraph(content),
         facts_table(gettext(FIT_TITLE), [*fit_facts(adjustment), lidar]),
     ]
     if adjustment.parameters:
@@ -64,6 +66,13 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
     return blocks
+
+
+def convention_paragraph(content: ReportContent) -> Paragraph:
+    """Description of the convention of the angles."""
+    # The formula may be broken between its factors only
+    convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
+    return Paragraph(convention.replace("·", "·\u200b"))
 
 
 def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:

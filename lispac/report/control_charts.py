@@ -11,9 +11,9 @@ from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
 from lispac.present.calibrations import DatedCalibration
 from lispac.report.figures import (
-    AFTER_COLOUR,
-    BEFORE_COLOUR,
     INK_COLOUR,
+    MAIN_COLOUR,
+    OTHER_COLOUR,
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     blank_figure,
@@ -63,12 +63,12 @@ def control_chart_figure(
                     at[j] + BAND_HALF_WIDTH * spacing[j + 1],
                 )
                 axes.fill_between(sides, low, high, color=LIMITS_COLOUR, linewidth=0)
-                axes.hlines((low + high) / 2.0, *sides, color=BEFORE_COLOUR, lw=1.0)
+                axes.hlines((low + high) / 2.0, *sides, color=MAIN_COLOUR, lw=1.0)
         values = np.array([of_angle(each.boresight_deg) for each in calibrations])
         half_widths = NORMAL_QUANTILE_975 * np.array(
             [of_angle(each.sigma_deg) for each in calibrations]
         )
-        for own, colour in ((~has_moved, INK_COLOUR), (has_moved, AFTER_COLOUR)):
+        for own, colour in ((~has_moved, INK_COLOUR), (has_moved, OTHER_COLOUR)):
             axes.errorbar(
                 at[own], values[own], yerr=half_widths[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,

@@ -14,9 +14,9 @@ from lispac.language import N_, gettext
 from lispac.present.settings import POS_ERROR_MODEL_NAMES
 from lispac.present.text_format import fixed_number, parameter_name
 from lispac.report.figures import (
-    AFTER_COLOUR,
-    BEFORE_COLOUR,
     INK_COLOUR,
+    MAIN_COLOUR,
+    OTHER_COLOUR,
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     blank_figure,
@@ -37,7 +37,7 @@ RATIO_TITLES: Mapping[str, str] = {
 }
 """Titles of the plots: ratio of the scatter to the predicted sigma, and the sigma of the ratio."""
 
-ANGLE_COLOURS = (BEFORE_COLOUR, AFTER_COLOUR, "#228833")
+ANGLE_COLOURS = (MAIN_COLOUR, OTHER_COLOUR, "#228833")
 """Colours of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
@@ -89,7 +89,7 @@ def pareto_front_figure(
     axes = figure.subplots()
     minutes = [step.minutes for step in front]
     values = np.degrees([step.value for step in front])
-    axes.plot(minutes, values, "o-", color=BEFORE_COLOUR, markersize=4, linewidth=1.0)
+    axes.plot(minutes, values, "o-", color=MAIN_COLOUR, markersize=4, linewidth=1.0)
     for step, x, y in zip(front, minutes, values, strict=True):
         size = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
         axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points",

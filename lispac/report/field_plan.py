@@ -21,10 +21,10 @@ from lispac.present.survey_plan import (
 from lispac.present.text_format import fixed_number, localised_number, shortest_number
 from lispac.report.document_blocks import Table, report_table
 from lispac.report.figures import (
-    AFTER_COLOUR,
-    BEFORE_COLOUR,
     GRID_COLOUR,
     INK_COLOUR,
+    MAIN_COLOUR,
+    OTHER_COLOUR,
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     LocalisedFormatter,
@@ -158,19 +158,19 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
             "",
             (x1, y1),
             (x0, y0),
-            arrowprops={"arrowstyle": "-|>", "color": BEFORE_COLOUR, "lw": 1.3},
+            arrowprops={"arrowstyle": "-|>", "color": MAIN_COLOUR, "lw": 1.3},
         )
         axes.plot([x0, x1], [y0, y1], linewidth=0)
         begins.setdefault((round(x0, 1), round(y0, 1)), []).append(k)
     for (x0, y0), numbers in begins.items():
         axes.text(
             x0, y0, ", ".join(map(str, numbers)), fontsize=TEXT_SIZE, color="white", ha="center",
-            va="center", bbox={"boxstyle": "round,pad=0.25", "fc": BEFORE_COLOUR, "ec": "none"},
+            va="center", bbox={"boxstyle": "round,pad=0.25", "fc": MAIN_COLOUR, "ec": "none"},
         )  # fmt: skip
     places: dict[tuple[float, float], list[str]] = {}
     for target in plan.targets:
         east, north = -target.centre[1], target.centre[0]
-        axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER_COLOUR, ms=5)
+        axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=OTHER_COLOUR, ms=5)
         places.setdefault((round(east, 1), round(north, 1)), []).append(target.name)
     for place, names in places.items():  # targets above each other share one label
         axes.annotate(", ".join(names), place, xytext=(5, 4), textcoords="offset points",
@@ -240,7 +240,7 @@ def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
             wide, tall = target.width, target.height * float(np.hypot(*target.facing[:2]))
         axes.fill_between(
             [along - wide / 2, along + wide / 2], up - max(tall, 0.1) / 2, up + max(tall, 0.1) / 2,
-            color=AFTER_COLOUR, alpha=0.8, linewidth=0,
+            color=OTHER_COLOUR, alpha=0.8, linewidth=0,
         )  # fmt: skip
         axes.annotate(target.name, (along + wide / 2, up), xytext=(3, 0), fontsize=SMALL_TEXT_SIZE,
                       textcoords="offset points", va="center", color=INK_COLOUR)  # fmt: skip

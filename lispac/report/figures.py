@@ -38,8 +38,11 @@ from lispac.report.text_width import POINTS_PER_INCH, text_width
 
 Array = NDArray[np.float64]
 
-BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
-"""Colours of values with the prior and with the estimated boresight."""
+BEFORE_COLOUR, AFTER_COLOUR = "#5b9bd5", "#7a3e0c"
+"""Colours of values with the prior and with the estimated boresight, light and dark in a print
+without colours."""
+MAIN_COLOUR, OTHER_COLOUR = "#3b75af", "#9c5a1e"
+"""Colours of other marks and curves."""
 INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
 """Colours of texts and curves, and of grid lines."""
 TRACK_OFFSET_PT = 1.4
@@ -221,9 +224,17 @@ def pos_errors_height(sightings: int) -> float:
 
 
 def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
-    """Sightings divided evenly into parts for figures of at most half a page."""
-    count = max(1, -(-len(sightings) // MAX_SIGHTINGS_PER_FIGURE))
-    ends = [len(sightings) * k // count for k in range(count + 1)]
+    """Sightings divided evenly into parts for figures of at most half a page.
+
+    A target with few sightings is not divided.
+    """
+    total = len(sightings)
+    count = max(1, -(-total // MAX_SIGHTINGS_PER_FIGURE))
+    first = [0, *(k for k in range(1, total) if sightings[k].target != sightings[k - 1].target)]
+    even = [total * k // count for k in range(1, count)]
+    ends = [0, *(min(first, key=lambda k: (abs(k - end), k)) for end in even), total]
+    if any(not 0 < end - start <= MAX_SIGHTINGS_PER_FIGURE for start, end in pairwise(ends)):
+        ends = [0, *even, total]
     return [sightings[start:end] for start, end in pairwise(ends)]
 
 
@@ -253,7 +264,7 @@ def _draw_pos_errors(
         axes.barh(at, 4 * prior[:, k], left=-2 * prior[:, k], height=1.0, color="#e4e7ec")
         beyond = np.abs(values) > 2 * prior[:, k]
         within = np.abs(values) <= 2 * prior[:, k]
-        for own, colour in ((within, BEFORE_COLOUR), (beyond, "#bb2222")):
+        for own, colour in ((within, MAIN_COLOUR), (beyond, "#bb2222")):
             axes.errorbar(
                 values[own], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
                 color=colour, elinewidth=0.8,

@@ -51,9 +51,9 @@ COMMON_SURFACE_TEXT = N_(
     "still contain the POS error of each sighting, which the boresight cannot correct."
 )
 NOISE_FACTOR_TEXT = N_(
-    "Noise factor: LiDAR noise estimated from the residuals, without POS errors, divided by the "
-    "given noise. If it is above 1, the sigmas of the angles are computed with the estimated "
-    "noise."
+    "Noise factor: LiDAR noise of a target, estimated from the residuals without POS errors, "
+    "divided by the LiDAR noise of all targets, which is given or a variance component. If it is "
+    "above 1, the sigmas of the angles are computed with the noise of the target."
 )
 LARGEST_W_TEXT = N_(
     "Largest w: largest shift of a sighting divided by its sigma; see the section on reliability."
@@ -94,7 +94,6 @@ def summary_blocks(content: ReportContent) -> list[Block]:
     return [
         *angle_blocks(content),
         *validation_summary(content, content.validation),
-        convention_paragraph(content),
     ]
 
 
@@ -147,13 +146,6 @@ def validation_summary(
         )
         blocks.append(Paragraph(checked))
     return blocks
-
-
-def convention_paragraph(content: ReportContent) -> Paragraph:
-    """Description of the convention of the angles."""
-    # The formula may be broken between its factors only
-    convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
-    return Paragraph(convention.replace("·", "·\u200b"))
 
 
 def distances_table(content: ReportContent, planes: Sequence[ValidationPlane]) -> Table:
@@ -241,28 +233,28 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
         residual_figures_of,
         (adjustment.sightings,),
     )
-    explained = [COMMON_SURFACE_TEXT]
+    columns: list[Block] = []
     if correlated:
-        explained += [NOISE_FACTOR_TEXT, LARGEST_W_TEXT]
-    return [targets, sightings, *(Paragraph(gettext(each)) for each in explained), bars]
+        columns = [Paragraph(gettext(each)) for each in (NOISE_FACTOR_TEXT, LARGEST_W_TEXT)]
+    return [targets, *columns, sightings, Paragraph(gettext(COMMON_SURFACE_TEXT)), bars]
 
 
 def site_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the site plan, the lines, and the trajectory of each line."""
     from lispac.report.figures import site_figure_of
 
-    blocks: list[Block] = []
-    if any(line.track_local_m for line in content.lines) or content.planes:
-        values = (content.lines, content.planes)
-        blocks.append(
-            UndrawnPictures(gettext("Site plan in the local frame."), site_figure_of, values)
-        )
-    blocks.append(report_table(LINES_TABLE, content.lines))
+    blocks: list[Block] = [report_table(LINES_TABLE, content.lines)]
     if content.trajectory:
         blocks += [
             report_table(TRAJECTORY_TABLE, content.trajectory),
             Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
         ]
+    # The plan is last: it is high, and tables fill the page before it.
+    if any(line.track_local_m for line in content.lines) or content.planes:
+        values = (content.lines, content.planes)
+        blocks.append(
+            UndrawnPictures(gettext("Site plan in the local frame."), site_figure_of, values)
+        )
     return blocks
 
 
@@ -286,7 +278,7 @@ def identity_form(content: ReportContent, letterhead: str, *, blank: bool) -> Ta
     known = content.identity
     elsewhere = {*SIGNATURE_FIELDS} if blank else {*SIGNATURE_FIELDS, *SYSTEM_FIELDS}
     elsewhere |= {name for name in TITLE_FIELDS if getattr(known, name)}
-    if known.company and known.company in letterhead.splitlines():
+    if letterhead and (not known.company or known.company in letterhead.splitlines()):
         elsewhere.add("company")
     return _details_form(
         content,

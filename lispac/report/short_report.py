@@ -19,7 +19,7 @@ from lispac.present.targets import TARGETS_TABLE
 from lispac.present.text_format import fixed_number
 from lispac.present.validation import ValidationPlane
 from lispac.report import sections
-from lispac.report.boresight_section import angle_tables, rule_tables
+from lispac.report.boresight_section import angle_tables, convention_paragraph, rule_tables
 from lispac.report.document_blocks import (
     Block,
     Paragraph,
@@ -66,7 +66,7 @@ def summary_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the angles, the validation and the acceptance."""
     # Angles need their signs beside them: those of the other program, or those of the body frame.
     angles: list[Block] = (
-        [sections.convention_paragraph(content)]
+        [convention_paragraph(content)]
         if content.in_convention is None
         else angle_tables(content.in_convention)
     )
@@ -86,7 +86,7 @@ def short_sections(content: ReportContent, pictures: Sequence[Picture]) -> list[
     """
     rules: list[Block] = []
     if content.in_convention is not None:
-        rules = [*rule_tables(content.in_convention), sections.convention_paragraph(content)]
+        rules = [*rule_tables(content.in_convention), convention_paragraph(content)]
     remainder = gettext(
         "The full report also contains residuals, all cross-checks, all settings and the input "
         "files."

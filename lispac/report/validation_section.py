@@ -188,7 +188,11 @@ def _plane_figures(plane: ValidationPlane) -> PictureRows:
         caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
         figures.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
-        figures.append(UndrawnPictures(map_caption(plane), map_figure_of, (plane,)))
+        caption = gettext(
+            "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",
+            caption=map_caption(plane),
+        )
+        figures.append(UndrawnPictures(caption, map_figure_of, (plane,)))
     return PictureRows(tuple((each,) for each in figures))
 
 

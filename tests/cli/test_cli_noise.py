@@ -154,3 +154,18 @@ def test_assumed_noise_is_estimated_unless_refused(
     flat = run_json(capsys, "budget", project, "--distance", 50, "--incidence", 0)
     (found,) = (s for s in flat["beams"][0]["sources"] if s["source"] == "Beam footprint")
     assert found["at_distance"][0]["total_m"] == pytest.approx(footprint["across_beam_m"])
+
+
+def test_the_scanner_of_an_estimate_is_named_in_the_report(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
+    project = picked(capsys, raw, tmp_path / "quay")
+    assert projects.open_project(project).identity.scanner == ""
+    words = ("estimate", project, *WITHOUT_DIAGNOSTICS, "--scanner", "zf-9012")
+    run_json(capsys, *words)
+    known = projects.open_project(project)
+    assert known.identity.scanner == "Z+F PROFILER 9012"
+    assert known.settings.lidar_beam_sigma == (0.0087, 0.02)
+    run_json(capsys, "identity", project, "--scanner", "PROFILER 9012, second head")
+    run_json(capsys, *words)  # a typed name is kept
+    assert projects.open_project(project).identity.scanner == "PROFILER 9012, second head"

@@ -10,8 +10,9 @@ import pytest
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_to_show
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.language import LANGUAGES, ShownUnit, in_language, use_units
 from lispac.message_texts import message_text
-from lispac.messages import note
+from lispac.messages import note, warning
 from lispac.present.acceptance import (
     LIMIT_COLUMN,
     MEASURED_COLUMN,
@@ -20,6 +21,7 @@ from lispac.present.acceptance import (
     decisive_checks,
     failed_texts,
 )
+from lispac.present.adjustment_fit import chi_square_facts
 from lispac.present.tables import cell_text
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
@@ -362,3 +364,68 @@ def test_a_verdict_names_the_number_of_excluded_planes(project: Project) -> None
     assert "2 VALIDATION PLANES EXCLUDED" in document.verdict
     assert document.status != "good"
     assert "2 validation planes excluded" in calibration_verdict_text(content.acceptance)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_failed_value_is_never_written_like_its_limit(project: Project, language: str) -> None:
+    plane = project.validation[0]
+    first, *others = plane.pairs
+    assert first.after.signed is not None
+    signed = replace(first.after.signed, median=0.030031)
+    near = replace(first, after=replace(first.after, signed=signed))
+    after = replace(plane.after, rms=0.0300004, p95=0.05)
+    judged = replace(
+        project, validation=(replace(plane, pairs=(near, *others), after=after),)
+    ).with_acceptance(
+        AcceptanceCriteria(roll_sigma_deg=SIGMA_DEG[0] - 1e-6, rms=0.03, p95=0.05, offset=0.03)
+    )
+    content = sample_content(judged)
+    shown = {
+        check.quantity: tuple(
+            cell_text(column, check).replace("\u00a0", " ")
+            for column in (MEASURED_COLUMN, LIMIT_COLUMN)
+        )
+        for check in content.acceptance.checks
+        if check.plane in ("", plane.name)
+    }
+    assert shown == {
+        "roll": ("0.016300 deg", "0.016299 deg"),
+        "rms": ("30.0004 mm", "30.0000 mm"),
+        "p95": ("50.0 mm", "50.0 mm"),  # equal to its limit, and passed
+        "offset": ("30.03 mm", "30.00 mm"),
+    }
+    with in_language(language):
+        texts = [
+            message_text(each) for each in content.warnings if each.code.startswith("acceptance.")
+        ]
+        limits = [("0.016300", "0.016299"), ("30.0004", "30.0000"), ("30.03", "30.00")]
+        for numbers in limits:
+            expected = {n.replace(".", "," if language == "fr" else ".") for n in numbers}
+            assert any(all(number in text for number in expected) for text in texts), numbers
+    (failed,) = [text for text in failed_texts(content.acceptance, plane.name) if "30.03" in text]
+    assert "30.00\u00a0mm" in failed
+
+
+def test_a_value_beyond_its_limit_differs_in_the_units_of_the_window(project: Project) -> None:
+    message = warning(
+        "acceptance.rms", target="V1", rms=0.03048004, limit=0.03048, subject=Cause.of_target("V1")
+    )
+    use_units({"mm": ShownUnit("ft", 1 / 304.8, finer=2)})
+    try:
+        assert "0.1000001" in message_text(message)
+        assert "0.1000000" in message_text(message)
+    finally:
+        use_units({})
+
+
+def test_a_test_statistic_beyond_its_bound_is_not_written_like_the_bound(project: Project) -> None:
+    adjustment = sample_content(project).adjustment
+    assert adjustment is not None
+    degrees = adjustment.degrees_of_freedom
+    test = replace(adjustment.chi_square, statistic=1100.04, lower=900.0, upper=1100.01)
+    beyond = replace(adjustment, chi_square=test, variance_factor=1100.04 / degrees)
+    factor, interval, statistic, _ = (fact.text for fact in chi_square_facts(beyond))
+    assert "1,100.04" in statistic
+    assert "1,100.01" in statistic
+    number, upper = factor.split()[0], interval.split()[-1]
+    assert float(number) > float(upper)

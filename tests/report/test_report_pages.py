@@ -9,6 +9,7 @@ from typing import Literal
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from PIL import Image
@@ -19,15 +20,22 @@ from lispac.messages import note, warning
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.content import ReportContent
-from lispac.report.distance_maps import map_row_figure_of
+from lispac.report.distance_maps import map_figure_of, map_row_figure_of
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import (
     Bullets,
+    Column,
     Document,
     Paragraph,
     Section,
     SignatureLines,
     Table,
+)
+from lispac.report.figures import (
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    MAX_SIGHTINGS_PER_FIGURE,
+    residual_figures_of,
 )
 from lispac.report.options import EXTENTS, PAGE_SIZES, Extent, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
@@ -80,6 +88,59 @@ def test_headings_and_introductions_stay_with_what_follows(
         assert "2 Headed" in " ".join(pages[below].split()), lines
         ends.add((announced, below))
     assert ends >= {(1, 1), (1, 2), (2, 2)}  # page breaks occurred at both places
+
+
+def _table(title: str, rows: int) -> Table:
+    cells = tuple((f"{title} row {k}", str(k)) for k in range(rows))
+    return Table(title, (Column("Name", "left"), Column("Number")), cells, cells)
+
+
+def _written_pages(
+    content: ReportContent, path: Path, monkeypatch: pytest.MonkeyPatch, document: Document
+) -> list[str]:
+    monkeypatch.setattr(pdf, "report_document", lambda *_: document)
+    write_pdf(content, path, {}, FULL_REPORT)
+    return _pdf_text(path).split("\f")
+
+
+def test_a_section_does_not_begin_without_its_table_and_a_short_list_is_not_divided(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content, ends = sample_content(project), set()
+    for lines in range(22, 54, 3):
+        above = Paragraph("\n".join(["above"] * lines))
+        introduction = (Paragraph("A first sentence."), Paragraph("A second sentence."))
+        bullets = Bullets(tuple(f"item {k}" for k in range(6)))
+        sections = (
+            Section("Above", (above, bullets)),
+            Section("Headed", (*introduction, _table("Cells", 9))),
+        )  # fmt: skip
+        document = replace(_document(1), sections=sections)
+        pages = _written_pages(content, tmp_path / "r.pdf", monkeypatch, document)
+        (headed,) = (k for k, page in enumerate(pages) if "A first sentence." in page)
+        texts = ("2 Headed", "A second sentence.", "Cells row 0", "Cells row 8")
+        assert all(text in " ".join(pages[headed].split()) for text in texts), lines
+        (listed,) = (k for k, page in enumerate(pages) if "item 0" in page)
+        assert "item 5" in pages[listed], lines
+        ends.add((listed, headed))
+    assert ends >= {(1, 1), (1, 2), (2, 2)}  # page breaks occurred at both places
+
+
+def test_the_distance_between_tables_does_not_depend_on_their_lengths(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content, distances = sample_content(project), []
+    for rows in (14, 15):  # a table of more than 14 rows may be divided
+        tables = (_table("Upper", 2), _table("Lower", rows))
+        document = replace(_document(1), sections=(Section("Tables", tables),))
+        _written_pages(content, tmp_path / "r.pdf", monkeypatch, document)
+        boxes = _pdf_text(tmp_path / "r.pdf", "-bbox")
+        upper, lower = (
+            float(re.findall(rf'yMin="([0-9.]+)"[^>]*>{title}<', boxes)[0])
+            for title in ("Upper", "Lower")
+        )
+        distances.append(lower - upper)
+    assert distances[0] == pytest.approx(distances[1], abs=0.5)
 
 
 @pytest.mark.parametrize("page", ["a4", "letter"])
@@ -152,7 +213,8 @@ def test_the_short_report_has_at_most_four_well_filled_pages(
 
 
 @pytest.mark.parametrize(
-    ("language", "page"), [("en", "a4"), pytest.param("fr", "letter", marks=pytest.mark.long)]
+    ("language", "page"),
+    others_long([("en", "a4"), ("fr", "letter"), ("en", "letter"), ("fr", "a4")]),
 )
 def test_the_full_report_has_well_filled_pages_with_their_numbers(
     project: Project,
@@ -346,3 +408,65 @@ def test_the_pairs_with_the_largest_distances_are_mapped_in_a_short_report(
     assert "L3" in text
     assert "L2" in text
     assert "L1" not in text.replace(plane.maps[0].line_a, "")
+
+
+def test_the_full_report_is_signed_below_the_acceptance_and_explains_the_angles_once(
+    project: Project,
+) -> None:
+    document = undrawn_document(_survey_content(project), {}, FULL_REPORT)
+    last = document.summary[-1]
+    assert isinstance(last, Table)
+    assert last.title.startswith("Acceptance criteria")
+    first = document.sections[0]
+    explained = [b.text for b in first.blocks if isinstance(b, Paragraph) and "Rz(" in b.text]
+    assert len(explained) == 1
+
+
+def test_the_figures_of_a_target_are_not_divided(project: Project) -> None:
+    adjustment = sample_content(project).adjustment
+    assert adjustment is not None
+    each = adjustment.sightings[0]
+    named = [
+        replace(each, target=target, line=f"L{k}")
+        for target, count in (("T1", 6), ("T2", 6), ("T3", 6), ("T4", 4))
+        for k in range(count)
+    ]
+    heights = [figure.axes[0].get_yticklabels() for figure in residual_figures_of(named)]
+    targets = [{label.get_text().split()[0] for label in labels} for labels in heights]
+    assert targets == [{"T1", "T2"}, {"T3", "T4"}]
+    # A target with more sightings than a figure has space for is divided.
+    many = [replace(each, line=f"L{k}") for k in range(MAX_SIGHTINGS_PER_FIGURE + 1)]
+    assert len(residual_figures_of(many)) == 2
+
+
+def test_before_and_after_differ_in_a_print_without_colours() -> None:
+    def luminance(colour: str) -> float:
+        red, green, blue = to_rgb(colour)
+        return 0.299 * red + 0.587 * green + 0.114 * blue
+
+    assert luminance(BEFORE_COLOUR) - luminance(AFTER_COLOUR) > 0.2
+
+
+def test_the_caption_of_each_map_explains_its_colours(project: Project) -> None:
+    document = undrawn_document(_survey_content(project), {}, FULL_REPORT)
+    figures = undrawn_pictures(block for s in document.sections for block in s.blocks)
+    maps = [figure.caption for figure in figures if figure.draw is map_figure_of]
+    assert len(maps) == 5
+    assert all("Red: the first line is nearer to the vessel" in caption for caption in maps)
+
+
+def test_a_company_in_the_letterhead_is_not_asked_for_again(project: Project) -> None:
+    for company in ("", "Levés du Fleuve inc."):
+        document = undrawn_document(
+            sample_content(project), {}, replace(FULL_REPORT, company=company)
+        )
+        assert ("Company" in dict(document.identity.rows)) == (not company)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_date_is_in_one_line_beside_a_short_or_below_a_long_title(
+    project: Project, tmp_path: Path, language: str
+) -> None:
+    write_pdf(sample_content(project), tmp_path / "r.pdf", {}, ReportOptions(language=language))
+    first = _pdf_text(tmp_path / "r.pdf", "-layout", "-f", "1", "-l", "1")
+    assert re.search(r"(Created|Établi le) 2025-06-04 14:03 UTC", first)

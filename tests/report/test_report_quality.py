@@ -97,7 +97,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     )
     rows = _settings(noisy)
     assert rows["Estimated LiDAR noise"].startswith(
-        "T2: 1.4\u00a0times the given noise; the sigmas"
+        "T2: 1.42\u00a0times the given noise; the sigmas"
     )
     assert "T1" not in rows["Estimated LiDAR noise"]
     assert rows["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")

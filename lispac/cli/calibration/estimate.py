@@ -25,7 +25,7 @@ from lispac.cli.noise_options import (
 if TYPE_CHECKING:
     from lispac.adjustment.model.parameters import Parameter
     from lispac.adjustment.result import AdjustmentResult, CrossChecks
-    from lispac.project import Settings
+    from lispac.project import Project, Settings
     from lispac.targets.sighting_quality import SightingQuality
 
 
@@ -159,6 +159,7 @@ def run(arguments: Namespace) -> None:
             settings.require_sound()
             if settings != project.settings:  # an offset changes the loaded points
                 project = project.with_settings(settings)
+            project = _with_scanner_name(project, arguments)
             survey = load_survey(project, progress=progress)
             project = calibration.estimate(
                 project,
@@ -187,6 +188,16 @@ def run(arguments: Namespace) -> None:
         print_sigmas(project)
         print_origin(project, survey.trajectory.frame)
         print_weak_sightings(found)
+
+
+def _with_scanner_name(project: Project, arguments: Namespace) -> Project:
+    """Project with the name of the scanner of the option for the report, unless it has a name."""
+    if arguments.scanner is None or project.identity.scanner:
+        return project
+    from lispac.workflow.planning.sensors import read_library, user_sensors_folder
+
+    title = read_library(user_sensors_folder()).scanner(arguments.scanner).title
+    return project.with_identity(project.identity.changed(scanner=title))
 
 
 def _settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
