@@ -67,13 +67,12 @@ class PatchTestController(QObject):
         actions: Actions,
         mouse_tool: MouseTool,
         clip_box: Callable[[], ClipBox | None],
-        bring: Callable[[QObject], None],
+        panel: PatchTestPanel,
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
         self._viewport, self._controller = viewport, controller
-        self._actions, self._bring = actions, bring
-        self.panel = PatchTestPanel()
+        self._actions, self.panel = actions, panel
         self._placed_objects: PlacedObjects | None = None
         self._result: PatchTestResult | None = None
         self._survey: Survey | None = None
@@ -85,8 +84,6 @@ class PatchTestController(QObject):
         self._drawn = self._outdated = False
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
-        panel = self.panel
-        actions.connect_slots({"patch_test": self.open})
         panel.remove_requested.connect(self._remove)
         panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
@@ -106,10 +103,6 @@ class PatchTestController(QObject):
         )  # fmt: skip
         adding.objects_placed.connect(self._set_objects)
         self._reset()
-
-    def open(self) -> None:
-        """Bring the panel to the front."""
-        self._bring(self.panel)
 
     # -- objects -----------------------------------------------------------------------------
 
