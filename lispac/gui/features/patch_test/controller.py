@@ -10,7 +10,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.app.unavailable import Unavailable, first_reason
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, NO_DATA_TEXT, PatchTestPanel
@@ -20,6 +20,7 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
@@ -29,6 +30,7 @@ from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.present.patch_test import PatchTestValues
+from lispac.present.tables import DEGREES
 from lispac.progress import Progress
 from lispac.workflow.calibration.method_runs import patch_test_result
 from lispac.workflow.calibration.patch_test import (
@@ -308,7 +310,7 @@ class PatchTestController(QObject):
                 gettext(
                     "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
                     angle=gettext(ANGLE_NAMES[angle]),
-                    value=units.local_amount(degrees, "°", "+.4f"),
+                    value=local_amount(degrees, DEGREES.signed),
                 )
             )
             self._draw_lines()
