@@ -121,9 +121,11 @@ def print_conversion(
 
 def list_systems(as_json: bool) -> None:
     """Print all conventions with their rules."""
-    rules = [ConventionRules.of(ConventionSetup(each)) for each in SYSTEMS]
+    rules = tuple(ConventionRules.of(ConventionSetup(each)) for each in SYSTEMS)
     if as_json:
-        print_json(rules)
+        from lispac.cli.json_outputs import SystemsOutput
+
+        print_json(SystemsOutput(rules))
         return
     print("Enter and read the angles of each system in the order given here, in degrees.\n")
     for each in rules:
