@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 SCHEMA_FILE = "commands.schema.json"
 """File with the JSON schema of the output of each command."""
+SCHEMA_VERSION = 1
+"""Version of the JSON of the commands; a key that is removed or gets another meaning raises it."""
 TEXT_WIDTH = 100
 """Number of characters in a line of running text."""
 
@@ -93,10 +95,11 @@ def has_display() -> bool:
 
 
 def print_json(output: object) -> None:
-    """Print the output of a command, one of `lispac.cli.json_outputs`, as JSON."""
+    """Print the output of a command, one of `lispac.cli.json_outputs`, as a JSON object."""
     from lispac.present.json_values import json_values
 
-    print(json.dumps(json_values(output), indent=1, allow_nan=False))
+    values = {"schema_version": SCHEMA_VERSION, **json_values(output)}
+    print(json.dumps(values, indent=1, allow_nan=False))
 
 
 def print_schema(command: str) -> None:

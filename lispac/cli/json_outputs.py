@@ -367,6 +367,13 @@ class ConversionOutput:
 
 
 @dataclass(frozen=True)
+class SystemsOutput:
+    """Result of ``lispac angles`` without arguments: the systems with their conventions."""
+
+    systems: tuple[ConventionRules, ...]
+
+
+@dataclass(frozen=True)
 class VisibilityOutput:
     """Result of ``lispac visibility``; ``thesis`` is the comparison with Shahraji's thesis."""
 
@@ -484,7 +491,7 @@ OUTPUTS: Mapping[str, Any] = {
     "script": ScriptOutput,
     "batch": BatchOutput,
     "warnings": WarningsOutput,
-    "angles": ConversionOutput | tuple[ConventionRules, ...],
+    "angles": ConversionOutput | SystemsOutput,
     "visibility": VisibilityOutput,
     "predict": PredictOutput,
     "scenarios": ScenariosOutput,

@@ -24,6 +24,8 @@ from lispac.validation.repeatability import (
     RepeatedCalibrations,
 )
 
+PROBABILITY = ratio(3)
+"""Format of the probability of a test."""
 HISTORY_DISTANCE_INDEX = 1
 """Index in `EFFECT_DISTANCES_M` of the distance for which the history gives displacements."""
 
@@ -225,7 +227,7 @@ def differences_table(first: str) -> Table[CalibrationDifferenceValues]:
         _displacement_column(lambda row, k=k: row.displacement_m[k], distance)  # type: ignore[misc]
         for k, distance in enumerate(EFFECT_DISTANCES_M)
     )
-    probability = Column[Any]("probability", "Probability", ratio(3))
+    probability = Column[Any]("probability", "Probability", PROBABILITY)
     name = Column[Any]("second", _NAME_COLUMN.title)
     return Table(
         f"Differences from {first}",

@@ -152,6 +152,11 @@ class ConventionValues(ConventionRules):
         return tuple(each for each in found if each is not None)
 
 
+SUM_ERROR_RANGE_M = 100.0
+SUM_ERROR_MILLIMETRES = Format("mm", 0, 1e3)
+"""Range for which the effect of `CorrectionValues.sum_error_deg` is given, and its format."""
+
+
 @dataclass(frozen=True)
 class CorrectionValues:
     """Correction from the current settings of another program to new ones.
@@ -204,6 +209,11 @@ class CorrectionValues:
     def is_sum_inaccurate(self) -> bool:
         """Whether a sum of the angles differs from the new angles by 1 mm at 100 m or more."""
         return self.sum_error_deg > np.degrees(SUM_TOLERANCE_RAD)
+
+    @property
+    def sum_error_m(self) -> float:
+        """Effect of `sum_error_deg` on a point at a range of `SUM_ERROR_RANGE_M`."""
+        return SUM_ERROR_RANGE_M * float(np.radians(self.sum_error_deg))
 
     @property
     def current_lever_arm_m(self) -> tuple[float, ...] | None:

@@ -97,11 +97,17 @@ def significance_text(parameter: ParameterValues) -> str:
     return gettext("not determined")
 
 
+def parameter_format(name: str) -> Format:
+    """Format of a value of the mounting in metres, radians or seconds."""
+    shown = PARAMETER_DISPLAYS[name]
+    return Format(shown.unit, shown.decimals, shown.factor)
+
+
 def _parameter_format(parameter: ParameterValues) -> Format:
     if parameter.name in ANGLES:
         return DEGREES
-    shown, (stored, _) = PARAMETER_DISPLAYS[parameter.name], OUTPUT_UNITS[parameter.name]
-    return Format(shown.unit, shown.decimals, shown.factor / stored)
+    form, (stored, _) = parameter_format(parameter.name), OUTPUT_UNITS[parameter.name]
+    return replace(form, factor=form.factor / stored)
 
 
 def _signed_parameter_format(parameter: ParameterValues) -> Format:

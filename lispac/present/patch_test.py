@@ -21,9 +21,12 @@ from lispac.present.angles import (
     matrix,
 )
 from lispac.present.calibrations import ESTIMATE_COLUMNS
-from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, Column, Table
+from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, Column, Format, Table
 from lispac.present.text_format import VALUE_TITLES
 
+CURVE_ANGLE = Format("deg", 3).signed
+CURVE_MISMATCH = Format("mm", 0, 1e3)
+"""Formats of the axes of the curve of the mismatch."""
 EFFECT_ANGLE_DEG = 0.01
 """Error of an angle for which the misalignment of the lines is given."""
 

@@ -5,9 +5,11 @@ from dataclasses import dataclass
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.tables import COUNT, MILLIMETRES, Column, Table
+from lispac.present.tables import COUNT, MILLIMETRES, Column, Format, Table
 from lispac.project import Role, Target
 
+SEED_METRES = Format("m", 3)
+"""Format of the coordinates of a seed."""
 ROLE_TEXTS: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 
 

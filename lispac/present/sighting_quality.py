@@ -20,6 +20,12 @@ RATING_TEXTS: Mapping[str, str] = {
 }
 
 
+RANGE_METRES = Format("m", 1)
+"""Format of ranges and distances to the trajectory."""
+EXTENT_METRES = Format("m", 2)
+"""Format of the width and height of a surface."""
+
+
 @dataclass(frozen=True)
 class SightingQualityValues:
     """Quality of a sighting; None if a value does not apply or is not known.
@@ -144,7 +150,7 @@ QUALITY_TABLE = Table[SightingQualityValues](
         Column("line", N_("Line")),
         Column("points", N_("Points"), COUNT),
         Column("rms_m", N_("RMS"), MILLIMETRES),
-        Column("range_m", N_("Range"), Format("m", 1)),
+        Column("range_m", N_("Range"), RANGE_METRES),
         Column("density_per_m2", N_("Points\nper m²"), COUNT),
         Column("incidence_deg", N_("Incidence"), Format("deg", 0)),
         Column("coverage", N_("Coverage"), PERCENT),

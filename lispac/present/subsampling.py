@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from lispac.language import N_
 from lispac.present.angles import Angles
 from lispac.present.calibrations import ESTIMATE_COLUMNS
-from lispac.present.tables import COUNT, Column, Format, Table
+from lispac.present.tables import COMPUTING_SECONDS, COUNT, Column, Format, Table
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ SUBSAMPLING_TABLE = Table[SubsamplingValues](
         ),
         *ESTIMATE_COLUMNS,
         Column(
-            "elapsed_s", N_("Computing time"), Format("s", 2),
+            "elapsed_s", N_("Computing time"), COMPUTING_SECONDS,
             N_("Computing time of the adjustment, without the selection of points"),
         ),
     ),

@@ -10,6 +10,10 @@ from lispac.messages import Message
 from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, SECONDS, Column, Format, Table
 from lispac.present.targets import shape_text
 
+IMPORT_SECONDS = Format("s", 1)
+IMPORT_RATE = Format("", 2, 1e-6)
+FILE_MEGABYTES = Format("", 1, 1e-6)
+"""Formats of the import of a line: time, millions of points per second, size on the disk."""
 FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
 """Roles of the input files other than those of the lines."""
 LINE_ROLE = "Line "

@@ -96,6 +96,8 @@ DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)
 PERCENT = Format("%", 0, 100.0)
 SECONDS = Format("s", 3, is_grouped=False)
+COMPUTING_SECONDS = Format("s", 2)
+"""Format of computing times."""
 ARROW = "\u2192"
 """Sign between the values before and after the calibration."""
 YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}

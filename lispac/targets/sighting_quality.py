@@ -124,6 +124,10 @@ def undetermined_quality(points: int, rms: float, reason: Message) -> SightingQu
     )
 
 
+GradedReason = tuple[int, Message]
+"""A reason with its severity: 1 doubtful, 2 poor."""
+
+
 def plane_quality(
     points_lidar: Array,
     points_local: Array,
@@ -171,28 +175,53 @@ def plane_quality(
     beams = None if scanner_local is None else points - scanner_local
     own = off
     if turns_local is not None:
-        hits, turns = points, turns_local
-        if beams is not None:
-            hits, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
-        coordinates = (hits - points.mean(axis=0)) @ plane_axes(plane.normal).T
-        moves = (turns @ plane.normal).T
-        own = remove_smear(coordinates, off, moves, noise, boresight_sigma)
+        own = _without_smear(points, plane, beams, turns_local, noise, boresight_sigma)
+    incidence = None if beams is None else _median_incidence(beams, plane)
     sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
-    incidence = None
-    if beams is not None:
-        cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
-        incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
     rms = rms_distance(plane, points)
     rms_own = float(np.sqrt(np.mean(own**2)))
     flat = _grade_roughness(rms, rms_own, noise, threshold)
     if curved:
-        flat += _grade_by_limits(
-            (sagitta - TEST_LIMIT_SIGMAS * uncertainty) / noise,
-            SAGITTA_LIMITS,
-            note("quality.curved", sagitta=sagitta),
-        )
+        excess = (sagitta - TEST_LIMIT_SIGMAS * uncertainty) / noise
+        flat += _grade_by_limits(excess, SAGITTA_LIMITS, note("quality.curved", sagitta=sagitta))
     flat += _grade_by_limits(uneven / noise, ROUGHNESS_LIMITS, note("quality.uneven", rms=uneven))
-    found = _grade_point_count(len(points))
+    found = _grade_view(len(points), incidence, coverage) + _grade_occlusion(observed_extent) + flat
+    rating, reasons = _rating_of(found)
+    return SightingQuality(
+        len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
+        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, rating, reasons,
+        None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
+        None if observed_extent is None else observed_extent.share, _rating_of(flat)[0],
+    )  # fmt: skip
+
+
+def _without_smear(
+    points: Array,
+    plane: Plane,
+    beams: Array | None,
+    turns_local: Array,
+    noise: float,
+    boresight_sigma: float,
+) -> Array:
+    """Distances from a plane, metres, without the part that a boresight error can explain."""
+    off = plane.distances(points)
+    hits, turns = points, turns_local
+    if beams is not None:
+        hits, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
+    coordinates = (hits - points.mean(axis=0)) @ plane_axes(plane.normal).T
+    moves = (turns @ plane.normal).T
+    return remove_smear(coordinates, off, moves, noise, boresight_sigma)
+
+
+def _median_incidence(beams: Array, plane: Plane) -> float:
+    """Median angle between beams and the normal of a plane, radians."""
+    cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
+    return float(np.median(np.arccos(np.minimum(cosines, 1.0))))
+
+
+def _grade_view(count: int, incidence: float | None, coverage: float) -> list[GradedReason]:
+    """Grades of the number of points, the angle of incidence and the covered share."""
+    found = _grade_point_count(count)
     if incidence is not None:
         degrees = float(np.degrees(incidence))
         found += _grade_by_limits(
@@ -203,14 +232,7 @@ def plane_quality(
         (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]),
         note("quality.sparse", share=coverage),
     )
-    found += _grade_occlusion(observed_extent) + flat
-    rating, reasons = _rating_of(found)
-    return SightingQuality(
-        len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
-        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, rating, reasons,
-        None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
-        None if observed_extent is None else observed_extent.share, _rating_of(flat)[0],
-    )  # fmt: skip
+    return found
 
 
 def sphere_quality(
@@ -233,10 +255,6 @@ def sphere_quality(
         len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
         rating, reasons, flatness=_rating_of(flat)[0],
     )  # fmt: skip
-
-
-GradedReason = tuple[int, Message]
-"""A reason with its severity: 1 doubtful, 2 poor."""
 
 
 def _grade_point_count(points: int) -> list[GradedReason]:

@@ -162,6 +162,32 @@ def find_sphere(
         )
     # Far from the origin of the survey the products would lose digits.
     local = points_local[near] - seed
+    best = _best_sphere(local, radius_range, settings)
+    if best is None:
+        raise SphereNotFound(
+            error(
+                "finder.no_sphere",
+                sphere=radius_range.radius_message,
+                threshold=settings.threshold,
+                place=seed_text(seed),
+            )
+        )
+    sphere, on = best
+    _require_sphere(local, sphere, on, radius_range, settings, seed)
+    indices = np.sort(near[on])
+    return patch_on_sphere(points_local, indices, radius_range)
+
+
+def _best_sphere(
+    local: Array, radius_range: RadiusRange, settings: FinderSettings
+) -> tuple[Sphere, Indices] | None:
+    """Fitted sphere with the most votes and the indices of its points; None if there is none.
+
+    Parameters
+    ----------
+    local : ndarray of shape (n, 3), metres
+        Points relative to the seed; those near it have more weight.
+    """
     spread = 2.0 * radius_range.min
     votes = 1.0 / (1.0 + ((local**2).sum(axis=1) / spread**2)) ** 2
     hypotheses = draw_spheres(local, votes, radius_range.min, radius_range.max, settings)
@@ -174,19 +200,7 @@ def find_sphere(
         merit = _sphere_votes(local, votes, sphere, settings.threshold)
         if best is None or merit > best[0]:
             best = merit, sphere, on
-    if best is None:
-        raise SphereNotFound(
-            error(
-                "finder.no_sphere",
-                sphere=radius_range.radius_message,
-                threshold=settings.threshold,
-                place=seed_text(seed),
-            )
-        )
-    _, sphere, on = best
-    _require_sphere(local, sphere, on, radius_range, settings, seed)
-    indices = np.sort(near[on])
-    return patch_on_sphere(points_local, indices, radius_range)
+    return None if best is None else best[1:]
 
 
 def patch_on_sphere(

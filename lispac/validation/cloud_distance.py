@@ -9,7 +9,9 @@ never increases the result. A validation uses the distance to the surface where 
 """
 
 import os
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -88,12 +90,25 @@ def cloud_to_cloud(
 
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, gettext_lazy("Indexing the point clouds"))
+    measured = partial(
+        _chunk_distances, model=model, surfaces=surfaces, up_to_nearest=up_to_nearest, limit=limit
+    )
+    if len(compared) > _CHUNK_POINTS:
+        return _distances_in_threads(compared, reference, measured, progress)
+    tree = reference if isinstance(reference, PointTree) else PointTree(reference)
+    found = measured(compared, tree)
+    progress(1.0, gettext_lazy("Computing distances"))
+    return found
+
+
+def _distances_in_threads(
+    compared: NDArray[np.float64],
+    reference: NDArray[np.float64] | PointTree,
+    measured: Callable[[NDArray[np.float64], PointTree], NDArray[np.float64]],
+    progress: Progress,
+) -> NDArray[np.float64]:
+    """Distances of many points, in chunks that threads measure."""
     starts = range(0, len(compared), _CHUNK_POINTS)
-    if len(starts) == 1:
-        tree = reference if isinstance(reference, PointTree) else PointTree(reference)
-        found = _chunk_distances(compared, tree, model, surfaces, up_to_nearest, limit)
-        progress(1.0, gettext_lazy("Computing distances"))
-        return found
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
         # The places are searched for in spatial order, in which the processor's cache is used.
@@ -104,9 +119,7 @@ def cloud_to_cloud(
 
         def measure(start: int) -> None:
             chunk = slice(start, start + _CHUNK_POINTS)
-            distances[places.order[chunk]] = _chunk_distances(
-                places.points[chunk], tree, model, surfaces, up_to_nearest, limit
-            )
+            distances[places.order[chunk]] = measured(places.points[chunk], tree)
 
         tasks = [pool.submit(measure, start) for start in starts]
         for done, task in enumerate(tasks, start=1):

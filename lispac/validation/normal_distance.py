@@ -115,22 +115,16 @@ def distances_along_normal(
     NotComparable
         If no core point has a distance.
     """
-    for code, value in (
-        ("validation.normal_scale", normal_scale), ("validation.cylinder_diameter", diameter),
-        ("validation.cylinder_depth", depth),
-        ("validation.cylinder_depth", depth if reference_depth is None else reference_depth),
-    ):  # fmt: skip
-        values = np.asarray(value, dtype=np.float64)
-        wrong = values[~((values > 0.0) & (values < np.inf))]
-        if wrong.size:
-            raise InputError(error(code, value=float(wrong[0])))
+    if reference_depth is None:
+        reference_depth = depth
+    _require_positive("validation.normal_scale", normal_scale)
+    _require_positive("validation.cylinder_diameter", diameter)
+    _require_positive("validation.cylinder_depth", depth)
+    _require_positive("validation.cylinder_depth", reference_depth)
     scales, diameters, depths, middles, own_depths = (
         np.ascontiguousarray(np.broadcast_to(np.asarray(each, dtype=np.float64), len(cores)))
-        for each in (
-            normal_scale, diameter, depth, middle,
-            depth if reference_depth is None else reference_depth,
-        )
-    )  # fmt: skip
+        for each in (normal_scale, diameter, depth, middle, reference_depth)
+    )
     if not len(cores):
         raise NotComparable(error("validation.no_places"))
     # With cells as wide as the search radius, each search reads few cells.
@@ -160,6 +154,20 @@ def distances_along_normal(
         cores[measured], distance, half_width, int(np.count_nonzero(~measured)),
         normals[measured], np.flatnonzero(measured),
     )  # fmt: skip
+
+
+def _require_positive(code: str, value: float | Array) -> None:
+    """Refuse values that are not positive and finite.
+
+    Raises
+    ------
+    InputError
+        With the message of ``code``.
+    """
+    values = np.asarray(value, dtype=np.float64)
+    wrong = values[~((values > 0.0) & (values < np.inf))]
+    if wrong.size:
+        raise InputError(error(code, value=float(wrong[0])))
 
 
 def reference_normals(

@@ -70,7 +70,9 @@ def test_without_arguments_every_system_is_listed(capsys) -> None:
         assert f"\n{each.key} (" in text
     assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
     assert text.count("  Assumption ") == sum(bool(each.assumption) for each in SYSTEMS)
-    assert [each["system"] for each in run_json(capsys)] == [each.key for each in SYSTEMS]
+    assert [each["system"] for each in run_json(capsys)["systems"]] == [
+        each.key for each in SYSTEMS
+    ]
 
 
 def test_to_applanix(capsys) -> None:

@@ -213,8 +213,8 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     )
     out, err = printed_by(capsys, "propose", project.folder)
     assert out.splitlines() == [
-        "T1   target     at 1.25 -15.00 5.00 m", f"     {needed}",
-        "V1   validation at -4.00 -15.00 5.00 m", f"     {flat.replace('²', '2')}",
+        "T1   target     at 1.250 -15.000 5.000 m", f"     {needed}",
+        "V1   validation at -4.000 -15.000 5.000 m", f"     {flat.replace('²', '2')}",
         "Predicted standard deviations",
         "               Roll (deg)  Pitch (deg)  Yaw (deg)",
         "  all targets      0.0100       0.0200     0.0300", "",
@@ -312,7 +312,7 @@ def test_a_script_reports_a_missing_file(
     assert err == f"note: {english_text(missing)}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = run_json(capsys, "script", project.folder)
-    assert numbers == {"script": out, "messages": json_values([missing])}
+    assert numbers == {"schema_version": 1, "script": out, "messages": json_values([missing])}
 
 
 def test_a_line_with_a_damaged_store_is_imported_again(
@@ -379,7 +379,9 @@ def test_the_absence_of_warnings_is_reported(
     )
     monkeypatch.setattr("lispac.workflow.checking.warnings.warnings_of", lambda *_: ())
     assert printed_by(capsys, "warnings", project.folder) == ("No warnings.\n", "")
-    assert run_json(capsys, "warnings", project.folder) == {"warnings": []}
+    assert run_json(capsys, "warnings", project.folder) == {
+        "schema_version": 1, "warnings": [],
+    }  # fmt: skip
 
 
 def test_methods_without_a_result_are_noted_with_the_reason(
@@ -409,7 +411,7 @@ def test_the_trajectory_is_exported_as_text(
     path = tmp_path / "track.txt"
     words = ("export", project.folder, "--what", "trajectory", "--format", "text", "--output", path)
     found = run_json(capsys, *words)
-    assert found == {"files": [str(path)]}
+    assert found == {"schema_version": 1, "files": [str(path)]}
     out, err = printed_by(capsys, *words)
     assert out == f"{path}\n"
     assert "SBET" not in err, "what an SBET lacks is not said of a text"

@@ -192,9 +192,15 @@ def test_printed_schema_has_all_definitions_that_it_uses_and_no_others(
         "folder": "L1", "points": 5, "excluded_points": 0, "bytes": 7, "seconds": 0.5,
         "assumptions": ["metres"],
     }  # fmt: skip
-    Draft202012Validator(schema).validate({"lines": {"L1": line}})
-    with pytest.raises(ValidationError):
-        Draft202012Validator(schema).validate({"lines": {"L1": {**line, "points": "5"}}})
+    output = {"schema_version": 1, "lines": {"L1": line}}
+    Draft202012Validator(schema).validate(output)
+    for other in (
+        {**output, "lines": {"L1": {**line, "points": "5"}}},
+        {**output, "schema_version": 2},
+        {"lines": {"L1": line}},
+    ):
+        with pytest.raises(ValidationError):
+            Draft202012Validator(schema).validate(other)
 
 
 def test_a_proposal_that_does_not_determine_the_angles_has_no_sigma(
@@ -237,7 +243,7 @@ def test_estimate_prints_the_values_of_the_report(
     assert [each["edited_by_hand"] for each in report["qualities"]].count(True) == 1
     for each in printed["warnings"]:
         assert each in report["warnings"]
-    others = {"elapsed_s", "cross_checks", "qualities", "warnings", *settings}
+    others = {"schema_version", "elapsed_s", "cross_checks", "qualities", "warnings", *settings}
     assert set(printed) == {*report["adjustment"], *others}
 
 

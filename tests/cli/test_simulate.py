@@ -315,7 +315,7 @@ def test_list_names_scenes_vessels_and_scanners(capsys: pytest.CaptureFixture[st
     for name in ("port", "terrestrial", "marine", "launch", "van", "zf-9012", "velodyne-hdl-32e"):
         assert f"  {name} " in shown
     assert set(json.loads(done(capsys, "simulate", "--list", "--json"))) == {
-        "scenes", "vessels", "scanners",
+        "schema_version", "scenes", "vessels", "scanners",
     }  # fmt: skip
 
 

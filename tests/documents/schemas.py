@@ -11,6 +11,7 @@ from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
 from lispac.cli.console import SCHEMA_FILE as COMMANDS_FILE
+from lispac.cli.console import SCHEMA_VERSION as COMMANDS_VERSION
 from lispac.cli.json_outputs import OUTPUTS
 from lispac.present.json_values import JsonMessage, json_key
 from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION
@@ -29,6 +30,13 @@ ABOUT_COMMANDS = (
     "What the commands of LISPAC write with `--json`: each property is the schema for the command "
     f"of its name, which `lispac COMMAND --schema` prints. {NAMES_TEXT}"
 )
+
+VERSION_SCHEMA = {
+    "type": "object",
+    "properties": {"schema_version": {"const": COMMANDS_VERSION}},
+    "required": ["schema_version"],
+}
+"""Schema of the version, which the output of each command contains."""
 
 
 def schema_text() -> str:
@@ -58,7 +66,7 @@ def commands_schema_text() -> str:
         "title": "Output of the commands of LISPAC",
         "description": ABOUT_COMMANDS,
         "type": "object",
-        "properties": properties,
+        "properties": {name: {**VERSION_SCHEMA, **each} for name, each in properties.items()},
         "$defs": definitions,
     })  # fmt: skip
 
@@ -147,8 +155,11 @@ def followed_output(command: str, text: str) -> Any:
         name: {**each, "additionalProperties": False} if "properties" in each else each
         for name, each in published["$defs"].items()
     }
-    schema = {"$schema": DRAFT, **published["properties"][command], "$defs": definitions}
-    Draft202012Validator(schema).validate(data)
+    schema = published["properties"][command]
+    Draft202012Validator({**schema, "$defs": published["$defs"]}).validate(data)
+    content = {name: each for name, each in schema.items() if name not in VERSION_SCHEMA}
+    values = {name: each for name, each in data.items() if name != "schema_version"}
+    Draft202012Validator({**content, "$defs": definitions}).validate(values)
     return data
 
 

@@ -197,3 +197,11 @@ def test_continuous_integration_runs_the_command_of_the_readme() -> None:
     command = "python3 installer/bootstrap.py test"
     assert command in (CHECKOUT / "README.md").read_text(encoding="utf-8")
     assert command in (CHECKOUT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+def test_the_command_line_formats_no_results_itself() -> None:
+    own = {"argument_types.py", "console.py", "messages.py"}  # limits, progress, options
+    pattern = re.compile(r"\{[^{}]*:[^{}]*(?:\.\d+[efg%]|,)\}")
+    for file in sorted((CHECKOUT / "lispac" / "cli").rglob("*.py")):
+        if file.name not in own:
+            assert not pattern.findall(file.read_text(encoding="utf-8")), file.name

@@ -212,7 +212,7 @@ def test_the_command_and_the_report_give_the_same_budget(
     write_project(project)
     found = run_json(capsys, "budget", project.folder)
     budget = ErrorBudgetValues.of(error_budget_of(project, load_survey(project)))
-    assert found == json.loads(json.dumps(json_values(budget)))
+    assert found == {"schema_version": 1, **json.loads(json.dumps(json_values(budget)))}
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
     for message in found["messages"]:

@@ -135,7 +135,8 @@ def test_the_command_sets_given_fields_and_shows_all(
     assert main(["identity", str(folder), "--vessel", "Saucier", "--json"]) == 0
     values = json.loads(capsys.readouterr().out)
     assert {name: text for name, text in values.items() if text} == {
-        "surveyor": FULL.surveyor, "lever_arm_origin": FULL.lever_arm_origin, "vessel": "Saucier",
+        "schema_version": 1, "surveyor": FULL.surveyor, "vessel": "Saucier",
+        "lever_arm_origin": FULL.lever_arm_origin,
     }  # fmt: skip
     assert main(["identity", str(folder), "--vessel", ""]) == 0
     assert read_project(folder).identity.vessel == ""

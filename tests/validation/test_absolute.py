@@ -400,7 +400,8 @@ def test_the_command(
     found = run_json(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
-    assert found == json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))
+    values = json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))
+    assert found == {"schema_version": 1, **values}
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err

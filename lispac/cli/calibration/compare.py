@@ -105,7 +105,7 @@ def _print_comparison(
     differences: Sequence[CalibrationDifferenceValues],
     combined: CombinedCalibrations,
 ) -> None:
-    from lispac.present.calibrations import CALIBRATIONS_TABLE, differences_table
+    from lispac.present.calibrations import CALIBRATIONS_TABLE, PROBABILITY, differences_table
 
     print_table(CALIBRATIONS_TABLE, [*calibrations, *combined.rows()])
     print_table(differences_table(calibrations[0].name), differences)
@@ -113,7 +113,7 @@ def _print_comparison(
         relation = "MORE than" if combined.differ else "as"
         print(
             f"All calibrations scatter {relation} expected from their sigmas "
-            f"(p = {combined.probability:.3f})."
+            f"(p = {PROBABILITY.text(combined.probability)})."
         )
 
 

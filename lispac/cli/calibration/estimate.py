@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from lispac.adjustment.result import AdjustmentResult, CrossChecks
     from lispac.project import Project, Settings
     from lispac.targets.sighting_quality import SightingQuality
+    from lispac.workflow.project.survey import Survey
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -39,32 +40,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="point spacing (m): closer points are averaged, or with uncorrelated POS errors "
         "thinned to one (default 0.10; 0 keeps all points)",
     )
-    parser.add_argument(
-        "--pos-errors",
-        choices=("independent", "correlated"),
-        help="model of the POS errors: correlated between neighbouring points (default), or "
-        "uncorrelated (classical model, one error for each point; its sigmas are too small)",
-    )
-    for name, default in (("position", 300), ("attitude", 600)):
-        parser.add_argument(
-            f"--{name}-time",
-            type=positive_number,
-            metavar="SECONDS",
-            help=f"correlation time of the {name} error of the POS (s; default {default}); use the "
-            "value of the processing report; too short is safer than too long",
-        )
-    parser.add_argument(
-        "--surface",
-        type=_surface_sigma,
-        metavar="METRES",
-        help="form error of the targets (m): standard deviation of the offset of a whole sighting "
-        "from the common surface of all lines (default auto: estimated from the data)",
-    )
-    parser.add_argument(
-        "--loss",
-        choices=("auto", "none", "huber", "tukey"),
-        help="loss function for outliers (default auto: tukey; with uncorrelated POS errors none)",
-    )
+    _add_model_options(parser)
     parser.add_argument(
         "--estimate",
         action="append",
@@ -98,6 +74,14 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="do not repeat the adjustment with subsets of the data",
     )
+    _add_plane_file_options(parser)
+    add_noise_options(parser)
+    add_offset_options(parser)
+    add_json_option(parser)
+
+
+def _add_plane_file_options(parser: ArgumentParser) -> None:
+    """Add the options for plane files."""
     parser.add_argument(
         "--planes",
         type=Path,
@@ -112,9 +96,36 @@ def add_arguments(parser: ArgumentParser) -> None:
         ("R", "P", "Y"),
         "with --planes: prior boresight (deg; default 0 0 0)",
     )
-    add_noise_options(parser)
-    add_offset_options(parser)
-    add_json_option(parser)
+
+
+def _add_model_options(parser: ArgumentParser) -> None:
+    """Add the options of the stochastic model."""
+    parser.add_argument(
+        "--pos-errors",
+        choices=("independent", "correlated"),
+        help="model of the POS errors: correlated between neighbouring points (default), or "
+        "uncorrelated (classical model, one error for each point; its sigmas are too small)",
+    )
+    for name, default in (("position", 300), ("attitude", 600)):
+        parser.add_argument(
+            f"--{name}-time",
+            type=positive_number,
+            metavar="SECONDS",
+            help=f"correlation time of the {name} error of the POS (s; default {default}); use the "
+            "value of the processing report; too short is safer than too long",
+        )
+    parser.add_argument(
+        "--surface",
+        type=_surface_sigma,
+        metavar="METRES",
+        help="form error of the targets (m): standard deviation of the offset of a whole sighting "
+        "from the common surface of all lines (default auto: estimated from the data)",
+    )
+    parser.add_argument(
+        "--loss",
+        choices=("auto", "none", "huber", "tukey"),
+        help="loss function for outliers (default auto: tukey; with uncorrelated POS errors none)",
+    )
 
 
 def run(arguments: Namespace) -> None:
@@ -125,15 +136,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.cli.calibration.result_output import (
-        adjustment_output,
-        print_origin,
-        print_result,
-        print_sigmas,
-        project_adjustment_output,
-    )
-    from lispac.duplicate_targets import project_warnings
-    from lispac.present.sighting_quality import quality_list
+    from lispac.cli.calibration.result_output import adjustment_output, print_result
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import estimation as calibration
     from lispac.workflow.calibration.sighting_assessment import sighting_qualities
@@ -170,24 +173,41 @@ def run(arguments: Namespace) -> None:
             found = sighting_qualities(project, survey, progress=sub_progress(progress, 0.9, 1.0))
         projects.save_project(project)
     if arguments.json:
-        from lispac.cli.json_outputs import EstimateOutput, extended
-
-        print_json(
-            extended(
-                EstimateOutput, project_adjustment_output(project, survey.headings_deg),
-                origin_deg_m=survey.trajectory.frame.origin_deg_m,
-                qualities=quality_list(found, project.targets),
-            )
-        )  # fmt: skip
+        _print_json_of_project(project, survey, found)
     else:
-        assert project.result is not None
-        print_result(
-            project.result, project.cross_checks, project_warnings(project),
-            picked_points=project.picked_points,
-        )  # fmt: skip
-        print_sigmas(project)
-        print_origin(project, survey.trajectory.frame)
-        print_weak_sightings(found)
+        _print_result_of_project(project, survey, found)
+
+
+def _print_json_of_project(
+    project: Project, survey: Survey, qualities: Mapping[tuple[str, str], SightingQuality]
+) -> None:
+    from lispac.cli.calibration.result_output import project_adjustment_output
+    from lispac.cli.json_outputs import EstimateOutput, extended
+    from lispac.present.sighting_quality import quality_list
+
+    print_json(
+        extended(
+            EstimateOutput, project_adjustment_output(project, survey.headings_deg),
+            origin_deg_m=survey.trajectory.frame.origin_deg_m,
+            qualities=quality_list(qualities, project.targets),
+        )
+    )  # fmt: skip
+
+
+def _print_result_of_project(
+    project: Project, survey: Survey, qualities: Mapping[tuple[str, str], SightingQuality]
+) -> None:
+    from lispac.cli.calibration.result_output import print_origin, print_result, print_sigmas
+    from lispac.duplicate_targets import project_warnings
+
+    assert project.result is not None
+    print_result(
+        project.result, project.cross_checks, project_warnings(project),
+        picked_points=project.picked_points,
+    )  # fmt: skip
+    print_sigmas(project)
+    print_origin(project, survey.trajectory.frame)
+    print_weak_sightings(qualities)
 
 
 def _with_scanner_name(project: Project, arguments: Namespace) -> Project:

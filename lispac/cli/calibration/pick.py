@@ -88,6 +88,17 @@ def add_arguments(parser: ArgumentParser) -> None:
         "0.05 and 0.5 m)",
     )
     parser.add_argument("--line", help="with --seed: search in this line only")
+    _add_search_options(parser)
+    add_triple_option(
+        parser, "--expected", ("WIDTH", "HEIGHT", "TILT"),
+        "expected width and height of the plane (m) and its inclination (deg; 0 level, 90 "
+        "vertical), for comparison; 1.23 1.22 90 is the usual board",
+    )  # fmt: skip
+    add_json_option(parser)
+
+
+def _add_search_options(parser: ArgumentParser) -> None:
+    """Add the options of the search for planes and spheres."""
     parser.add_argument(
         "--threshold",
         type=number_within(*THRESHOLD_LIMITS),
@@ -119,12 +130,6 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--random-seed", type=whole_number_from(0), metavar="N", default=0,
         help="seed of the random samples: the same seed gives the same points (default 0)",
     )  # fmt: skip
-    add_triple_option(
-        parser, "--expected", ("WIDTH", "HEIGHT", "TILT"),
-        "expected width and height of the plane (m) and its inclination (deg; 0 level, 90 "
-        "vertical), for comparison; 1.23 1.22 90 is the usual board",
-    )  # fmt: skip
-    add_json_option(parser)
 
 
 def run(arguments: Namespace) -> None:

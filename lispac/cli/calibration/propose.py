@@ -30,7 +30,7 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.present.angles import AnglesRow
     from lispac.present.planning import PREDICTED_SIGMAS_TABLE, known_degrees
-    from lispac.present.tables import ratio
+    from lispac.present.seeds import SEED_METRES
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
@@ -65,7 +65,7 @@ def run(arguments: Namespace) -> None:
         print_json(ProposeOutput(targets, sigma, proposal.warnings, arguments.accept))
         return
     for target in proposal.targets:
-        place = " ".join(ratio(2).plain_text(value) for value in target.seed)
+        place = " ".join(map(SEED_METRES.plain_text, target.seed))
         print(f"{target.name:4s} {target.role:10s} at {place} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
     print_table(PREDICTED_SIGMAS_TABLE, [AnglesRow("all targets", sigma)])

@@ -19,7 +19,7 @@ from lispac.present.cross_checks import cross_check_values
 from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
 from lispac.present.settings import origin_fact
 from lispac.present.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
-from lispac.present.tables import Fact
+from lispac.present.tables import COMPUTING_SECONDS, Fact
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text
 
@@ -90,7 +90,7 @@ def print_result(
         Fact("Stochastic model", _error_model_text(result)),
         Fact("Targets", len(values.targets)),
         Fact("Sightings of targets", len(values.sightings)),
-        Fact("Time of computation", f"{result.elapsed:.3f} s"),
+        Fact("Time of computation", f"{COMPUTING_SECONDS.text(result.elapsed)} s"),
     ]
     print_facts(FIT_TITLE, facts)
     if values.components:

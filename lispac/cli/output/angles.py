@@ -72,6 +72,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="text file with the 3x3 or 4x4 matrix from scanner to body of the --from system",
     )
+    _add_axes_options(parser)
+    add_json_option(parser)
+
+
+def _add_axes_options(parser: ArgumentParser) -> None:
+    """Add the options for the axes of the other system."""
     parser.add_argument(
         "--scanner",
         choices=("turned", "kept", "mounted"),
@@ -87,7 +93,6 @@ def add_arguments(parser: ArgumentParser) -> None:
         ("--mounting", "nominal directions of the raw scanner axes, e.g. forward port up"),
     ):
         parser.add_argument(name, nargs=3, metavar=("X", "Y", "Z"), help=text)
-    add_json_option(parser)
 
 
 def run(arguments: Namespace) -> None:

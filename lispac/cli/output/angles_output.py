@@ -15,6 +15,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.angles import matrix
 from lispac.present.conventions import (
+    SUM_ERROR_MILLIMETRES,
     ConventionRules,
     ConventionValues,
     CorrectionValues,
@@ -26,7 +27,7 @@ from lispac.present.conventions import (
     rotation_text,
     signs_text,
 )
-from lispac.present.tables import Fact
+from lispac.present.tables import DEGREES, Fact
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import lever_arm_text as position_text
@@ -120,9 +121,11 @@ def print_conversion(
 
 def list_systems(as_json: bool) -> None:
     """Print all conventions with their rules."""
-    rules = [ConventionRules.of(ConventionSetup(each)) for each in SYSTEMS]
+    rules = tuple(ConventionRules.of(ConventionSetup(each)) for each in SYSTEMS)
     if as_json:
-        print_json(rules)
+        from lispac.cli.json_outputs import SystemsOutput
+
+        print_json(SystemsOutput(rules))
         return
     print("Enter and read the angles of each system in the order given here, in degrees.\n")
     for each in rules:
@@ -133,12 +136,12 @@ def list_systems(as_json: bool) -> None:
 def _correction_texts(values: ConventionValues, correction: CorrectionValues) -> list[str]:
     texts = []
     if values.angles:
-        error = correction.sum_error_deg
+        error = DEGREES.text(correction.sum_error_deg)
+        distance = SUM_ERROR_MILLIMETRES.text(correction.sum_error_m)
         texts = [
             "Multiply the current matrix by the correction from the left: "
             "new = correction · current.",
-            f"Do not add the angles: the sum would be wrong by {error:.4f} deg, "
-            f"{1e5 * np.radians(error):.0f} mm at 100 m."
+            f"Do not add the angles: the sum would be wrong by {error} deg, {distance} mm at 100 m."
             if correction.is_sum_inaccurate
             else "Adding the angles instead would cause an error of less than 1 mm at 100 m here.",
         ]

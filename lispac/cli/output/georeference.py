@@ -58,5 +58,7 @@ def run(arguments: Namespace) -> None:
         )
         print_json(GeoreferenceOutput(lines, tuple(found)))
         return
+    from lispac.present.tables import COUNT
+
     for done in written:
-        print(f"{done.path}  {done.points:,} points")
+        print(f"{done.path}  {COUNT.text(done.points)} points")

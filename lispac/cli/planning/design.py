@@ -53,6 +53,7 @@ def run(arguments: Namespace) -> None:
     from lispac.io.config.plan_file import read_site
     from lispac.present import planning
     from lispac.present.survey_plan import PLANNED_LINES_TABLE, PLANNED_TARGETS_TABLE
+    from lispac.present.tables import COUNT
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import observability_messages, write_design
     from lispac.workflow.planning.simulated_setup import setup_file
@@ -93,7 +94,7 @@ def run(arguments: Namespace) -> None:
         planning.with_objective(planning.SHORTER_PLANS_TABLE, objective.criterion),
         values.pareto_front,
     )
-    plans = f"{found.evaluated:,} survey plans evaluated"
+    plans = f"{COUNT.text(found.evaluated)} survey plans evaluated"
     print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
     for message in observability_messages(found.plan):
         print(console_text(message))

@@ -130,11 +130,14 @@ def run(arguments: Namespace) -> None:
         titles = (chosen.titles[kind] for kind in PART_KINDS)
         print_json(SimulateOutput(project.folder, points, truth, seeds, ball_seeds, *titles))
         return
+    from lispac.present.tables import COUNT, DEGREES
+
     for kind in PART_KINDS:
         print(f"{kind:10s} {chosen.titles[kind]}")
     for name, count in points.items():
-        print(f"{name:20s} {count:12,} points")
-    print("truth      " + "".join(f"{angle:+12.4f}" for angle in project.truth_deg or ()))
+        print(f"{name:20s} {COUNT.text(count):>12s} points")
+    angles = map(DEGREES.signed.plain_text, project.truth_deg or ())
+    print("truth      " + "".join(f"{angle:>12s}" for angle in angles))
     print(f"project    {project.folder}")
     if targets.is_file():
         print(f"seeds      {targets} (for lispac pick --seeds)")

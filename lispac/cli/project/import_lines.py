@@ -91,13 +91,16 @@ def _check_imported(imported: list[ImportedLine], progress: Progress) -> None:
 
 
 def _print_imported(item: ImportedLine) -> None:
+    from lispac.present.survey_data import FILE_MEGABYTES, IMPORT_RATE, IMPORT_SECONDS
+    from lispac.present.tables import COUNT
+
     manifest = item.stored.manifest
     how = "imported already"
     if item.seconds:
-        how = f"{item.seconds:.1f} s, {manifest.points / item.seconds / 1e6:.2f} M points/s"
-    print(
-        f"{manifest.line:20s} {manifest.points:12,} points, {manifest.bytes / 1e6:10,.1f} MB, {how}"
-    )
+        rate = IMPORT_RATE.text(manifest.points / item.seconds)
+        how = f"{IMPORT_SECONDS.text(item.seconds)} s, {rate} M points/s"
+    points, size = COUNT.text(manifest.points), FILE_MEGABYTES.text(manifest.bytes)
+    print(f"{manifest.line:20s} {points:>12s} points, {size:>10s} MB, {how}")
 
 
 def _imported_line(item: ImportedLine) -> ImportedLineOutput:

@@ -33,12 +33,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the options."""
     parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder to create")
     parser.add_argument(
-        "lines",
-        type=Path,
-        nargs="+",
-        metavar="LINE",
+        "lines", type=Path, nargs="+", metavar="LINE",
         help="scan file of one line (LAS, LAZ, E57, PLY, PCD, text)",
-    )
+    )  # fmt: skip
     parser.add_argument(
         "--trajectory", type=Path, required=True, metavar="FILE",
         help="trajectory: SBET, Exail or POSPac text, or text with named columns",
@@ -49,22 +46,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="accuracy of the trajectory: smrmsg file, or a text export of it",
     )
-    for file, what in (
-        ("trajectory", "the trajectory"),
-        ("accuracy", "the trajectory accuracy"),
-        ("line", "the lines"),
-    ):  # fmt: skip
-        parser.add_argument(
-            f"--{file}-format", metavar="KEY", help=f"format of {what} (default: detected)"
-        )
-        parser.add_argument(
-            f"--{file}-option",
-            type=split_reading_option,
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help=f"option for reading {what}; `lispac inspect FILE` lists the options",
-        )
+    _add_format_options(parser)
     parser.add_argument(
         "--time-shift", type=finite_number, default=0.0, metavar="SECONDS",
         help="seconds added to the times of the lines to obtain trajectory time (default 0)",
@@ -91,6 +73,24 @@ def add_arguments(parser: ArgumentParser) -> None:
         ("LAT", "LON", "HEIGHT"),
         "origin of the local frame (deg, m; default: mean position of the trajectory)",
     )
+    _add_pos_options(parser)
+    add_noise_options(parser)
+    add_offset_options(parser)
+    add_budget_options(parser)
+    parser.add_argument(
+        "--longest-gap", type=positive_number, metavar="SECONDS",
+        help="longest gap of the trajectory to interpolate across (s; default 1.5)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--columns",
+        metavar="NAMES",
+        help="columns of text files with points, from the left, e.g. time,x,y,z,intensity",
+    )
+    add_json_option(parser)
+
+
+def _add_pos_options(parser: ArgumentParser) -> None:
+    """Add the options of the POS errors."""
     add_triple_option(
         parser,
         "--position-sigma",
@@ -106,19 +106,26 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="use the sigmas of an INS/GNSS listed by `lispac sensors`, e.g. apogee:ppk, unless "
              "sigmas are given otherwise; its name is added to the details for the report",
     )  # fmt: skip
-    add_noise_options(parser)
-    add_offset_options(parser)
-    add_budget_options(parser)
-    parser.add_argument(
-        "--longest-gap", type=positive_number, metavar="SECONDS",
-        help="longest gap of the trajectory to interpolate across (s; default 1.5)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--columns",
-        metavar="NAMES",
-        help="columns of text files with points, from the left, e.g. time,x,y,z,intensity",
-    )
-    add_json_option(parser)
+
+
+def _add_format_options(parser: ArgumentParser) -> None:
+    """Add the options for the formats of the input files."""
+    for file, what in (
+        ("trajectory", "the trajectory"),
+        ("accuracy", "the trajectory accuracy"),
+        ("line", "the lines"),
+    ):  # fmt: skip
+        parser.add_argument(
+            f"--{file}-format", metavar="KEY", help=f"format of {what} (default: detected)"
+        )
+        parser.add_argument(
+            f"--{file}-option",
+            type=split_reading_option,
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help=f"option for reading {what}; `lispac inspect FILE` lists the options",
+        )
 
 
 def run(arguments: Namespace) -> None:

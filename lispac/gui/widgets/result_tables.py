@@ -61,7 +61,7 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
     if form is None:
         return Cell(str(value), shown=short_date(value) if isinstance(value, date) else "")
     if column.has_unit_in_cells:
-        return Cell(_with_unit(value, form), value)
+        return Cell(local_amount(value, form), value)
     before, sigma = column.before_of(row), column.sigma_of(row)
     if before is not None:
         text = f"{local_number(before, form)} {ARROW} {local_number(value, form)}"
@@ -116,10 +116,11 @@ def fact_text(fact: Fact) -> str:
     """Value of a fact with its unit, in the unit and the language of the user."""
     if fact.value is None or isinstance(fact.value, str) or not fact.format.unit:
         return fact.text
-    return _with_unit(fact.value, fact.format)
+    return local_amount(fact.value, fact.format)
 
 
-def _with_unit(value: float, form: Format) -> str:
+def local_amount(value: float, form: Format) -> str:
+    """The number with its unit, in the unit and the language of the user."""
     base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return with_unit(form.text(value), form.unit)

@@ -3,21 +3,8 @@
 from PySide6.QtGui import QKeySequence
 
 from lispac.gui.app.actions import ActionRecord, Menu, by_name
-from lispac.gui.features.conventions import actions as conventions
-from lispac.gui.features.design import actions as design
-from lispac.gui.features.estimate import actions as estimate
-from lispac.gui.features.export import actions as export
-from lispac.gui.features.help import actions as help
-from lispac.gui.features.inspect import actions as inspect
-from lispac.gui.features.open_project import actions as open_project
-from lispac.gui.features.patch_test import actions as patch_test
-from lispac.gui.features.pick_targets import actions as pick_targets
-from lispac.gui.features.preferences import actions as preferences
-from lispac.gui.features.report import actions as report
-from lispac.gui.features.studies import actions as studies
-from lispac.gui.features.validate import actions as validate
-from lispac.gui.features.warnings import actions as warnings
 from lispac.gui.project.status import STEP_TITLES
+from lispac.gui.window.features import FEATURES
 from lispac.language import N_
 
 MENUS = {
@@ -72,20 +59,7 @@ ACTIONS = by_name(
 )  # fmt: skip
 
 ALL_ACTIONS = {
-    **open_project.ACTIONS,
-    **report.ACTIONS,
-    **export.ACTIONS,
-    **pick_targets.ACTIONS,
-    **estimate.ACTIONS,
-    **conventions.ACTIONS,
-    **patch_test.ACTIONS,
-    **studies.ACTIONS,
-    **design.ACTIONS,
-    **validate.ACTIONS,
-    **inspect.ACTIONS,
-    **preferences.ACTIONS,
-    **warnings.ACTIONS,
-    **help.ACTIONS,
+    **{name: each for feature in FEATURES for name, each in feature.actions.items()},
     **STEP_ACTIONS,
     **ACTIONS,
 }

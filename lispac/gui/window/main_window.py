@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, QSize, Qt, QUrl, Signal
+from PySide6.QtCore import QObject, QPoint, QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
@@ -20,8 +20,6 @@ from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance.theme import without_style_sheet
 from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
-from lispac.gui.features.export.data_export import DataExport
-from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
@@ -34,7 +32,6 @@ from lispac.gui.features.pick_targets.seeds import SeedActions
 from lispac.gui.features.pick_targets.target_actions import TargetActions, TargetTools
 from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
-from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.validate.validation import Validation
 from lispac.gui.features.warnings.warning_list import WarningList
 from lispac.gui.features.warnings.warnings_panel import WarningsButton
@@ -42,6 +39,7 @@ from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
+from lispac.gui.project.features import WindowParts
 from lispac.gui.project.recovery_copies import RecoveryCopies
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
@@ -53,6 +51,7 @@ from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
 from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.features import FEATURES
 from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels, automatic_docks
 from lispac.gui.window.tools import InspectionTools
@@ -142,6 +141,7 @@ class MainWindow(QMainWindow):
         self._connect_actions()
         self._connect_tasks()
         self._create_controllers()
+        self._connect_features()
         if document is None:
             self.panel_refresh.refresh()
             self._set_title()
@@ -158,11 +158,10 @@ class MainWindow(QMainWindow):
         self.validate, self.report = panels.validate, panels.report
         self.workflow, self.results, self.log = panels.workflow, panels.results, panels.log
         self.table, self.histograms = panels.table, panels.histograms
-        self.diagnostics, self.convention = panels.diagnostics, panels.convention
-        self.warnings = panels.warnings
+        self.diagnostics, self.warnings = panels.diagnostics, panels.warnings
 
     def _create_controllers(self) -> None:
-        """Create the controllers of the features and of the window."""
+        """Create the controllers that are connected with each other."""
         document, runner, scene, control = (
             self.document, self.runner, self.scene, self.controller
         )  # fmt: skip
@@ -191,16 +190,12 @@ class MainWindow(QMainWindow):
         self.validation.validated.connect(partial(panels.workflow.open, status.VALIDATE))
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
-        DataExport(document, runner, scene, control, dialogs, actions)
         panels.report.lines_requested.connect(actions["lines"].trigger)
         report = ReportExport(
             document, runner, scene, viewport, control, computations, dialogs, settings, actions,
             panels.report,
         )  # fmt: skip
         panels.data.details_requested.connect(report.ask_details)
-        Studies(document, runner, scene, control, dialogs, actions)
-        AlternativeMethods(document, runner, control, dialogs, actions)
-        ScriptExport(document, runner, control, dialogs, actions)
         preferences = PreferencesController(
             viewport, control, dialogs, settings, actions, self.rebuild_window
         )
@@ -237,6 +232,23 @@ class MainWindow(QMainWindow):
         )
         FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
 
+    def _connect_features(self) -> None:
+        """Create the controllers of the features that are independent of others."""
+        tools = self.tools
+        parts = WindowParts(
+            self.document, self.runner, self.scene, self.viewport, self.controller,
+            self.computations, self.dialogs, self.settings, self.actions_, tools.mouse_tool,
+            lambda: tools.clipping.box,
+        )  # fmt: skip
+        self.panel_controllers: dict[str, QObject] = {}
+        for feature in FEATURES:
+            if feature.connect is not None:
+                feature.connect(parts)
+            for each in feature.panels:
+                if each.connect is not None:
+                    panel = self.panels[each.name]
+                    self.panel_controllers[each.name] = each.connect(panel, parts)
+
     def _build(self) -> None:
         self.panels = Panels()
         self._name_panels()
@@ -251,17 +263,16 @@ class MainWindow(QMainWindow):
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self.tools.point_readout.shown.connect(self.task_bar.point.setText)
         self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
-        windows = {**self.panels.windows(), **self.tools.windows}
         self.panel_windows = {
-            title: PanelWindow(
-                title,
+            place.title: PanelWindow(
+                place.title,
                 panel,
-                size,
+                place.size,
                 self,
                 self.settings,
-                self.central_widget if title in self.tools.windows else None,
+                self.central_widget if place.spares_view else None,
             )
-            for title, (panel, size) in windows.items()
+            for panel, place in self.panels.windows()
         }
         # `isVisible` is also True for a dock behind another; only this signal is reliable
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
@@ -335,8 +346,8 @@ class MainWindow(QMainWindow):
                 "arrange": self.dock_layout.restore_default,
                 "maximise": lambda: self.dock_layout.set_maximised(actions["maximise"].isChecked()),
                 **{
-                    name: partial(docks.raise_panel, panel)
-                    for name, panel in self.panels.opened_by_actions().items()
+                    place.action: partial(docks.raise_panel, panel)
+                    for panel, place in self.panels.windows()
                 },
                 "keys": self.dialogs.shortcuts,
                 "tour": lambda: self.tour.start(),

@@ -1,17 +1,14 @@
 """The panels of the window."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import Field, dataclass, field, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from datetime import datetime
-from typing import Any, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
-from PySide6.QtCore import QSize
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from lispac.gui.app.docks import HISTOGRAMS, LOG, RESULTS, SIGHTINGS, WORKFLOW, Area
-from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
-from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.estimate.diagnostics_panel import DiagnosticsPanel
@@ -24,7 +21,9 @@ from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.features.warnings.warnings_panel import WarningsPanel
+from lispac.gui.project.features import DockPlace, Place, WindowPlace
 from lispac.gui.project.status import ProjectState
+from lispac.gui.window.features import panel_records
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
 
@@ -42,10 +41,6 @@ class ProjectPanel(Protocol):
 
     def show_state(self, state: ProjectState) -> None:
         """Show the project after a change."""
-
-
-Content = Callable[[ProjectState], bool]
-"""Whether a panel has something to show."""
 
 
 def _always(_state: ProjectState) -> bool:
@@ -68,25 +63,9 @@ def _has_validation(state: ProjectState) -> bool:
     return state.project is not None and bool(state.project.validation)
 
 
-def _dock(title: str, area: Area, content: Content, *, opens: bool = False) -> dict[str, Any]:
-    """Metadata of a field of `Panels`: English title, side and content of the dock.
-
-    Docks of one side are tabs, in the order of the fields. A dock with ``opens`` opens by itself
-    when it has something to show.
-    """
-    return {"title": title, "area": area, "content": content, "opens": opens}
-
-
-def _window(title: str, width: int, height: int, action: str) -> dict[str, Any]:
-    """Metadata of a field of `Panels` with a window of its own, which an action opens.
-
-    Parameters
-    ----------
-    title : English title
-    width, height : first size, pixels
-    action : name of the action
-    """
-    return {"window": title, "size": QSize(width, height), "action": action}
+def _place(place: Place) -> dict[str, Place]:
+    """Metadata of a field of `Panels`."""
+    return {"place": place}
 
 
 class LogPanel(QPlainTextEdit):
@@ -113,9 +92,10 @@ class LogPanel(QPlainTextEdit):
 
 @dataclass(eq=False)
 class Panels:
-    """Panels of the window, except those of the tools. A panel that is added here is complete.
+    """Panels of the window, except those of the tools.
 
-    The fields without a dock are the panels of the workflow steps.
+    The fields are the panels that `MainWindow` connects with others; those without a place are the
+    steps of the workflow. The other panels are registered by their features (`FEATURES`).
     """
 
     data: DataPanel = field(default_factory=DataPanel)
@@ -124,70 +104,74 @@ class Panels:
     validate: ValidatePanel = field(default_factory=ValidatePanel)
     report: ReportPanel = field(default_factory=ReportPanel)
     workflow: WorkflowPanel = field(
-        init=False, metadata=_dock(WORKFLOW, Area.LeftDockWidgetArea, _always, opens=True)
+        init=False,
+        metadata=_place(DockPlace(WORKFLOW, Area.LeftDockWidgetArea, _always, opens=True)),
     )
     results: ResultsPanel = field(
-        default_factory=ResultsPanel, metadata=_dock(RESULTS, BOTTOM_AREA, _has_result, opens=True)
+        default_factory=ResultsPanel,
+        metadata=_place(DockPlace(RESULTS, BOTTOM_AREA, _has_result, opens=True)),
     )
     table: SightingsTable = field(
         default_factory=SightingsTable,
-        metadata=_dock(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True),
+        metadata=_place(DockPlace(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True)),
     )
     histograms: HistogramsPanel = field(
         default_factory=HistogramsPanel,
-        metadata=_dock(HISTOGRAMS, BOTTOM_AREA, _has_validation, opens=True),
+        metadata=_place(DockPlace(HISTOGRAMS, BOTTOM_AREA, _has_validation, opens=True)),
     )
     warnings: WarningsPanel = field(
-        default_factory=WarningsPanel, metadata=_dock(WARNINGS, BOTTOM_AREA, _has_project)
+        default_factory=WarningsPanel,
+        metadata=_place(DockPlace(WARNINGS, BOTTOM_AREA, _has_project)),
     )
-    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, BOTTOM_AREA, _always))
+    log: LogPanel = field(
+        default_factory=LogPanel, metadata=_place(DockPlace(LOG, BOTTOM_AREA, _always))
+    )
     diagnostics: DiagnosticsPanel = field(
-        default_factory=DiagnosticsPanel, metadata=_window(DIAGNOSTICS, 1000, 620, "diagnostics")
-    )
-    convention: ConventionPanel = field(
-        default_factory=ConventionPanel, metadata=_window(CONVENTION, 460, 720, "convention")
+        default_factory=DiagnosticsPanel,
+        metadata=_place(WindowPlace(DIAGNOSTICS, 1000, 620, "diagnostics")),
     )
 
     def __post_init__(self) -> None:
         steps = (self.data, self.targets, self.adjust, self.validate, self.report)
         self.workflow = WorkflowPanel(steps)
+        self._of_features = {each.name: each.create() for each in panel_records()}
+
+    def __getitem__(self, name: str) -> QWidget:
+        """Panel that a feature has registered with this name."""
+        return self._of_features[name]
 
     def show_state(self, state: ProjectState) -> None:
         """Show the open project in all panels."""
-        for each in fields(self):
-            panel = getattr(self, each.name)
+        fixed = [getattr(self, each.name) for each in fields(self)]
+        for panel in (*fixed, *self._of_features.values()):
             if isinstance(panel, ProjectPanel):
                 panel.show_state(state)
 
     def docks(self, tools: Mapping[str, QWidget]) -> dict[str, tuple[QWidget, Area]]:
         """Panels by title with their sides, in the order of their tabs, including ``tools``."""
         docks = {
-            each.metadata["title"]: (getattr(self, each.name), each.metadata["area"])
-            for each in _dock_fields()
+            place.title: (self._panel(name), place.area)
+            for name, place in _places().items()
+            if isinstance(place, DockPlace)
         }
         last = {title: docks.pop(title) for title in (WARNINGS, LOG)}
         return {**docks, **{title: (panel, BOTTOM_AREA) for title, panel in tools.items()}, **last}
 
-    def windows(self) -> dict[str, tuple[QWidget, QSize]]:
-        """Panels with a window of their own by title, with the first size of the window."""
-        return {
-            each.metadata["window"]: (getattr(self, each.name), each.metadata["size"])
-            for each in fields(self)
-            if "window" in each.metadata
-        }
+    def windows(self) -> list[tuple[QWidget, WindowPlace]]:
+        """Panels with a window of their own."""
+        return [
+            (self._panel(name), place)
+            for name, place in _places().items()
+            if isinstance(place, WindowPlace)
+        ]
 
-    def opened_by_actions(self) -> dict[str, QWidget]:
-        """Panels with a window of their own by the name of the action that opens it."""
-        return {
-            each.metadata["action"]: getattr(self, each.name)
-            for each in fields(self)
-            if "action" in each.metadata
-        }
+    def _panel(self, name: str) -> QWidget:
+        return self._of_features[name] if name in self._of_features else getattr(self, name)
 
 
 def automatic_docks() -> list[str]:
     """Titles of the docks that open by themselves."""
-    return [each.metadata["title"] for each in _dock_fields() if each.metadata["opens"]]
+    return [each.title for each in _dock_places() if each.opens]
 
 
 def filled_docks(state: ProjectState) -> list[str]:
@@ -195,8 +179,16 @@ def filled_docks(state: ProjectState) -> list[str]:
 
     Those of the tools are not among them: in another project, they are empty until they are used.
     """
-    return [each.metadata["title"] for each in _dock_fields() if each.metadata["content"](state)]
+    return [each.title for each in _dock_places() if each.has_content(state)]
 
 
-def _dock_fields() -> list[Field[Any]]:
-    return [each for each in fields(Panels) if "title" in each.metadata]
+def _dock_places() -> list[DockPlace]:
+    return [each for each in _places().values() if isinstance(each, DockPlace)]
+
+
+def _places() -> dict[str, Place]:
+    """Places of the panels by the names of the panels."""
+    fixed = {
+        each.name: each.metadata["place"] for each in fields(Panels) if "place" in each.metadata
+    }
+    return {**fixed, **{each.name: each.place for each in panel_records()}}

@@ -26,9 +26,11 @@ from lispac.gui.app.point_colours import set_colour_scale
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
+from lispac.gui.project.features import StateCopier
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.features import panel_records
 from lispac.gui.window.main_window import MainWindow
 from lispac.io.project.project_file import UNSAVED_NAME
 
@@ -148,7 +150,6 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
         (former.targets, window.targets),
         (former.adjust, window.adjust),
         (former.validate, window.validate),
-        (former.convention, window.convention),
         (former.histograms, window.histograms),
         (former.tools.sections.panel, window.tools.sections.panel),
     ):
@@ -160,6 +161,7 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
     window.proposed_targets.copy_state_from(former.proposed_targets)
     _copy_view(former, window)  # last, since a selection may move the view
     _copy_tools(former, window)
+    _copy_features(former, window)
     for title, panel_window in window.panel_windows.items():
         panel_window.copy_state_from(former.panel_windows[title])
     if former.tour.is_running:
@@ -209,11 +211,20 @@ def _copy_current_cell(before: QAbstractItemView, after: QAbstractItemView) -> N
 
 
 def _copy_tools(former: MainWindow, window: MainWindow) -> None:
-    """Copy the clip box, the section, the patch test, and the active tool with its points."""
+    """Copy the clip box, the section, and the active tool with its points."""
     before, after = former.tools, window.tools
     if before.mouse_tool.tool:
         window.actions_[before.mouse_tool.tool].trigger()
     after.measurements.copy_state_from(before.measurements)
     after.clipping.copy_state_from(before.clipping)
     after.sections.copy_state_from(before.sections)
-    after.patch_test_controller.copy_state_from(before.patch_test_controller)
+
+
+def _copy_features(former: MainWindow, window: MainWindow) -> None:
+    """Copy the state of the panels that features have registered."""
+    for each in panel_records():
+        controller = window.panel_controllers.get(each.name)
+        if isinstance(controller, StateCopier):
+            controller.copy_state_from(former.panel_controllers[each.name])
+        else:
+            copy_fields(former.panels[each.name], window.panels[each.name])

@@ -1,8 +1,8 @@
-"""Tools for inspection: sections, measurements, clip box, lasso, comparison, patch test."""
+"""Tools for inspection: sections, measurements, clip box, lasso, comparison."""
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QSize
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.app.actions import Actions
@@ -19,8 +19,6 @@ from lispac.gui.features.inspect.picture_export import PictureExport
 from lispac.gui.features.inspect.point_readout import PointReadout
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.sections import SectionTool
-from lispac.gui.features.patch_test.controller import PatchTestController
-from lispac.gui.features.patch_test.panel import TITLE as PATCH_TEST
 from lispac.gui.features.pick_targets.hover_preview import HoverPreview, HoverPreviewSettings
 from lispac.gui.features.pick_targets.lasso import Lasso
 from lispac.gui.features.pick_targets.target_actions import TargetRoles
@@ -63,10 +61,6 @@ class InspectionTools(QObject):
         )  # fmt: skip
         self.sections.moved.connect(self.linked_views.update)
         self.clipping = ClipBoxController(scene, viewport, actions, raise_panel, note)
-        self.patch_test_controller = PatchTestController(
-            document, runner, scene, viewport, controller, actions, self.mouse_tool,
-            lambda: self.clipping.box, raise_panel,
-        )  # fmt: skip
         self.lasso = Lasso(
             document, scene, viewport, actions, self.mouse_tool, lambda: self.clipping.box, note,
             refuse,
@@ -90,8 +84,3 @@ class InspectionTools(QObject):
     def panels(self) -> dict[str, QWidget]:
         """Docked panels of the tools by title."""
         return {SECTION: self.sections.panel, CLIPPING: self.clipping.panel}
-
-    @property
-    def windows(self) -> dict[str, tuple[QWidget, QSize]]:
-        """Panels with a window of their own by title, with the first size of the window."""
-        return {PATCH_TEST: (self.patch_test_controller.panel, QSize(1120, 430))}

@@ -212,22 +212,22 @@ def trajectory_of(
         ],
         axis=1,
     )
-    units = tuple(
+    notes = assumptions + conventions.assumptions() + notes + _unit_notes(chosen, lengths)
+    return Trajectory(time, latitude, longitude, height, attitude, notes)
+
+
+def _unit_notes(
+    columns: Sequence[Column], lengths: Mapping[str, LengthUnit]
+) -> tuple[Message, ...]:
+    """Notes on the units of the columns; ``lengths`` are by role."""
+    return tuple(
         note(
             "assumed.column_unit", column=column.name,
             unit=lengths[column.role].name if column.role in lengths else UNIT_NAMES[column.unit],
         )
-        for column in chosen
+        for column in columns
         if column.role not in ("time", "date", *HEMISPHERE_ROLES)
     )  # fmt: skip
-    return Trajectory(
-        time,
-        latitude,
-        longitude,
-        height,
-        attitude,
-        assumptions + conventions.assumptions() + notes + units,
-    )
 
 
 def accuracy_of(

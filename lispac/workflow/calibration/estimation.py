@@ -74,17 +74,13 @@ def observations_of(
     """
     settings = settings or project.settings
     averages = settings.pos_errors == "correlated"
+    _require_two_lines(project)
+    # A warning names the targets that are not compared: see `lispac.duplicate_targets`
+    targets = [each for each in project.targets_of_role("target") if each.is_compared]
     sightings: list[Sighting] = []
     indices = []
-    radii = {}
-    _require_two_lines(project)
-    for target in project.targets_of_role("target"):
-        if not target.is_compared:  # a warning says so: see `lispac.duplicate_targets`
-            continue
-        used = target.used_sightings
-        if target.shape == "sphere":
-            radii[target.name] = target.sphere_radius
-        for sighting in used:
+    for target in targets:
+        for sighting in target.used_sightings:
             chosen = sighting.indices
             if not averages:
                 chosen = chosen[
@@ -93,12 +89,7 @@ def observations_of(
             indices.append(chosen)
             sightings.append(Sighting(target.name, sighting.line))
     if not sightings:
-        alone = [each.name for each in project.targets_of_role("target") if each.used_sightings]
-        raise AdjustmentError(
-            error("estimate.no_common_target", targets=alone)
-            if alone
-            else error("estimate.no_target", project=project.name)
-        )
+        raise AdjustmentError(_no_target_message(project))
     parts = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
     points = np.concatenate([points for points, _ in parts])
     time = np.concatenate([times for _, times in parts])
@@ -117,11 +108,19 @@ def observations_of(
         time=time,
         sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
         sightings=tuple(sightings),
-        radii=radii,
+        radii={each.name: each.sphere_radius for each in targets if each.shape == "sphere"},
     )
     if not averages:
         return observations
     return thin_observations(observations, mounting or project.mounting("prior"), settings)
+
+
+def _no_target_message(project: Project) -> Message:
+    """Reason why no target can be used: none was picked, or none is on two lines."""
+    alone = [each.name for each in project.targets_of_role("target") if each.used_sightings]
+    if alone:
+        return error("estimate.no_common_target", targets=alone)
+    return error("estimate.no_target", project=project.name)
 
 
 def thin_observations(

@@ -88,25 +88,43 @@ def find_target(
     )  # fmt: skip
     require_valid_target(target)
     if line is not None:
-        if line not in survey.clouds:
-            raise ProjectError(
-                error("project_line.not_found", project=project.name, line=line, lines=survey.lines)
-            )
-        known = next((target for target in project.targets if target.name == name), None)
-        if known is not None:
-            _require_same_kind(project, known, target)
-        place = SearchPlace.of(survey.alignment, centre, line, settings.radius)
-        patch = search.find_at_seed(place.clouds[line], place.seed, settings)
-        if known is not None:
-            _require_same_surface(known, search, place, line, patch)
-        if known is not None and expected is not None:
-            known = replace(known, expected=target.expected)
-        return _with_sighting(project, known or target, _picked_sighting(survey, line, patch))
+        return _with_sighting_of_line(project, survey, search, target, line, settings)
     found, missing, radius = _find_in_lines(
         survey, search, centre, settings, radii, first_line, progress
     )
     sightings = tuple(_picked_sighting(survey, n, found[n]) for n in survey.lines if n in found)
     return replace(target, radius=radius, sightings=sightings, missing=missing)
+
+
+def _with_sighting_of_line(
+    project: Project,
+    survey: Survey,
+    search: TargetSearch,
+    target: Target,
+    line: str,
+    settings: FinderSettings,
+) -> Target:
+    """Target with the sighting found in one line; the others are those of the project.
+
+    Raises
+    ------
+    ProjectError
+        If there is no such line, or the sighting does not suit the target of the project.
+    """
+    if line not in survey.clouds:
+        raise ProjectError(
+            error("project_line.not_found", project=project.name, line=line, lines=survey.lines)
+        )
+    known = next((each for each in project.targets if each.name == target.name), None)
+    if known is not None:
+        _require_same_kind(project, known, target)
+    place = SearchPlace.of(survey.alignment, np.asarray(target.seed), line, settings.radius)
+    patch = search.find_at_seed(place.clouds[line], place.seed, settings)
+    if known is not None:
+        _require_same_surface(known, search, place, line, patch)
+    if known is not None and target.expected is not None:
+        known = replace(known, expected=target.expected)
+    return _with_sighting(project, known or target, _picked_sighting(survey, line, patch))
 
 
 def pick_target(

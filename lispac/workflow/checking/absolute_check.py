@@ -104,12 +104,7 @@ def check_absolute(
     NotComparable
         If no line has points on the reference.
     """
-    if project.result is None:
-        raise ProjectError(error("estimate.needed", project=project.name))
-    if not 0.0 <= sigma < np.inf:
-        raise InputError(error("check.reference_sigma", sigma=sigma))
-    if not 0.0 < search_distance <= 10.0:
-        raise InputError(error("check.search_distance", distance=search_distance))
+    _require_possible(project, sigma, search_distance)
     reference = read_reference(
         path, project, survey, sigma=sigma, search_distance=search_distance, crs=crs, height=height,
         trajectory_datum=trajectory_datum, epoch=epoch, progress=sub_progress(progress, 0.0, 0.3),
@@ -130,17 +125,15 @@ def check_absolute(
                 distance=search_distance,
             )
         )
-    settings = project.settings
-    times = settings.position_time, settings.attitude_time
+    times = project.settings.position_time, project.settings.attitude_time
     each, together = check_lines(lines, where.sigmas, times)
     points: tuple[PointCheck, ...] = ()
     if reference.kind == "points":
         points = check_points(lines, where.names, where.sigmas, times)
-    missed = sorted(set(where.names) - {p.name for p in points})
-    if reference.kind == "points" and missed:
-        not_compared.append(
-            note("check.points_not_compared", distance=search_distance, points=missed)
-        )
+        if missed := sorted(set(where.names) - {p.name for p in points}):
+            not_compared.append(
+                note("check.points_not_compared", distance=search_distance, points=missed)
+            )
     edges, before, after = shared_histogram(lines)
     check = AbsoluteCheck(
         path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
@@ -149,6 +142,15 @@ def check_absolute(
     )  # fmt: skip
     progress(1.0)
     return project.with_absolute(check), reference.notes
+
+
+def _require_possible(project: Project, sigma: float, search_distance: float) -> None:
+    if project.result is None:
+        raise ProjectError(error("estimate.needed", project=project.name))
+    if not 0.0 <= sigma < np.inf:
+        raise InputError(error("check.reference_sigma", sigma=sigma))
+    if not 0.0 < search_distance <= 10.0:
+        raise InputError(error("check.search_distance", distance=search_distance))
 
 
 @dataclass(frozen=True, eq=False)

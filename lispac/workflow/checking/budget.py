@@ -62,13 +62,7 @@ def error_budget_of(
     if lever_sigma is not None and not all(0.0 <= each < np.inf for each in lever_sigma):
         raise InputError(error("estimate.lever_arm_sigma"))
     latency = result.mounting.latency
-    time = np.concatenate(
-        [
-            np.linspace(scan.first_time, scan.last_time, TIMES_PER_LINE + 2)[1:-1]
-            for scan in survey.scans.values()
-        ]
-    )
-    time = time[survey.trajectory.covers(time + latency)]
+    time = _times_on_lines(survey, latency)
     position, attitude = survey.accuracy.at(time)
     rate = survey.trajectory.rate_at(time + latency)
     lidar, of_position, of_attitude = result.sigma_factors
@@ -93,3 +87,14 @@ def error_budget_of(
         ),
         distances,
     )
+
+
+def _times_on_lines(survey: Survey, latency: float) -> NDArray[np.float64]:
+    """Times of the lines at which the trajectory is known, seconds."""
+    time = np.concatenate(
+        [
+            np.linspace(scan.first_time, scan.last_time, TIMES_PER_LINE + 2)[1:-1]
+            for scan in survey.scans.values()
+        ]
+    )
+    return time[survey.trajectory.covers(time + latency)]

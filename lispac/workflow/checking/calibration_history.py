@@ -145,20 +145,13 @@ def read_histories(
         except LispacError as failure:
             excluded.append(failure.reason)
     for project in projects:
-        day = _survey_date(project)
         if vessel is not None and _normalised_name(project.identity.vessel) != _normalised_name(
             vessel
         ):
             continue
-        if project.result is None:
-            excluded.append(note("history.no_result", project=project.name))
-        elif day is None:
-            dates = project.identity.dates
-            excluded.append(
-                note("history.no_day", project=project.name, dates=dates)
-                if dates
-                else note("history.no_date", project=project.name)
-            )
+        day = _calibration_date(project)
+        if isinstance(day, Message):
+            excluded.append(day)
         else:
             known.append((day, project))
     if not known:
@@ -169,6 +162,30 @@ def read_histories(
             each[0], each[1].folder.resolve() not in open_ones, str(each[1].folder)
         )
     )  # fmt: skip
+    found = sorted(
+        (_system_history(group) for group in _by_system(known)),
+        key=lambda each: -len(each.calibrations),
+    )
+    progress(1.0)
+    messages = tuple(note("history.excluded", reason=each) for each in excluded)
+    return tuple(found), messages
+
+
+def _calibration_date(project: Project) -> date | Message:
+    """Date of the survey of a project; else the reason why it has no calibration of a date."""
+    day = _survey_date(project)
+    if project.result is None:
+        return note("history.no_result", project=project.name)
+    if day is not None:
+        return day
+    dates = project.identity.dates
+    if dates:
+        return note("history.no_day", project=project.name, dates=dates)
+    return note("history.no_date", project=project.name)
+
+
+def _by_system(known: Iterable[tuple[date, Project]]) -> list[list[tuple[date, Project]]]:
+    """Calibrations in groups of the same system, in the given order."""
     groups: list[list[tuple[date, Project]]] = []
     for each in known:
         system = CalibratedSystem.of(each[1])
@@ -178,12 +195,7 @@ def read_histories(
         if group is None:
             groups.append(group := [])
         group.append(each)
-    found = sorted(
-        (_system_history(group) for group in groups), key=lambda each: -len(each.calibrations)
-    )
-    progress(1.0)
-    messages = tuple(note("history.excluded", reason=each) for each in excluded)
-    return tuple(found), messages
+    return groups
 
 
 def _change_message(charted: ChartedCalibration) -> Message:

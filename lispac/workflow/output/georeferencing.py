@@ -1,7 +1,7 @@
 """Georeferencing of the lines of a project, one LAS or LAZ file each."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -82,45 +82,64 @@ def georeference_project(
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
     converter = ScannerPointConverter(target, trajectory, mounting)
-    stores = {} if sources is None else dict(sources)
-    stored_layouts: dict[str, RecordLayout | None] = {}
+    stores, stored_layouts = _stored_lines(project, chosen, trajectory, sources or {})
+    sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
+    written: list[WrittenLine] = []
+    with _new_folders_removed_after_failure(output), ExitStack() as stack:
+        for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
+            start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
+            step = sub_progress(progress, start, stop)
+            step(0.0, gettext_lazy("Writing {file}", file=path.name))
+            own = stores.get(chunks.line.name)
+            done = write_cloud(
+                chunks if own is None else own,
+                stack.enter_context(atomic_write(path)),
+                path,
+                converter,
+                _layout_function(chunks, stored_layouts.get(chunks.line.name)),
+                reading=chunks.line.reading,
+                recovery=_recovery_of(project, chunks, trajectory) if own is None else None,
+                compressed=ending == "laz",
+                progress=step,
+            )
+            messages = _missing_file_notes(chunks.line.name, stored_layouts)
+            written.append(
+                replace(done, messages=(*done.messages, *_assumptions(target), *messages))
+            )
+        progress(1.0)
+    return written
+
+
+def _stored_lines(
+    project: Project,
+    chosen: Iterable[LineChunks],
+    trajectory: LocalTrajectory,
+    sources: Mapping[str, Iterable[PointChunk]],
+) -> tuple[dict[str, Iterable[PointChunk]], dict[str, RecordLayout | None]]:
+    """Chunks to use instead of the files of the lines, and layouts of those from stores, by name.
+
+    A line has chunks in ``sources``, or from its store if its file is missing.
+    """
+    stores, layouts = dict(sources), {}
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
             stored = open_stored_line(project, chunks.line, trajectory)
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
-            stored_layouts[chunks.line.name] = _stored_layout(stored, chunks.line.path)
-    sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
-    written: list[WrittenLine] = []
+            layouts[chunks.line.name] = _stored_layout(stored, chunks.line.path)
+    return stores, layouts
+
+
+@contextmanager
+def _new_folders_removed_after_failure(output: Path) -> Iterator[None]:
+    """Remove the output folder and those above it after an error, if they are new and empty."""
     made = _folders_to_create(output)
     try:
-        with ExitStack() as stack:
-            for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
-                start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
-                step = sub_progress(progress, start, stop)
-                step(0.0, gettext_lazy("Writing {file}", file=path.name))
-                own = stores.get(chunks.line.name)
-                done = write_cloud(
-                    chunks if own is None else own,
-                    stack.enter_context(atomic_write(path)),
-                    path,
-                    converter,
-                    _layout_function(chunks, stored_layouts.get(chunks.line.name)),
-                    reading=chunks.line.reading,
-                    recovery=_recovery_of(project, chunks, trajectory) if own is None else None,
-                    compressed=ending == "laz",
-                    progress=step,
-                )
-                messages = _missing_file_notes(chunks.line.name, stored_layouts)
-                written.append(
-                    replace(done, messages=(*done.messages, *_assumptions(target), *messages))
-                )
-            progress(1.0)
+        yield
     except BaseException:
         for folder in made:
             if folder.is_dir() and not any(folder.iterdir()):
                 folder.rmdir()
         raise
-    return written
 
 
 def _recovery_of(

@@ -1,5 +1,6 @@
 """Comparison of a survey with its plan: predicted and obtained precision, and deviations."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -74,17 +75,6 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         )
         for name in missing_targets
     ]
-    off_plan = [
-        note(
-            "plan_survey.other_distance",
-            line=k + 1,
-            heading=plan.lines[k].name,
-            distance=line.distance,
-        )
-        for k, line in sorted(sailed_as.items())
-        if abs(line.distance - plan.lines[k].distance)
-        > max(MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE * plan.lines[k].distance)
-    ]
     return PlanComparison(
         planned_sigma_deg=known_degrees(predict(plan).sigma),
         surveyed_sigma_deg=known_degrees(sailed),
@@ -95,8 +85,23 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         flatness_m=(plan.flatness, found_flatness),
         missing_targets=missing_targets,
         missing_lines=tuple(plan.lines[k].name for k in unsailed),
-        messages=(*off_plan, *costs),
+        messages=(*_distance_notes(plan, sailed_as), *costs),
     )
+
+
+def _distance_notes(plan: Plan, sailed_as: Mapping[int, Line]) -> list[Message]:
+    """Notes on the planned lines that were sailed at another distance."""
+    return [
+        note(
+            "plan_survey.other_distance",
+            line=k + 1,
+            heading=plan.lines[k].name,
+            distance=line.distance,
+        )
+        for k, line in sorted(sailed_as.items())
+        if abs(line.distance - plan.lines[k].distance)
+        > max(MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE * plan.lines[k].distance)
+    ]
 
 
 def _with_flatness(plan: Plan, flatness: float) -> Plan:

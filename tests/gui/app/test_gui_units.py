@@ -324,8 +324,8 @@ def test_a_window_in_feet_has_no_metric_texts(
         window.diagnostics.list.setCurrentRow(page)
     panel = window.tools.sections.panel
     qtbot.waitUntil(lambda: panel.has_section and not window.runner.active, timeout=SOON_MS)
-    for system in range(window.convention.system.count()):
-        window.convention.system.setCurrentIndex(system)
+    for system in range(window.panels["convention"].system.count()):
+        window.panels["convention"].system.setCurrentIndex(system)
     window.actions_["design"].trigger()
     design = window.site_design.window
     for tabs in (design.tabs, design.views):

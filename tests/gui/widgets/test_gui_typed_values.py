@@ -276,7 +276,7 @@ def test_a_click_elsewhere_commits_the_value(picked: Driver) -> None:
 
 
 def test_no_angles_are_converted_from_a_wrong_text(opened: Driver) -> None:
-    panel = opened.window.convention
+    panel = opened.window.panels["convention"]
     raise_panel(panel)
     assert panel.table.isVisible()
     roll = panel.inputs.boresight.fields[0]
@@ -289,7 +289,7 @@ def test_no_angles_are_converted_from_a_wrong_text(opened: Driver) -> None:
 
 
 def test_a_patch_test_does_not_search_from_a_former_angle(opened: Driver) -> None:
-    controller = opened.window.tools.patch_test_controller
+    controller = opened.window.panel_controllers["patch_test"]
     controller.open()
     click(opened, controller.panel.propose)
     opened.rest()

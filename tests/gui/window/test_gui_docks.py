@@ -7,7 +7,9 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QToolBar
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.project.features import WindowPlace
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.window.features import panel_records
 from lispac.gui.window.main_window import MainWindow
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
@@ -140,3 +142,18 @@ def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(calibrated: Driv
     bot.waitUntil(lambda: not dock.isVisible(), timeout=SOON_MS)
     pick("Section")
     bot.waitUntil(lambda: is_in_front(window, "Section"), timeout=SOON_MS)
+
+
+def test_a_registered_panel_has_its_place_its_controller_and_an_action(opened: Driver) -> None:
+    window = opened.window
+    assert panel_records()
+    for record in panel_records():
+        title = record.place.title
+        container = {**window.docks, **window.panel_windows}[title]
+        assert container.isAncestorOf(window.panels[record.name])
+        assert (record.name in window.panel_controllers) == (record.connect is not None)
+        if isinstance(record.place, WindowPlace):
+            assert not container.isVisible()
+            window.actions_[record.place.action].trigger()
+            assert container.isVisible()
+            assert container.sizeHint() == record.place.size

@@ -467,7 +467,7 @@ def test_a_click_tool_of_a_panel_window_continues_in_the_main_window(
     press(opened, Key.Key_T, Control)
     own = opened.window.panel_windows["Patch test"]
     qtbot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
-    click(opened, opened.window.tools.patch_test_controller.panel.point)
+    click(opened, opened.window.panels["patch_test"].point)
     qtbot.waitUntil(opened.window.isActiveWindow, timeout=SOON_MS)
     qtbot.keyClick(opened.window, Key.Key_Escape)
     assert opened.window.tools.mouse_tool.tool == ""

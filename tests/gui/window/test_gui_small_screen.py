@@ -40,7 +40,7 @@ def small(
 
 def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
     window = small.window.panel_windows["Patch test"]
-    panel = small.window.tools.patch_test_controller.panel
+    panel = small.window.panels["patch_test"]
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
     angle, sigma, misalignment = Angles(0.57, -0.57, 0.57), Angles(0.1, 0.1, 0.1), Angles(1, 1, 1)
@@ -63,9 +63,9 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
 def test_the_axis_choices_of_the_convention_are_not_cut_off(small: Driver) -> None:
     window = small.window
     show_panel(window, CONVENTION)
-    small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
+    small.bot.waitUntil(window.panels["convention"].isVisible, timeout=WAIT_MS)
     small.rest()
-    combo = window.convention.scanner
+    combo = window.panels["convention"].scanner
     for index in range(combo.count()):
         assert combo.fontMetrics().horizontalAdvance(combo.itemText(index)) <= text_width(combo)
 

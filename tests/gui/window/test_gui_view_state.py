@@ -183,7 +183,7 @@ def test_objects_and_angles_of_the_patch_test_are_kept(
     wait_until_idle(session, qtbot)
     window._select("T1", "")
     qtbot.keyClick(window, Key.Key_T, Control)
-    panel = window.tools.patch_test_controller.panel
+    panel = window.panels["patch_test"]
     qtbot.mouseClick(panel.target, Left)
     wait_until_idle(session, qtbot)
     assert panel.objects.count() == 1
@@ -197,14 +197,14 @@ def test_objects_and_angles_of_the_patch_test_are_kept(
     for _ in range(3):
         qtbot.keyClick(slider, Key.Key_PageUp)
     wait_until_idle(session, qtbot)
-    objects = window.tools.patch_test_controller._placed_objects
+    objects = window.panel_controllers["patch_test"]._placed_objects
     angles, pairs = panel.angles.boresight, panel.ticked_pairs
     assert angles[1] == pytest.approx(np.radians(0.03))
     assert len(pairs) == panel.pairs.count() - 1
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
     for _ in changes(session, qtbot):
-        controller = session.window.tools.patch_test_controller
+        controller = session.window.panel_controllers["patch_test"]
         panel = controller.panel
         assert panel.isVisible()
         assert controller._placed_objects is objects

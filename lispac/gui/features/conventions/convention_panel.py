@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
 from lispac.gui.features.conventions.convention_inputs import (
     BoresightInputs,
     CurrentSettingsInputs,
@@ -31,10 +31,13 @@ from lispac.gui.features.conventions.convention_inputs import (
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.number_input import require_accepted_texts
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext, in_english
 from lispac.message_texts import message_text
 from lispac.present.conventions import (
+    SUM_ERROR_MILLIMETRES,
+    SUM_ERROR_RANGE_M,
     ConventionAngle,
     ConventionValues,
     CorrectionValues,
@@ -47,7 +50,7 @@ from lispac.present.conventions import (
     rotation_facts,
     signs_text,
 )
-from lispac.present.tables import Table, cell_text, title_text
+from lispac.present.tables import DEGREES, Format, Table, cell_text, title_text
 from lispac.survey.conventions.conversion import ConventionSetup
 from lispac.survey.conventions.mounting_replacement import replace_mounting
 from lispac.survey.conventions.mounting_texts import offsets_note
@@ -358,7 +361,7 @@ class ConventionPanel(QWidget):
                 )
             )
             if correction.is_sum_inaccurate:
-                lines.append(_sum_error_text(np.radians(correction.sum_error_deg)))
+                lines.append(_sum_error_text(correction))
             if correction.transform is not None:
                 title = gettext("Correction of the 4x4 matrix:")
                 lines.append(f"{title}<br>{_matrix_html(correction.transform)}")
@@ -396,14 +399,14 @@ class ConventionPanel(QWidget):
         self.matrix.setToolTip(gettext(SCANNER_WORDS[setup.scanner_frame]))
 
 
-def _sum_error_text(error: float) -> str:
-    """Warning not to add correction and current angles; ``error`` of the sum in radians."""
+def _sum_error_text(correction: CorrectionValues) -> str:
+    """Warning not to add correction and current angles."""
     return gettext(
         "<b>Do not add the correction to the current angles.</b> The sum would be wrong by "
         "{angle}, which is {distance} at {range}.",
-        angle=units.local_amount(float(np.degrees(error)), "°", ".4f"),
-        distance=units.local_amount(error * 1e5, "mm", ".0f"),
-        range=units.local_amount(100.0, "m", ".0f"),
+        angle=local_amount(correction.sum_error_deg, DEGREES),
+        distance=local_amount(correction.sum_error_m, SUM_ERROR_MILLIMETRES),
+        range=local_amount(SUM_ERROR_RANGE_M, Format("m")),
     )
 
 

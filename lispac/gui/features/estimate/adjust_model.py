@@ -12,8 +12,10 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import units
 from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.messages import error
+from lispac.present.tables import MILLIMETRES
 from lispac.project import Settings
 
 CORRELATION_TIMES_HINT = N_(
@@ -216,7 +218,7 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        sigma = units.local_amount(settings.used_lidar_sigma * _MM_PER_M, "mm", ".1f")
+        sigma = local_amount(settings.used_lidar_sigma, MILLIMETRES)
         self._single_sigma_row.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3, strict=True

@@ -7,11 +7,12 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QW
 
 from lispac.adjustment.model.parameters import PARAMETER_DISPLAYS, Parameter
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
-from lispac.gui.appearance.units import Base
+from lispac.gui.appearance import theme
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.optional_number import OptionalNumber
-from lispac.language import N_, Plural, gettext, number
+from lispac.gui.widgets.result_tables import local_amount
+from lispac.language import N_, Plural, gettext
+from lispac.present.parameters import parameter_format
 from lispac.project import Settings
 
 
@@ -43,14 +44,10 @@ class MountingParameter:
 
     def amount(self, value: float, *, signed: bool = True) -> str:
         """Text of a value with the unit shown, in the user's language."""
-        form = f"{'+' if signed else ''}.{self.decimals}f"
-        if self.unit in BASE_UNITS:
-            return units.local_amount(value * self.scale, BASE_UNITS[self.unit], form)
-        written = number(value * self.scale, self.decimals, sign=signed).replace("-", "−")
-        return f"{written}\N{NO-BREAK SPACE}{self.unit}"
+        form = parameter_format(self.name)
+        return local_amount(value, form.signed if signed else form)
 
 
-BASE_UNITS: dict[str, Base] = {"m": "m", "°": "°"}
 _LIMITS_AND_TEXTS = {
     "lever_x": (
         100.0, N_("Lever arm X"), N_("lever arm X"), N_("Prior σ of the lever arm X"),

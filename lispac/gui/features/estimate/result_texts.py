@@ -5,8 +5,9 @@ from html import escape
 
 from lispac.adjustment.diagnostics.warnings import has_form_errors, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.gui.appearance import quantities, theme
+from lispac.gui.appearance import theme
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -25,6 +26,7 @@ from lispac.present.parameters import (
     significance_text,
 )
 from lispac.present.sigmas import component_text, sigma_text, sigmas_used
+from lispac.present.tables import MILLIMETRES
 from lispac.project import Project
 
 MIN_SHOWN_FORM_ERROR_M = 5e-5
@@ -65,8 +67,8 @@ def form_error_text(result: AdjustmentResult) -> str:
 
 def _form_error_value_text(metres: float) -> str:
     if metres < MIN_SHOWN_FORM_ERROR_M:
-        return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM_IN_M, "mm", 1))
-    return quantities.amount(1000 * metres, "mm", 1)
+        return gettext("below {limit}", limit=local_amount(_TENTH_MM_IN_M, MILLIMETRES))
+    return local_amount(metres, MILLIMETRES)
 
 
 REALISTIC_TEXT = N_("The uncertainties are realistic.")

@@ -6,11 +6,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.appearance import quantities
 from lispac.gui.widgets.number_field import NumberField
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 from lispac.present.patch_test import PatchTestValues
+from lispac.present.tables import DEGREES, MILLIMETRES
 
 Array = NDArray[np.float64]
 
@@ -128,13 +129,13 @@ class PatchAngles(QWidget):
             if values is None:
                 label.setText("")
                 continue
-            angle = quantities.amount(getattr(values.boresight_deg, name), "°", 4, sign=True)
+            angle = local_amount(getattr(values.boresight_deg, name), DEGREES.signed)
             if values.sigma_deg is None:
                 text = gettext("result {angle}, no standard deviation", angle=angle)
             else:
-                sigma = quantities.amount(getattr(values.sigma_deg, name), "°", 4)
+                sigma = local_amount(getattr(values.sigma_deg, name), DEGREES)
                 text = gettext("result {angle} ± {sigma}", angle=angle, sigma=sigma)
-            distance = quantities.amount(1000 * getattr(values.misalignment_m, name), "mm", 1)
+            distance = local_amount(getattr(values.misalignment_m, name), MILLIMETRES)
             effect = gettext("0.01° error = {distance} misalignment", distance=distance)
             label.setText(f"{text}; {effect}")
 

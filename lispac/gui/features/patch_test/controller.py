@@ -10,7 +10,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.app.unavailable import Unavailable, first_reason
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, NO_DATA_TEXT, PatchTestPanel
@@ -20,6 +20,7 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
@@ -29,6 +30,7 @@ from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.present.patch_test import PatchTestValues
+from lispac.present.tables import DEGREES
 from lispac.progress import Progress
 from lispac.workflow.calibration.method_runs import patch_test_result
 from lispac.workflow.calibration.patch_test import (
@@ -67,13 +69,12 @@ class PatchTestController(QObject):
         actions: Actions,
         mouse_tool: MouseTool,
         clip_box: Callable[[], ClipBox | None],
-        bring: Callable[[QObject], None],
+        panel: PatchTestPanel,
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
         self._viewport, self._controller = viewport, controller
-        self._actions, self._bring = actions, bring
-        self.panel = PatchTestPanel()
+        self._actions, self.panel = actions, panel
         self._placed_objects: PlacedObjects | None = None
         self._result: PatchTestResult | None = None
         self._survey: Survey | None = None
@@ -85,8 +86,6 @@ class PatchTestController(QObject):
         self._drawn = self._outdated = False
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
-        panel = self.panel
-        actions.connect_slots({"patch_test": self.open})
         panel.remove_requested.connect(self._remove)
         panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
@@ -106,10 +105,6 @@ class PatchTestController(QObject):
         )  # fmt: skip
         adding.objects_placed.connect(self._set_objects)
         self._reset()
-
-    def open(self) -> None:
-        """Bring the panel to the front."""
-        self._bring(self.panel)
 
     # -- objects -----------------------------------------------------------------------------
 
@@ -315,7 +310,7 @@ class PatchTestController(QObject):
                 gettext(
                     "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
                     angle=gettext(ANGLE_NAMES[angle]),
-                    value=units.local_amount(degrees, "°", "+.4f"),
+                    value=local_amount(degrees, DEGREES.signed),
                 )
             )
             self._draw_lines()

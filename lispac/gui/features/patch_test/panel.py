@@ -25,7 +25,6 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.patchtest.line_pairs import Kind, LinePair
 
-TITLE = N_("Patch test")
 EMPTY_TEXT = N_(
     "The patch test compares the lines at objects visible in several lines: edges, pillars, "
     "poles. Find objects, or click one in the view. Then change roll, pitch and yaw until the "

@@ -11,11 +11,13 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from lispac.gui.appearance import quantities, theme
+from lispac.gui.appearance import theme
 from lispac.gui.viewport.base import Colour
 from lispac.gui.viewport.overlay import length_text, scale_bar_length
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import gettext
 from lispac.patchtest.line_mismatch import curve_minimum
+from lispac.present.patch_test import CURVE_ANGLE, CURVE_MISMATCH
 
 Array = NDArray[np.float64]
 
@@ -188,14 +190,14 @@ class CurvePicture(PaperPicture):
         painter.setPen(theme.colour("muted"))
         ends = (self._values[0], 0.5 * (self._values[0] + self._values[-1]), self._values[-1])
         for number, value in enumerate(ends):
-            text = quantities.amount(float(np.degrees(value)), "°", 3, sign=True)
+            text = local_amount(float(np.degrees(value)), CURVE_ANGLE)
             flag = (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignHCenter,
                     Qt.AlignmentFlag.AlignRight)[number]  # fmt: skip
             box = QRectF(frame.left() - 24, frame.bottom() + 4, frame.width() + 34, 16)
             if number != 1 or frame.width() > 240:
                 painter.drawText(box, flag, text)
         for share in (0.0, 0.5, 1.0):
-            text = quantities.amount(1000 * share * self._largest_mismatch, "mm", 0)
+            text = local_amount(share * self._largest_mismatch, CURVE_MISMATCH)
             box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT_PX - 6, 16)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
@@ -205,7 +207,7 @@ class CurvePicture(PaperPicture):
             painter.setPen(QPen(theme.colour("done"), 1.5, Qt.PenStyle.DashLine))
             x = self.place(lowest, 0.0).x()
             painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
-            value = quantities.amount(float(np.degrees(lowest)), "°", 3, sign=True)
+            value = local_amount(float(np.degrees(lowest)), CURVE_ANGLE)
             text = gettext("minimum {angle}", angle=value)
             right = x > frame.center().x()
             width = (x - frame.left() if right else frame.right() - x) - 8

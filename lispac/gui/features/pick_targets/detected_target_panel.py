@@ -10,9 +10,11 @@ from lispac.duplicate_targets import overlap_warning
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.pick_targets.sightings_table import RATING_TEXTS, quality_text
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
+from lispac.present.tables import MILLIMETRES
 from lispac.project import PickedSighting, Project, Role, Shape, Target
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.project.survey import Survey
@@ -70,7 +72,7 @@ class LineQualityIndicators(QWidget):
                 judgement = gettext("The quality is being computed")
             else:
                 judgement = quality_text(quality)
-            rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
+            rms = local_amount(sighting.rms, MILLIMETRES)
             points = gettext(LINE_POINTS_TEXT, line=line, count=len(sighting.indices), rms=rms)
             for each in (light, name):
                 each.setToolTip(widgets.plain_tip(f"{points}\n{judgement}"))
@@ -178,7 +180,7 @@ class DetectedTargetPanel(QFrame):
                 FOUND_TEXTS[candidate.shape],
                 found=len(found), lines=len(project.lines),
                 points=sum(len(sighting.indices) for sighting in found),
-                rms=units.local_amount(1000 * worst, "mm", ".1f"),
+                rms=local_amount(worst, MILLIMETRES),
             )
         ]  # fmt: skip
         if candidate.shape == "sphere" and survey is not None:

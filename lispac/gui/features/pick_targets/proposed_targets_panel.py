@@ -18,12 +18,14 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
 from lispac.gui.widgets.reserved_label import ReservedLabel
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.picked_targets import Triple
+from lispac.present.tables import DEGREES
 
 if TYPE_CHECKING:
     from lispac.workflow.calibration.proposals import Proposal
@@ -246,6 +248,4 @@ def _targets_text(proposal: "Proposal", ticked: Collection[str], others: Collect
 
 def _angle_text(radians: float) -> str:
     """Text of an angle in the unit that the user has chosen."""
-    sign = units.shown_unit("°").sign
-    value = units.localised(units.figure(degrees(radians), "°", ".4f"))
-    return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")
+    return local_amount(degrees(radians), DEGREES)

@@ -20,17 +20,20 @@ from PySide6.QtWidgets import (
 from lispac.errors import LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.appearance import quantities, theme
+from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
-from lispac.language import N_, Plural, gettext, number
+from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.present.seeds import (
     ROLE_TEXTS,
+    SEED_METRES,
     SEED_OUTCOMES_TABLE,
     SeedOutcomeRow,
 )
+from lispac.present.sighting_quality import RANGE_METRES
 from lispac.present.tables import Column, cell_text, title_text
 from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
@@ -159,7 +162,9 @@ class SeedListDialog(QDialog):
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Unchecked if seed.exists else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
-            numbers = [*(number(each, 3) for each in seed.place), number(distances[row], 1)]
+            numbers = [
+                *map(SEED_METRES.text, seed.place), RANGE_METRES.text(distances[row])
+            ]  # fmt: skip
             comment = (
                 gettext("A target with this name exists; tick to replace it") if seed.exists else ""
             )
@@ -236,7 +241,7 @@ def _number_text(column: Column[SeedOutcomeRow], row: SeedOutcomeRow) -> str:
     value, form = column.value_of(row), column.format_of(row)
     if value is None or form is None or form.unit != "mm":
         return cell_text(column, row)
-    return quantities.amount(form.factor * value, "mm", form.decimals)
+    return local_amount(value, form)
 
 
 def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:

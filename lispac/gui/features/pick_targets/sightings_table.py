@@ -16,10 +16,13 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import widgets
-from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.appearance import theme, units
 from lispac.gui.project.status import ProjectState
-from lispac.language import N_, Plural, gettext, number
+from lispac.gui.widgets.result_tables import local_amount
+from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
+from lispac.present.sighting_quality import EXTENT_METRES, RANGE_METRES
+from lispac.present.tables import COUNT, MILLIMETRES
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.sighting_quality import Rating, SightingQuality
 from lispac.workflow.project.survey import Survey
@@ -262,7 +265,7 @@ class SightingsModel(QAbstractTableModel):
             count, rms = len(sighting.indices), sighting.rms
             if quality is not None and quality.smear is None:  # as in the report
                 count, rms = quality.points, quality.rms
-            return f"{number(count, 0)}   {_millimetres(rms)}{light}{edited}"
+            return f"{COUNT.text(count)}   {local_amount(rms, MILLIMETRES)}{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.quality_icon(quality.rating)
         if role == Role.CheckStateRole:
@@ -290,7 +293,7 @@ class SightingsModel(QAbstractTableModel):
                     "the sighting {rms}",
                 ),
                 target=target.name, line=sighting.line, count=len(sighting.indices),
-                rms=_millimetres(sighting.rms),
+                rms=local_amount(sighting.rms, MILLIMETRES),
             )
         ]  # fmt: skip
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
@@ -309,8 +312,8 @@ class SightingsModel(QAbstractTableModel):
                 lines.append(
                     gettext(
                         "RMS distance to the adjusted surface: {before} before, {after} after",
-                        before=_millimetres(residual.rms_before),
-                        after=_millimetres(residual.rms_after),
+                        before=local_amount(residual.rms_before, MILLIMETRES),
+                        after=local_amount(residual.rms_after, MILLIMETRES),
                     )
                 )
         lines.append(gettext("Untick to exclude this sighting"))
@@ -399,10 +402,6 @@ class SightingsTable(QTableView):
             self.sighting_activated.emit(*key)
 
 
-def _millimetres(metres: float) -> str:
-    return quantities.amount(1000 * metres, "mm", 1)
-
-
 def main_reason(qualities: Iterable[SightingQuality]) -> str:
     """Short form of the most frequent reason of the sightings that are not good."""
     words = Counter(
@@ -419,14 +418,14 @@ def quality_text(quality: SightingQuality) -> str:
     lines = [
         gettext(RATING_TEXTS[quality.rating]),
         *map(message_text, quality.reasons),
-        gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
+        gettext("Range: {range}", range=local_amount(quality.range, RANGE_METRES)),
     ]
     if quality.density is not None:
         lines.append(gettext("Density: {density:x.0} points per m²", density=quality.density))
     if quality.incidence is not None:
         lines.append(gettext("Angle of incidence: {angle:deg.0}°", angle=quality.incidence))
     if quality.extent is not None:
-        width, height = (quantities.amount(each, "m", 2) for each in quality.extent)
+        width, height = (local_amount(each, EXTENT_METRES) for each in quality.extent)
         lines.append(gettext("Size: {width} × {height}", width=width, height=height))
     if quality.visible_share is not None:
         lines.append(
@@ -440,7 +439,7 @@ def quality_text(quality: SightingQuality) -> str:
             gettext(
                 "The prior boresight may cause up to {rms} of the RMS. Before the calibration, "
                 "the quality does not include this share.",
-                rms=_millimetres(quality.smear),
+                rms=local_amount(quality.smear, MILLIMETRES),
             )
         )
     elif quality.smear is None and quality.incidence is not None:
@@ -452,7 +451,7 @@ def quality_text(quality: SightingQuality) -> str:
                     "Quality computed with the estimated boresight from {count:n} points, RMS "
                     "{rms}",
                 ),
-                count=quality.points, rms=_millimetres(quality.rms),
+                count=quality.points, rms=local_amount(quality.rms, MILLIMETRES),
             )
         )  # fmt: skip
     return "\n".join(lines)

@@ -2,12 +2,11 @@
 
 from dataclasses import replace
 
-from lispac.gui.appearance import quantities
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
-from lispac.gui.widgets.result_tables import window_columns, window_rows
+from lispac.gui.widgets.result_tables import local_amount, window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.present.acceptance import AcceptanceCriteriaValues
-from lispac.present.tables import title_text
+from lispac.present.tables import MILLIMETRES, title_text
 from lispac.present.validation import WINDOW_PAIRS_TABLE, PairValues
 from lispac.validation.comparison_results import PlaneComparison
 
@@ -43,7 +42,7 @@ def _marked_row(row: Row, pair: PairValues, criteria: AcceptanceCriteriaValues) 
         reasons.append(
             gettext(
                 "Worse than before the calibration: RMS {before} → {after}",
-                before=_millimetres(before), after=_millimetres(rms),
+                before=local_amount(before, MILLIMETRES), after=local_amount(rms, MILLIMETRES),
             )
         )  # fmt: skip
     for column, value, limit in (
@@ -52,17 +51,17 @@ def _marked_row(row: Row, pair: PairValues, criteria: AcceptanceCriteriaValues) 
         if value is not None and limit is not None and value > limit:
             colours[column] = "error"
             reasons.append(
-                gettext(LIMIT_TEXTS[column], value=_millimetres(value), limit=_millimetres(limit))
+                gettext(
+                    LIMIT_TEXTS[column],
+                    value=local_amount(value, MILLIMETRES),
+                    limit=local_amount(limit, MILLIMETRES),
+                )
             )
     if not reasons:
         return row
     cells = [replace(cell, colour=colours.get(k, "")) for k, cell in enumerate(row.cells)]
     quality = "poor" if "error" in colours.values() else "doubtful"
     return replace(row, cells=cells, quality=quality, tip="\n".join([*reasons, row.tip]).strip())
-
-
-def _millimetres(metres: float, *, sign: bool = False) -> str:
-    return quantities.amount(1000 * metres, "mm", 1, sign=sign)
 
 
 def _pair_tip(pair: PairValues) -> str:
@@ -74,7 +73,7 @@ def _pair_tip(pair: PairValues) -> str:
                 "After: M3C2 distances at {count:n} places, 95 % confidence interval of one "
                 "distance ± {half_width}; {share:percent.0} % differ significantly from zero",
                 count=signed.places,
-                half_width=_millimetres(signed.interval95_m),
+                half_width=local_amount(signed.interval95_m, MILLIMETRES),
                 share=signed.significant_share,
             )
         )
@@ -83,8 +82,8 @@ def _pair_tip(pair: PairValues) -> str:
             gettext(
                 "Plane offset after calibration: {offset} ± {half_width} (95 % confidence "
                 "interval)",
-                offset=_millimetres(planes.offset_m, sign=True),
-                half_width=_millimetres(planes.offset_interval95_m),
+                offset=local_amount(planes.offset_m, MILLIMETRES.signed),
+                half_width=local_amount(planes.offset_interval95_m, MILLIMETRES),
             )
         )
     return "\n".join(lines)

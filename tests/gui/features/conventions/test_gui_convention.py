@@ -283,7 +283,7 @@ def test_the_panel_shows_the_boresight_of_the_window(
     driver: Driver, calibrated: Calibrated
 ) -> None:
     project, survey = calibrated
-    window, panel = driver.window, driver.window.convention
+    window, panel = driver.window, driver.window.panels["convention"]
     show_panel(window, TITLE)
     assert project.result is not None
     window.document.open(project, survey)

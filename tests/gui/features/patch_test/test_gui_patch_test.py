@@ -15,7 +15,7 @@ ROLL, PITCH, YAW = range(3)
 
 
 def panel(driver: Driver) -> PatchTestPanel:
-    return driver.window.tools.patch_test_controller.panel
+    return driver.window.panels["patch_test"]
 
 
 def opened_panel(driver: Driver) -> PatchTestPanel:
@@ -27,7 +27,7 @@ def opened_panel(driver: Driver) -> PatchTestPanel:
 
 def wait_for_curve(driver: Driver) -> None:
     """Wait until the curve belongs to the current angles."""
-    patch_test_controller = driver.window.tools.patch_test_controller
+    patch_test_controller = driver.window.panel_controllers["patch_test"]
     driver.bot.waitUntil(lambda: not patch_test_controller.is_curve_pending, timeout=60_000)
     driver.rest()
 
@@ -77,7 +77,7 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     assert shown.objects.count() > 10
     click(opened, shown.all)
     opened.rest()
-    result = window.tools.patch_test_controller.last_result
+    result = window.panel_controllers["patch_test"].last_result
     assert result is not None
     assert result.sigma is not None
     assert "result" in shown.angles.result_labels[PITCH].text()

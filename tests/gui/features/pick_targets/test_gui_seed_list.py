@@ -79,7 +79,7 @@ def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, lis
     read, list_text, found, summary = shown_content
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
-    assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
+    assert read[0][2:5] == [f"{value:.3f}".replace("-", "−") for value in SEEDS[names[0]][1]]
     ordered = note("assumed.columns_by_order", columns=("name", "north", "west", "up"))
     assert message_text(ordered) in list_text
     assert [row[2] for row in found][3] == "none"
