@@ -93,7 +93,7 @@ TEXTS: Mapping[str, Template] = {
         "The calibration is not validated, because no validation plane has been compared between "
         "the lines."
     ),
-    "report.not_compared": N_("A validation plane could not be compared. {reason}"),
+    "report.not_compared": N_("The lines were not compared on a validation plane. {reason}"),
     "report.validation_worse": N_(
         "On validation plane {target} the distances between the lines are larger after the "
         "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm). Check the targets and "

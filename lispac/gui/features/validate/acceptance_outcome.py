@@ -77,7 +77,9 @@ class AcceptanceOutcome(QWidget):
         if project is None or project.result is None:
             return
         # Compared by identity: the objects are kept, so that none has the address of another
-        source = project.result, project.validation, project.acceptance, problem
+        source = (
+            project.result, project.validation, project.targets, project.acceptance, problem
+        )  # fmt: skip
         if len(self._shown) == len(source) and all(
             a is b for a, b in zip(source, self._shown, strict=True)
         ):
