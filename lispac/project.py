@@ -511,9 +511,13 @@ class Project:
         }
         if replace(self.settings, **of_budget) == settings:  # type: ignore[arg-type]
             return replace(self, settings=settings)
+        return replace(self.without_results(), settings=settings)
+
+    def without_results(self) -> "Project":
+        """Remove all results, after a change of data or settings on which they depend."""
         return replace(
-            self, settings=settings, result=None, cross_checks=None, validation=(),
-            not_compared={}, absolute=None, alternative_results=(), prediction=None,
+            self, result=None, cross_checks=None, validation=(), not_compared={}, absolute=None,
+            alternative_results=(), prediction=None,
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":

@@ -62,6 +62,7 @@ from lispac.picked_targets import Role
 from lispac.project import Project
 from lispac.warning_causes import Cause
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
+from lispac.workflow.project.attitude_signs import reversible_angles
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -469,8 +470,7 @@ class MainWindow(QMainWindow):
     def _run_message_action(self, action: Action) -> None:
         """Use the LiDAR noise found in the residuals, or show the signs of the attitude."""
         if action.code == CHECK_SIGN_CODE:
-            if self.document.survey is not None:
-                self.dialogs.check_signs(self.document.survey)
+            self._check_signs()
             return
         project = self.document.project
         if project is None or project.result is None:
@@ -479,6 +479,15 @@ class MainWindow(QMainWindow):
         if action.code in NOISE_ACTIONS and ratio is not None:
             self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
             self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
+
+    def _check_signs(self) -> None:
+        """Show the signs of the attitude, and correct those that the user finds reversed."""
+        project, survey = self.document.current_data
+        if project is None or survey is None:
+            return
+        angles = self.dialogs.check_signs(survey, reversible_angles(project))
+        if self.document.project is project:
+            self.controller.reverse_signs(angles)
 
     def _set_title(self) -> None:
         project = self.document.project
