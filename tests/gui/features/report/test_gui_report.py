@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QPushButton,
     QScrollArea,
+    QToolBar,
     QWidget,
 )
 
@@ -254,6 +255,26 @@ def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_
     assert fresh.options() == panel.options()
     click(adjusted, panel.no_template)
     assert panel.options() == ReportOptions("letter", "applanix", language="fr")
+
+
+def test_the_toolbar_uses_the_options_of_step_5(adjusted: Driver, tmp_path: Path) -> None:
+    window, sizes = adjusted.window, []
+    panel, toolbar = window.report, window.findChild(QToolBar, "toolbar")
+    button = toolbar.widgetForAction(window.actions_["report"])
+    for extent in range(len(EXTENTS)):
+        open_step(adjusted, REPORT_STEP)
+        choose(adjusted, panel.extent, extent)
+        choose(adjusted, panel.language, 2)
+        written = [tmp_path / f"{extent}{name}.html" for name in ("toolbar", "panel")]
+        for path, press_button in zip(written, (button, panel.report), strict=True):
+            adjusted.dialogs.path = path
+            click(adjusted, press_button)
+            adjusted.rest()
+        texts = [re.sub(r"[0-9]+:[0-9]+|toolbar|panel", "", each.read_text()) for each in written]
+        assert len(texts[0]) == len(texts[1])
+        assert 'lang="fr"' in texts[0]
+        sizes.append(len(texts[0]))
+    assert len(set(sizes)) == len(EXTENTS)
 
 
 def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
