@@ -54,7 +54,7 @@ from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.panel_refresh import PanelRefresh
-from lispac.gui.window.panels import Panels, automatic_docks
+from lispac.gui.window.panels import Panels, accompanying_docks, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import N_, gettext
 from lispac.messages import Action, Message
@@ -251,7 +251,9 @@ class MainWindow(QMainWindow):
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self.tools.point_readout.shown.connect(self.task_bar.point.setText)
-        self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
+        self.dock_layout = docks.DockLayout(
+            self, self.docks, automatic_docks(), accompanying_docks()
+        )
         windows = {**self.panels.windows(), **self.tools.windows}
         self.panel_windows = {
             title: PanelWindow(

@@ -68,13 +68,18 @@ def _has_validation(state: ProjectState) -> bool:
     return state.project is not None and bool(state.project.validation)
 
 
-def _dock(title: str, area: Area, content: Content, *, opens: bool = False) -> dict[str, Any]:
+def _dock(
+    title: str, area: Area, content: Content, *, opens: bool = False, accompanies: bool = False
+) -> dict[str, Any]:
     """Metadata of a field of `Panels`: English title, side and content of the dock.
 
     Docks of one side are tabs, in the order of the fields. A dock with ``opens`` opens by itself
-    when it has something to show.
+    when it has something to show; one with ``accompanies`` as well waits until another one opens.
     """
-    return {"title": title, "area": area, "content": content, "opens": opens}
+    return {
+        "title": title, "area": area, "content": content, "opens": opens,
+        "accompanies": accompanies,
+    }  # fmt: skip
 
 
 def _window(title: str, width: int, height: int, action: str) -> dict[str, Any]:
@@ -131,7 +136,7 @@ class Panels:
     )
     table: SightingsTable = field(
         default_factory=SightingsTable,
-        metadata=_dock(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True),
+        metadata=_dock(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True, accompanies=True),
     )
     histograms: HistogramsPanel = field(
         default_factory=HistogramsPanel,
@@ -188,6 +193,11 @@ class Panels:
 def automatic_docks() -> list[str]:
     """Titles of the docks that open by themselves."""
     return [each.metadata["title"] for each in _dock_fields() if each.metadata["opens"]]
+
+
+def accompanying_docks() -> list[str]:
+    """Titles of the docks that open only with another dock or with a project."""
+    return [each.metadata["title"] for each in _dock_fields() if each.metadata["accompanies"]]
 
 
 def filled_docks(state: ProjectState) -> list[str]:
