@@ -24,6 +24,7 @@ from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu, with_help_until_used
@@ -232,6 +233,7 @@ class MainWindow(QMainWindow):
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
+            lambda colouring: self.actions_[COLOUR_ACTIONS[colouring]].trigger(),
         )  # fmt: skip
         self.tools.point_readout.may_show_tooltip = lambda: (
             not (self.tour.is_running or runner.busy or control.candidate is not None)
