@@ -188,8 +188,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.halves_differ": N_(
         "The two halves of the survey differ by more than the criterion for the standard deviation "
-        "and by more than the 95 % interval of the difference: {items:names}. The angles may be "
-        "less certain than the verdict says. Check the trajectory and the targets of both halves."
+        "and by more than the 95 % interval of the difference, so that the angles may be less "
+        "certain than the verdict says: {items:names}. Check the trajectory and the targets of "
+        "both halves."
     ),
     "acceptance.not_judged": N_(
         "The acceptance criteria for validation planes could not be judged, because no plane has "
