@@ -374,7 +374,7 @@ class Project:
     cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
     not_compared: Mapping[str, Message] = field(default_factory=dict)
-    """Reason for each validation plane that could not be compared."""
+    """Reason for each validation plane on which the lines are not compared."""
     absolute: AbsoluteCheck | None = None
     """Comparison of the lines with a static scan or surveyed points, if it has been made."""
     alternative_results: tuple[AlternativeResult, ...] = ()
@@ -511,9 +511,13 @@ class Project:
         }
         if replace(self.settings, **of_budget) == settings:  # type: ignore[arg-type]
             return replace(self, settings=settings)
+        return replace(self.without_results(), settings=settings)
+
+    def without_results(self) -> "Project":
+        """Remove all results, after a change of data or settings on which they depend."""
         return replace(
-            self, settings=settings, result=None, cross_checks=None, validation=(),
-            not_compared={}, absolute=None, alternative_results=(), prediction=None,
+            self, result=None, cross_checks=None, validation=(), not_compared={}, absolute=None,
+            alternative_results=(), prediction=None,
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
@@ -562,11 +566,28 @@ class Project:
         )
         return replace(self, alternative_results=tuple(kept))
 
+    def with_renamed_target(self, old: str, new: str) -> "Project":
+        """Rename a target without changing the order; a validation plane keeps its comparison.
+
+        The results that depend on a target contain its name and are removed.
+        """
+        renamed = replace(self.target(old), name=new)
+        require_valid_target(renamed)
+        targets = tuple(renamed if target.name == old else target for target in self.targets)
+        edited = self._edited(targets, {renamed.role})
+        if renamed.role == "target" or old not in {plane.name for plane in self.validation}:
+            return edited
+        comparisons = tuple(
+            replace(plane, name=new) if plane.name == old else plane for plane in self.validation
+        )
+        kept = {name: reason for name, reason in self.not_compared.items() if name != new}
+        return replace(edited, validation=comparisons, not_compared=kept)
+
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # Validation planes are not used in the adjustment, so the angles stay valid after an edit
         # of one. Only the method of natural planes uses them.
         kept = "target" not in roles
-        return replace(
+        edited = replace(
             self,
             targets=targets,
             result=self.result if kept else None,
@@ -580,4 +601,29 @@ class Project:
                 for each in self.alternative_results
                 if each.method != "natural planes" or "validation" not in roles
             ),
+        )
+        return edited._with_unchanged_comparisons_of(self) if kept else edited
+
+    def _with_unchanged_comparisons_of(self, former: "Project") -> "Project":
+        """Keep the comparisons of planes that have not changed, and give a reason for the others.
+
+        Nothing is kept if no comparison of a plane that is used now remains.
+        """
+        unchanged = {id(plane) for plane in former.targets_of_role("validation")}
+        planes = [plane for plane in self.targets_of_role("validation") if plane.used]
+        known = {plane.name for plane in planes if id(plane) in unchanged}
+        comparisons = tuple(plane for plane in former.validation if plane.name in known)
+        if not comparisons:
+            return self
+        names = {plane.name for plane in comparisons}
+        return replace(
+            self,
+            validation=comparisons,
+            not_compared={
+                plane.name: former.not_compared[plane.name]
+                if plane.name in known and plane.name in former.not_compared
+                else error("validation.plane_edited", plane=plane.name)
+                for plane in planes
+                if plane.name not in names
+            },
         )

@@ -103,6 +103,10 @@ TEXTS: Mapping[str, Template] = {
         "{plane}, before and after the calibration. Choose a larger plane, or pick this plane "
         "again."
     ),
+    "validation.plane_edited": N_(
+        "The validation plane {plane} was added or changed after the last validation. Validate "
+        "again to compare the lines on it."
+    ),
     "validation.other_lines": N_(
         "The validation plane {plane} has points on different lines before and after the "
         "calibration (lines in one of the two states only: {lines:names}). Give points of the "

@@ -79,6 +79,9 @@ TEXTS: Mapping[str, Template] = {
         "second minus first half of the data ({angle} {difference:deg.4+}°, {ratio:x.1} times "
         "its standard deviation)"
     ),
+    "item.half_difference": N_(
+        "{angle} {difference:deg.4+}° ± {interval:deg.4}° (criterion {limit:deg.4}°)"
+    ),
     "suspect.heights": N_("heights"),
     "suspect.time": N_("time"),
     "suspect.roll_sign": N_("sign of roll"),

@@ -93,7 +93,7 @@ TEXTS: Mapping[str, Template] = {
         "The calibration is not validated, because no validation plane has been compared between "
         "the lines."
     ),
-    "report.not_compared": N_("A validation plane could not be compared. {reason}"),
+    "report.not_compared": N_("The lines were not compared on a validation plane. {reason}"),
     "report.validation_worse": N_(
         "On validation plane {target} the distances between the lines are larger after the "
         "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm). Check the targets and "
@@ -185,6 +185,12 @@ TEXTS: Mapping[str, Template] = {
     "acceptance.cause_unknown": N_(
         "The cause on {planes:names} is not known, because an earlier version of LISPAC has "
         "compared the lines. Validate again."
+    ),
+    "acceptance.halves_differ": N_(
+        "The two halves of the survey differ by more than the criterion for the standard deviation "
+        "and by more than the 95 % interval of the difference, so that the angles may be less "
+        "certain than the verdict says: {items:names}. Check the trajectory and the targets of "
+        "both halves."
     ),
     "acceptance.not_judged": N_(
         "The acceptance criteria for validation planes could not be judged, because no plane has "

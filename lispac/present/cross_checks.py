@@ -101,6 +101,17 @@ def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
     return [*named, *(SubsetRow(names[half.part], half) for half in halves)]
 
 
+def halves_difference_deg(checks: CrossCheckValues) -> tuple[float, ...] | None:
+    """Roll, pitch and yaw of the second half minus those of the first, degrees.
+
+    None if the halves were not compared.
+    """
+    halves = [each for each in checks.parts if each.kind == "half"]
+    if not halves or halves[-1].difference_deg is None:
+        return None
+    return tuple(halves[-1].difference_deg)
+
+
 def halves_sigma_deg(checks: CrossCheckValues) -> tuple[float, ...] | None:
     """Standard deviations of roll, pitch and yaw of the difference between the halves, degrees.
 

@@ -75,7 +75,7 @@ def report_warnings(
             *_target_warnings(content),
             *_validation_warnings(content),
             *(
-                acceptance_warnings(content.acceptance, content.validation)
+                acceptance_warnings(content.acceptance, content.validation, content.cross_checks)
                 if content.calibrated
                 else ()
             ),

@@ -4,8 +4,14 @@ from collections.abc import Iterator, Sequence
 from math import radians
 
 from lispac.adjustment.model.parameters import mounting_value_name
+from lispac.adjustment.result import ANGLES
 from lispac.messages import Message, note, warning
 from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues
+from lispac.present.cross_checks import (
+    CrossCheckValues,
+    halves_difference_deg,
+    halves_sigma_deg,
+)
 from lispac.present.validation import LineShiftValues, ValidationPlane
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
@@ -20,19 +26,36 @@ FALSE_WARNING_LEVEL = 0.01
 """Probability of any warning about the distances on the planes of a project without errors."""
 
 
+HALVES_CONFIDENCE_SIGMAS = 1.96
+"""Half width of the 95 % confidence interval of a difference, in its standard deviations."""
+
+
 def acceptance_warnings(
-    values: AcceptanceValues, planes: Sequence[ValidationPlane]
+    values: AcceptanceValues, planes: Sequence[ValidationPlane], checks: CrossCheckValues | None
 ) -> Iterator[Message]:
-    """Warnings about criteria that are not met, their causes, and notes on what is not judged."""
+    """Warnings about criteria that are not met, their causes, and notes on what is not judged.
+
+    Parameters
+    ----------
+    checks : cross-checks of the result; None if there are none
+    """
     for check in values.checks:
         if check.verdict == "fail":
             yield _failure(check)
     yield from _cause_notes(values, planes)
-    yield from acceptance_notes(values)
+    yield from acceptance_notes(values, checks)
 
 
-def acceptance_notes(values: AcceptanceValues) -> Iterator[Message]:
-    """Notes on criteria that could not be judged, or are not given."""
+def acceptance_notes(
+    values: AcceptanceValues, checks: CrossCheckValues | None
+) -> Iterator[Message]:
+    """Notes on halves that differ, and on criteria that could not be judged or are not given.
+
+    Parameters
+    ----------
+    checks : cross-checks of the result; None if there are none
+    """
+    yield from _halves_note(values, checks)
     unknown = [check for check in values.checks if check.verdict == "not judged"]
     if unknown:
         planes = tuple(dict.fromkeys(check.plane for check in unknown if check.plane))
@@ -44,6 +67,33 @@ def acceptance_notes(values: AcceptanceValues) -> Iterator[Message]:
     if values.checks and missing:
         criteria = tuple(note(f"acceptance_value.{name}") for name in missing)
         yield note("acceptance.criteria_missing", criteria=criteria, subject=VALIDATE_STEP)
+
+
+def _halves_note(values: AcceptanceValues, checks: CrossCheckValues | None) -> Iterator[Message]:
+    """Note on angles by which the halves differ more than the criterion permits.
+
+    A criterion limits the standard deviation of an angle. A difference that exceeds it, and its own
+    95 % confidence interval, shows that the angle may be less certain than the verdict says.
+    """
+    difference, sigma = (
+        (None, None)
+        if checks is None
+        else (halves_difference_deg(checks), halves_sigma_deg(checks))
+    )
+    if difference is None or sigma is None:
+        return
+    limits = {each.quantity: each.limit for each in values.checks if each.unit == "deg"}
+    items = tuple(
+        note(
+            "item.half_difference",
+            angle=mounting_value_name(angle), difference=radians(apart),
+            interval=radians(HALVES_CONFIDENCE_SIGMAS * own), limit=radians(limits[angle]),
+        )
+        for angle, apart, own in zip(ANGLES, difference, sigma, strict=True)
+        if angle in limits and abs(apart) > max(limits[angle], HALVES_CONFIDENCE_SIGMAS * own)
+    )  # fmt: skip
+    if items:
+        yield note("acceptance.halves_differ", items=items, subject=Cause.of_page("Cross-checks"))
 
 
 def probable_causes(

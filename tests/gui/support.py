@@ -105,7 +105,7 @@ class ScriptedDialogs(Dialogs):
     def identity(
         self,
         identity: Identity,
-        dates: Callable[[], str],
+        dates: Callable[[], str] | None,
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),

@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, Verdict, planes_to_show
+from lispac.adjustment.model.parameters import mounting_value_name
+from lispac.adjustment.result import CrossCheck, CrossChecks
 from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import LANGUAGES, ShownUnit, in_language, use_units
 from lispac.message_texts import message_text
-from lispac.messages import note, warning
+from lispac.messages import Level, note, warning
 from lispac.present.acceptance import (
     LIMIT_COLUMN,
     MEASURED_COLUMN,
@@ -35,6 +37,7 @@ from lispac.validation.comparison_results import LineShift
 from lispac.warning_causes import Cause
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
+HALVES_CODE = "acceptance.halves_differ"
 SIGMA_DEG = (0.0163, 0.0291, 0.0376)
 """Standard deviations of the angles of the sample project."""
 
@@ -89,6 +92,33 @@ def test_each_plane_is_judged_by_its_rms_and_its_largest_offset(project: Project
             assert check.value == max(offsets.values()) == offsets[check.lines]
         else:
             assert check.verdict == "not judged"
+
+
+def test_halves_that_differ_more_than_a_criterion_are_noted(project: Project) -> None:
+    """Only differences above the criterion and above their own 95 % interval count."""
+    assert project.result is not None
+    unit = np.radians(0.001)
+    difference = np.array([-9.0, 9.0, 9.0]) * unit
+    significance = difference / (np.array([3.0, 3.0, 6.0]) * unit)
+    half = CrossCheck("half", "first", project.result.boresight, project.result.sigma)
+    second = replace(half, part="second", difference=difference, significance=significance)
+    checked = project.with_cross_checks(CrossChecks((half, second)))
+
+    def angles(project: Project, **limits: float) -> list[str]:
+        judged = project.with_acceptance(AcceptanceCriteria(**limits))
+        found = [each for each in sample_content(judged).warnings if each.code == HALVES_CODE]
+        assert all(each.level is Level.NOTE for each in found)
+        assert all(message_text(each) for each in found)
+        return [item.params["angle"].code for each in found for item in each.params["items"]]
+
+    names = [mounting_value_name(angle).code for angle in ("roll", "pitch", "yaw")]
+    limits = {"roll_sigma_deg": 0.008, "pitch_sigma_deg": 0.01, "yaw_sigma_deg": 0.008}
+    assert angles(checked, **limits) == names[:1]  # pitch is within its limit, yaw uncertain
+    assert angles(checked, pitch_sigma_deg=0.0089) == names[1:2]
+    assert angles(checked) == []
+    assert angles(replace(project, cross_checks=None), **limits) == []
+    undetermined = replace(second, difference=None, significance=None)
+    assert angles(checked.with_cross_checks(CrossChecks((half, undetermined))), **limits) == []
 
 
 def test_each_plane_is_judged_by_its_95_percent(project: Project) -> None:

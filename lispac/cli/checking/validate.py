@@ -123,6 +123,7 @@ def _warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the project and about the validation, as in the report."""
     from lispac.duplicate_targets import project_warnings
     from lispac.present.acceptance import AcceptanceValues
+    from lispac.present.cross_checks import cross_check_values
     from lispac.present.validation import ValidationPlane
     from lispac.report.validation_warnings import (
         acceptance_warnings,
@@ -131,9 +132,10 @@ def _warnings(project: Project) -> tuple[Message, ...]:
     )
 
     planes = [ValidationPlane.of(each) for each in project.validation]
+    checks = None if project.cross_checks is None else cross_check_values(project.cross_checks)
     return (
         *project_warnings(project),
-        *acceptance_warnings(AcceptanceValues.of(project.judgement), planes),
+        *acceptance_warnings(AcceptanceValues.of(project.judgement), planes, checks),
         *distribution_warnings(planes),
         *surface_model_warnings(planes),
     )

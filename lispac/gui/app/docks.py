@@ -22,7 +22,7 @@ MIN_STRIP_HEIGHT_PX, MAX_STRIP_SHARE = 150, 0.3
 """Limits of the initial height of the panels at the bottom: pixels, and share of the window."""
 ENLARGED_SHARE = 0.55
 """Share of the height of the window that an enlarged panel at the bottom has."""
-VIEW_SHARES = {768: 0.455, 1000: 0.555}
+VIEW_SHARES = {768: 0.455, 960: 0.555}
 """Share of the window that the panels at the bottom initially leave to the 3D view, by the height
 of the window in pixels; interpolated between, constant beyond."""
 
@@ -119,6 +119,8 @@ class DockLayout(QObject):
     Parameters
     ----------
     automatic : titles of the docks that open by themselves
+    accompanying : those of them that open only with another dock or with a project, because they
+        show nothing that the user waits for, and would take a part of the view
     """
 
     maximised_changed = Signal(bool)
@@ -127,10 +129,18 @@ class DockLayout(QObject):
     opens_by_itself = Signal()
     """A panel opens because it has something to show; the user did not ask for it."""
 
-    def __init__(self, window: QMainWindow, docks: Docks, automatic: Collection[str]) -> None:
+    def __init__(
+        self,
+        window: QMainWindow,
+        docks: Docks,
+        automatic: Collection[str],
+        accompanying: Collection[str] = (),
+    ) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
         self._automatic = frozenset(automatic)
+        self._accompanying = frozenset(accompanying)
+        self._waiting: frozenset[str] = frozenset()
         self._wanted = set(self._automatic)
         self._filled: frozenset[str] = frozenset()
         self._has_strip_height = False
@@ -156,15 +166,18 @@ class DockLayout(QObject):
         filled : titles of the docks that have something to show
         is_new_project : whether docks without content are closed as well
         """
-        former = frozenset() if is_new_project else self._filled
+        former = frozenset() if is_new_project else self._filled - self._waiting
         self._filled = frozenset(filled)
         self._must_close_empty |= is_new_project
+        added = self._filled - former
+        others = self._closed_docks(added - self._accompanying)
+        self._waiting = frozenset() if is_new_project or others else added & self._accompanying
         if self.is_maximised:
             return
         self._close_empty()
-        if not is_new_project and self._closed_docks(self._filled - former):
+        if not is_new_project and others:
             self.opens_by_itself.emit()
-        self._open(self._filled - former)
+        self._open(added - self._waiting)
 
     def _close_empty(self) -> None:
         """Close the docks without content once after another project was opened."""
@@ -248,7 +261,7 @@ class DockLayout(QObject):
             assert before is not None
             self._window.restoreState(before)
             self._close_empty()
-            self._open(self._filled)
+            self._open(self._filled - self._waiting)
         self.maximised_changed.emit(maximised)
 
     # -- layout ------------------------------------------------------------------------------
@@ -268,7 +281,7 @@ class DockLayout(QObject):
         self._state_before = None
         self._window.restoreState(self._initial_state)
         self._wanted = set(self._automatic)
-        self._open(self._filled)
+        self._open(self._filled - self._waiting)
         # The state contains the sizes of docks before the window got its own size
         self.set_initial_sizes()
         self.maximised_changed.emit(False)

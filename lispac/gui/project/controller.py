@@ -24,6 +24,7 @@ from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow.calibration import edits
 from lispac.workflow.calibration.target_search import thinned_notes
 from lispac.workflow.importing.input_files import ImportRequest
+from lispac.workflow.project.attitude_signs import SignedAngle, with_reversed_signs
 from lispac.workflow.project.survey import Survey, load_survey
 
 OpenedProject = tuple[Project, Survey]
@@ -37,6 +38,24 @@ SETTINGS_EDIT_NAMES = {
     "lidar_sigma": N_("change of LiDAR noise"),
 }
 """Names of the undo steps of changed settings, by the name of the setting."""
+REVERSED_SIGN_TEXTS: Mapping[tuple[SignedAngle, ...], tuple[Template, Template]] = {
+    ("roll",): (
+        N_("change of the sign of roll"),
+        N_("The sign of roll was changed. Check the points of the targets, then estimate again."),
+    ),
+    ("pitch",): (
+        N_("change of the sign of pitch"),
+        N_("The sign of pitch was changed. Check the points of the targets, then estimate again."),
+    ),
+    ("roll", "pitch"): (
+        N_("change of the signs of roll and pitch"),
+        N_(
+            "The signs of roll and pitch were changed. Check the points of the targets, then "
+            "estimate again."
+        ),
+    ),
+}
+"""Name of the undo step and text for the log, by the angles whose signs were changed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -543,6 +562,13 @@ class Controller(QObject):
         if settings != self._project.settings:
             name = _settings_edit_name(self._project.settings, settings)
             self._document.edit(name, self._project.with_settings(settings))
+
+    def reverse_signs(self, angles: tuple[SignedAngle, ...]) -> None:
+        """Read the trajectory with the opposite signs of some angles: one undo step."""
+        if self._project is not None and angles:
+            name, text = REVERSED_SIGN_TEXTS[angles]
+            self._document.edit(name, with_reversed_signs(self._project, angles))
+            self.logged.emit(gettext(text))
 
     def change_acceptance(self, values: Mapping[str, float | str | None]) -> None:
         """Change acceptance criteria, given by their names: one undo step.

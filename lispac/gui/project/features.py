@@ -32,12 +32,14 @@ class DockPlace:
     title : English title
     has_content : whether the panel has something to show
     opens : whether the dock opens by itself when the panel has something to show
+    accompanies : whether a dock that opens by itself waits until another one opens
     """
 
     title: str
     area: Qt.DockWidgetArea
     has_content: Callable[[ProjectState], bool]
     opens: bool = False
+    accompanies: bool = False
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from lispac.gui.features.design.controller import SiteDesign
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu, with_help_until_used
@@ -53,7 +54,7 @@ from lispac.gui.window.desktop_notifications import DesktopNotifications
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.features import FEATURES
 from lispac.gui.window.panel_refresh import PanelRefresh
-from lispac.gui.window.panels import Panels, automatic_docks
+from lispac.gui.window.panels import Panels, accompanying_docks, automatic_docks
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import N_, gettext
 from lispac.messages import Action, Message
@@ -61,6 +62,7 @@ from lispac.picked_targets import Role
 from lispac.project import Project
 from lispac.warning_causes import Cause
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
+from lispac.workflow.project.attitude_signs import reversible_angles
 
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
@@ -226,6 +228,7 @@ class MainWindow(QMainWindow):
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
             self.lifecycle.may_leave, panels.workflow.open,
+            lambda colouring: self.actions_[COLOUR_ACTIONS[colouring]].trigger(),
         )  # fmt: skip
         self.tools.point_readout.may_show_tooltip = lambda: (
             not (self.tour.is_running or runner.busy or control.candidate is not None)
@@ -262,7 +265,9 @@ class MainWindow(QMainWindow):
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self.tools.point_readout.shown.connect(self.task_bar.point.setText)
-        self.dock_layout = docks.DockLayout(self, self.docks, automatic_docks())
+        self.dock_layout = docks.DockLayout(
+            self, self.docks, automatic_docks(), accompanying_docks()
+        )
         self.panel_windows = {
             place.title: PanelWindow(
                 place.title,
@@ -480,8 +485,7 @@ class MainWindow(QMainWindow):
     def _run_message_action(self, action: Action) -> None:
         """Use the LiDAR noise found in the residuals, or show the signs of the attitude."""
         if action.code == CHECK_SIGN_CODE:
-            if self.document.survey is not None:
-                self.dialogs.check_signs(self.document.survey)
+            self._check_signs()
             return
         project = self.document.project
         if project is None or project.result is None:
@@ -490,6 +494,15 @@ class MainWindow(QMainWindow):
         if action.code in NOISE_ACTIONS and ratio is not None:
             self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
             self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
+
+    def _check_signs(self) -> None:
+        """Show the signs of the attitude, and correct those that the user finds reversed."""
+        project, survey = self.document.current_data
+        if project is None or survey is None:
+            return
+        angles = self.dialogs.check_signs(survey, reversible_angles(project))
+        if self.document.project is project:
+            self.controller.reverse_signs(angles)
 
     def _set_title(self) -> None:
         project = self.document.project

@@ -113,7 +113,9 @@ class Panels:
     )
     table: SightingsTable = field(
         default_factory=SightingsTable,
-        metadata=_place(DockPlace(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True)),
+        metadata=_place(
+            DockPlace(SIGHTINGS, BOTTOM_AREA, _has_targets, opens=True, accompanies=True)
+        ),
     )
     histograms: HistogramsPanel = field(
         default_factory=HistogramsPanel,
@@ -172,6 +174,11 @@ class Panels:
 def automatic_docks() -> list[str]:
     """Titles of the docks that open by themselves."""
     return [each.title for each in _dock_places() if each.opens]
+
+
+def accompanying_docks() -> list[str]:
+    """Titles of the docks that open only with another dock or with a project."""
+    return [each.title for each in _dock_places() if each.accompanies]
 
 
 def filled_docks(state: ProjectState) -> list[str]:

@@ -32,7 +32,7 @@ def set_line_use(project: Project, line: str, used: bool) -> Project:
 
 
 def with_renamed_target(project: Project, old: str, new: str) -> Project:
-    """Rename a target without changing the order; the results that depend on it are cleared.
+    """Rename a target without changing the order; results that contain a target are cleared.
 
     Raises
     ------
@@ -44,12 +44,7 @@ def with_renamed_target(project: Project, old: str, new: str) -> Project:
         raise ProjectError(error("edit.no_name", target=old))
     if any(target.name == new for target in project.targets if target.name != old):
         raise ProjectError(error("edit.name_taken", name=new, target=old))
-    names = [target.name for target in project.targets]
-    # These edits clear the results and append the target; below, the order is restored.
-    edited = project.without_target(old).with_target(replace(project.target(old), name=new))
-    by_name = {target.name: target for target in edited.targets}
-    order = [new if name == old else name for name in names]
-    return replace(edited, targets=tuple(by_name[name] for name in order))
+    return project.with_renamed_target(old, new)
 
 
 def with_switched_role(project: Project, name: str) -> Project:

@@ -131,6 +131,7 @@ def data_key(project: Project) -> tuple[object, ...]:
     settings = project.settings
     return (
         project.trajectory,
+        project.trajectory_reading,
         project.accuracy,
         project.lines,
         settings.lever_arm,

@@ -39,6 +39,7 @@ from tests.gui.support import (
     Key,
     Left,
     click,
+    estimate,
     in_front,
     press,
     seed,
@@ -51,6 +52,8 @@ SIZES = {(1920, 1080): 0.55, (1600, 1000): 0.55, (1366, 768): 0.45}
 """Smallest share of the view by the size of the window, pixels."""
 SMALLEST = min(SIZES)
 SOON_MS = 10_000
+MOVES = {"keep_picture", "fit", "view", "view_along", "step_view"}
+"""Calls of the viewport that keep or move the scene."""
 
 
 def shown_docks(driver: Driver) -> set[str]:
@@ -148,24 +151,33 @@ def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver)
         seed(opened, name)
         press(opened, Key.Key_Return)
         opened.rest()
-    assert shown_docks(opened) == {"Workflow", "Targets by line"}
+    assert shown_docks(opened) == {"Workflow"}
     press(opened, Key.Key_F9)
     opened.rest()
     opened.bot.waitUntil(lambda: is_in_front(opened, "Results"), timeout=SOON_MS)
+    assert shown_docks(opened) == {"Workflow", "Results", "Targets by line"}
     press(opened, Key.Key_F10)
     opened.rest()
     opened.bot.waitUntil(lambda: is_in_front(opened, "Histograms"), timeout=SOON_MS)
 
 
-def test_the_scene_stays_in_place_when_the_table_opens(opened: Driver) -> None:
-    calls = opened.viewport.calls
-    seed(opened, "T1")
-    calls.clear()
-    press(opened, Key.Key_Return)
+def test_the_scene_stays_in_place_when_a_target_is_accepted(opened: Driver) -> None:
+    """No panel opens while targets are picked; the results keep the scene where it is."""
+    opened.window.resize(1600, 1000)
     opened.rest()
-    assert is_in_front(opened, "Targets by line")
-    moves = {"keep_picture", "fit", "view", "view_along", "step_view"}
-    assert [name for name, _ in calls if name in moves] == ["keep_picture"]
+    calls, view = opened.viewport.calls, opened.viewport.widget
+    size = view.size()
+    for name in ("T1", "T2"):
+        seed(opened, name)
+        calls.clear()
+        press(opened, Key.Key_Return)
+        opened.rest()
+        assert view.size() == size
+        assert [name for name, _ in calls if name in MOVES] == []
+    estimate(opened)
+    assert is_in_front(opened, "Results")
+    assert [name for name, _ in calls if name in MOVES] == ["keep_picture"]
+    assert view_share(opened) >= SIZES[1600, 1000]
 
 
 @pytest.mark.parametrize("size", [(1366, 768), pytest.param((1920, 1080), marks=LONG)])
@@ -264,11 +276,11 @@ def test_tools_and_enlarged_panels_leave_the_view_to_another_project(
     seed(driver, "T1")
     press(driver, Key.Key_Return)
     driver.rest()
-    assert shown_docks(driver) == {"Workflow", "Targets by line"}
-    assert view_share(driver) == pytest.approx(initial, abs=0.01)
+    assert shown_docks(driver) == {"Workflow"}
     window._select("T1", "")
     press(driver, Key.Key_S)
     qtbot.waitUntil(lambda: is_in_front(driver, "Section"), timeout=SOON_MS)
+    assert view_share(driver) == pytest.approx(initial, abs=0.01)
     click(driver, window.tools.sections.panel.enlarge)
     qtbot.waitUntil(lambda: view_share(driver) < 0.8 * initial, timeout=SOON_MS)
     window.close()

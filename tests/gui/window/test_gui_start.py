@@ -110,6 +110,8 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
         )
 
     at(1)
+    assert window.scene.colouring == "intensity"
+    assert window.actions_["colour_intensity"].isChecked()
     seed(driver, "T1")
     at(2)
     press(driver, Qt.Key.Key_Return)
@@ -119,6 +121,7 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
     press(driver, Qt.Key.Key_Return)
     at(4)
     driver.rest()
+    assert window.scene.colouring == "line"
     press(driver, Qt.Key.Key_F9)
     at(5)
     driver.rest()

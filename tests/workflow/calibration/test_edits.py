@@ -51,7 +51,26 @@ def test_a_renamed_target_keeps_its_position(project: Project) -> None:
     plane = with_renamed_target(project, "V2", "tower")
     assert [t.name for t in plane.targets] == ["T1", "T2", "V1", "tower", "V3"]
     assert plane.result is project.result  # not used in the adjustment
-    assert plane.validation == ()
+    assert [each.name for each in plane.validation] == ["V1", "tower", "V3"]
+    assert plane.judgement.planes == ("V1", "tower", "V3")
+
+
+def test_an_edit_of_a_plane_keeps_the_comparisons_of_the_others(project: Project) -> None:
+    compared = {each.name: each for each in project.validation}
+    without = set_target_use(project, "V2", False)
+    assert without.validation == (compared["V1"], compared["V3"])
+    assert dict(without.not_compared) == {}
+    again = set_target_use(without, "V2", True)
+    assert again.validation == without.validation
+    assert {name: each.code for name, each in again.not_compared.items()} == {
+        "V2": "validation.plane_edited"
+    }
+    assert project.without_target("V2").validation == without.validation
+    last = again.without_target("V1").without_target("V3")
+    assert last.validation == ()  # nothing to compare with is the same as no validation
+    assert dict(last.not_compared) == {}
+    line = project.target("V1").sightings[0].line
+    assert set(set_sighting_use(project, "V1", line, False).not_compared) == {"V1"}
 
 
 @pytest.mark.parametrize(("name", "code"), [(" ", "edit.no_name"), ("V2", "edit.name_taken")])

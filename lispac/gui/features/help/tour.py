@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
 
 from lispac.acceptance import Verdict
 from lispac.gui import widgets
+from lispac.gui.app.point_colours import Colouring
 from lispac.gui.appearance import theme
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
@@ -38,6 +39,7 @@ class TourStep:
     ----------
     text : instruction, marked with `N_`
     place : name of a seed of the demo that is brought into view; "" for the whole survey
+    colouring : "intensity" where a board is to be clicked, which is brighter than the wall
     done : function of the project, and of whether a detected plane is not yet accepted, that
         returns whether the step is done
     """
@@ -45,6 +47,7 @@ class TourStep:
     text: str
     place: str
     done: Callable[[Project, bool], bool]
+    colouring: Colouring = "line"
 
 
 def _target_count(project: Project, role: str) -> int:
@@ -66,14 +69,15 @@ VERDICT_TEXTS: Mapping[Verdict, str] = {
 """Instruction of the last step, by the verdict on the calibration."""
 
 TOUR_STEPS = (
-    TourStep(N_("Six lines along a quay, each in its own colour, do not agree because the "
-            "boresight is not calibrated. Hold Ctrl and click the framed board."), "T1",
-         lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1),
+    TourStep(N_("Six lines along a quay do not agree, because the boresight is not calibrated. "
+            "Hold Ctrl and click the bright board in the frame."), "T1",
+         lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1,
+         "intensity"),
     TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
-         lambda project, _candidate_waits: _target_count(project, "target") >= 1),
+         lambda project, _candidate_waits: _target_count(project, "target") >= 1, "intensity"),
     TourStep(N_("One board does not determine all three angles. Ctrl+click the framed board, "
             "which leans back, and press Enter."), "T2",
-         lambda project, _candidate_waits: _target_count(project, "target") >= 2),
+         lambda project, _candidate_waits: _target_count(project, "target") >= 2, "intensity"),
     TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear below the view, "
             "with their standard deviations."), "",
          lambda project, _candidate_waits: project.result is not None),
@@ -88,7 +92,9 @@ TOUR_STEPS = (
 
 
 FRAME_SIZE_M = 1.8
-"""Width and height of the frame around the place to click, metres."""
+"""Width of the frame around the place to click, and its height unless given below, metres."""
+FRAME_HEIGHTS_M = {"T2": 1.2}
+"""Heights of the frames around low surfaces, metres: beside the surface is another one."""
 SKETCH_NAME = "tour"
 
 SAME_ORIENTATION_TEXT = N_(
@@ -147,11 +153,14 @@ class Tour(QObject):
         card: TourCard,
         may_leave: Callable[[], bool],
         open_step: Callable[[int], None],
+        colour_by: Callable[[Colouring], None],
     ) -> None:
         super().__init__(controller)
         self._document, self._scene, self._viewport = document, scene, viewport
         self._controller, self._card = controller, card
-        self._may_leave, self._open_step = may_leave, open_step
+        self._may_leave, self._open_step, self._colour_by = may_leave, open_step, colour_by
+        self._colouring: Colouring | None = None
+        """Colouring that the tour has chosen last."""
         self._step_index: int | None = None
         self._text = ""
         self._starting = False
@@ -183,8 +192,10 @@ class Tour(QObject):
         self._show_current_step()
 
     def end(self) -> None:
-        """End the tour."""
-        self._step_index = self._place = None
+        """End the tour, with the usual colours."""
+        if self._colouring == "intensity":
+            self._colour_by("line")
+        self._step_index = self._place = self._colouring = None
         self._card.hide()
         self._viewport.show_sketch(SKETCH_NAME, None)
 
@@ -229,6 +240,7 @@ class Tour(QObject):
         place, self._place = self._place, None
         if place is None:
             return
+        self._choose_colouring()
         self._viewport.show_sketch(SKETCH_NAME, _frame_around(place) if place else None)
         if place:
             centre = np.array(demo_seeds()[place][1])
@@ -237,12 +249,20 @@ class Tour(QObject):
         else:
             self._viewport.fit()
 
+    def _choose_colouring(self) -> None:
+        """Colour the points for the step; a choice of the user is kept during similar steps."""
+        assert self._step_index is not None
+        colouring = TOUR_STEPS[self._step_index].colouring
+        if colouring != self._colouring:
+            self._colouring = colouring
+            self._colour_by(colouring)
+
 
 def _frame_around(place: str) -> Sketch:
     """Frame around the place to click, seen from the south or north."""
     x, y, z = demo_seeds()[place][1]
-    half = FRAME_SIZE_M / 2
+    half, half_height = FRAME_SIZE_M / 2, FRAME_HEIGHTS_M.get(place, FRAME_SIZE_M) / 2
     corners = tuple(
-        (x + dx * half, y, z + dz * half) for dx, dz in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        (x + dx * half, y, z + dz * half_height) for dx, dz in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     )
     return Sketch(corners, ((0, 1), (1, 2), (2, 3), (3, 0)), theme.CANDIDATE_COLOUR)

@@ -15,6 +15,7 @@ from lispac.project import LineSource, Project
 
 if TYPE_CHECKING:
     from lispac.workflow.importing.input_files import ImportRequest
+    from lispac.workflow.project.attitude_signs import SignedAngle
     from lispac.workflow.project.survey import Survey
 
 
@@ -56,12 +57,21 @@ class ProjectDialogs(Questions):
         dialog.add(paths)
         return dialog.sources() if run_dialog(dialog) else dialog.project
 
-    def check_signs(self, survey: "Survey") -> None:
-        """Show roll, pitch and heading of a survey, and the signs they must have."""
+    def check_signs(
+        self, survey: "Survey", reversible: "tuple[SignedAngle, ...]"
+    ) -> "tuple[SignedAngle, ...]":
+        """Show the attitude of a survey and the signs it must have; return the reversed angles.
+
+        Parameters
+        ----------
+        reversible : angles whose signs can be changed in the project
+        """
         from lispac.gui.features.open_project.import_survey.quality_figures import AttitudeRecord
         from lispac.gui.features.open_project.import_survey.sign_check_dialog import SignCheckDialog
 
-        run_dialog(SignCheckDialog(AttitudeRecord.of_survey(survey), "project", self.parent))
+        record = AttitudeRecord.of_survey(survey)
+        dialog = SignCheckDialog(record, "project", self.parent, reversible)
+        return dialog.reversed_angles if run_dialog(dialog) else ()
 
     def project_to_open(self, start: Path) -> Path | None:
         """Ask for the file of a project to open."""

@@ -1,6 +1,6 @@
 """The detected target with the quality on each line, to be accepted or rejected."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
@@ -14,6 +14,7 @@ from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.present.tables import MILLIMETRES
 from lispac.project import PickedSighting, Project, Role, Shape, Target
 from lispac.targets.sighting_quality import SightingQuality
@@ -106,8 +107,8 @@ class LineQualityIndicators(QWidget):
 
 
 MAX_REASONS = 2
-"""Largest number of lines whose reason for a doubtful or poor quality is shown; the tooltips of the
-lines have all."""
+"""Largest number of reasons shown for lines without the target, and for lines of doubtful or poor
+quality; the tooltips have all."""
 TARGET_TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
@@ -187,10 +188,7 @@ class DetectedTargetPanel(QFrame):
             sentences.append(_spheres_text(candidate, survey))
         if candidate.expected is not None and survey is not None:
             sentences.append(_comparison_text(candidate, survey))
-        if candidate.missing:
-            sentences.append(gettext("Not found in {lines:names}.", lines=list(candidate.missing)))
-            if len(reasons := set(candidate.missing.values())) == 1:
-                sentences.append(message_text(*reasons))
+        sentences += _missing_sentences(candidate.missing)
         self.detail.setText(" ".join(sentences))
         self.detail.setToolTip(
             widgets.plain_tip(
@@ -225,6 +223,19 @@ class DetectedTargetPanel(QFrame):
         self.reasons.setVisible(bool(texts))
         if is_new:
             self.grown.emit()
+
+
+def _missing_sentences(missing: Mapping[str, Message]) -> Iterator[str]:
+    """Lines without the target, with the most frequent reasons; lines with one reason together."""
+    lines: dict[Message, list[str]] = {}
+    for line, reason in missing.items():
+        lines.setdefault(reason, []).append(line)
+    order = sorted(lines.items(), key=lambda each: -len(each[1]))
+    for reason, names in order[:MAX_REASONS]:
+        yield gettext("Not found in {lines:names}.", lines=names)
+        yield message_text(reason)
+    if others := [name for _, names in order[MAX_REASONS:] for name in names]:
+        yield gettext("Not found in {lines:names}.", lines=others)
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:

@@ -178,7 +178,7 @@ class ReportDialogs(Questions):
     def identity(
         self,
         identity: Identity,
-        dates: Callable[[], str],
+        dates: Callable[[], str] | None,
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
 from lispac.identity import (
@@ -59,6 +60,11 @@ SURVEY_FIELDS = ("client", "contract", "vessel", "site")
 """Fields of a survey whose texts in other reports complete what is typed."""
 LEFT_GROUPS = 3
 """Number of groups in the left column; the last group is below both columns."""
+NO_DATES_TEXT = N_(
+    "The lines contain only the time of the day or week, no date. Type the dates in the field "
+    "Survey dates, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
+)
+"""Reason why the dates of the lines cannot be used."""
 MESSAGE_LINES = 2
 """Number of lines of text reserved for a message."""
 
@@ -68,7 +74,8 @@ class IdentityDialog(QDialog):
 
     Parameters
     ----------
-    dates : function that returns the days of the survey from the times of the lines, or ""
+    dates : function that returns the days of the survey from the times of the lines, or "" if they
+        contain no date; None if the lines are not read yet
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
     missing : names of empty fields to ask for before an export or a preview
@@ -78,7 +85,7 @@ class IdentityDialog(QDialog):
     def __init__(
         self,
         identity: Identity,
-        dates: Callable[[], str],
+        dates: Callable[[], str] | None,
         companies: Mapping[str, Mapping[str, str]],
         suggestions: Mapping[str, str],
         parent: QWidget | None = None,
@@ -202,24 +209,16 @@ class IdentityDialog(QDialog):
             tip=gettext("Fill in the survey dates (UTC) from the times of the lines"),
         )  # fmt: skip
         take.setAutoDefault(False)
-        take.clicked.connect(self._fill_in_dates)
+        if self._dates is None:
+            take.set_reason(reason_text(Unavailable.READING))
+        elif found := self._dates():
+            take.clicked.connect(lambda: self.fields["dates"].setText(found))
+        else:
+            take.set_reason(gettext(NO_DATES_TEXT))
+            dates = self.fields["dates"]
+            assert isinstance(dates, QLineEdit)
+            dates.setPlaceholderText(gettext("no date in the lines"))
         return take
-
-    def _fill_in_dates(self) -> None:
-        found = self._dates()
-        if found:
-            self.fields["dates"].setText(found)
-            return
-        self.message_label.setText(
-            gettext(
-                "The lines contain only the time of the day or week, no date. Type the dates in "
-                "the field Survey dates, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
-            )
-        )
-        dates = self.fields["dates"]
-        assert isinstance(dates, QLineEdit)
-        dates.setPlaceholderText(gettext("no date in the lines"))
-        dates.setFocus()
 
     def _check_input(self) -> None:
         """Accept the typed texts, or show the error in them."""

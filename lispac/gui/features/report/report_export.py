@@ -109,7 +109,7 @@ class ReportExport(QObject):
             return False
         identity = self._dialogs.identity(
             project.identity,
-            lambda: "" if survey is None else survey_dates(project, survey),
+            None if survey is None else lambda: survey_dates(project, survey),
             self._settings.companies(),
             _reference_frame(project),
             missing,

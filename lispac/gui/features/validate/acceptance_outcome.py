@@ -17,6 +17,7 @@ from lispac.present.acceptance import (
     calibration_verdict_text,
     verdict_text,
 )
+from lispac.present.cross_checks import cross_check_values
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import acceptance_notes, probable_causes
@@ -77,7 +78,10 @@ class AcceptanceOutcome(QWidget):
         if project is None or project.result is None:
             return
         # Compared by identity: the objects are kept, so that none has the address of another
-        source = project.result, project.validation, project.acceptance, problem
+        source = (
+            project.result, project.cross_checks, project.validation, project.targets,
+            project.acceptance, problem,
+        )  # fmt: skip
         if len(self._shown) == len(source) and all(
             a is b for a, b in zip(source, self._shown, strict=True)
         ):
@@ -91,7 +95,8 @@ class AcceptanceOutcome(QWidget):
             gettext("Acceptance: {verdict}", verdict=calibration_verdict_text(values))
         )
         reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
-        notes = map(message_text, acceptance_notes(values)) if values.checks else ()
+        checks = None if project.cross_checks is None else cross_check_values(project.cross_checks)
+        notes = map(message_text, acceptance_notes(values, checks)) if values.checks else ()
         self._show_texts(reasons, notes)
         self._show_style(*VERDICT_STYLES.get(values.verdict, ("", "")))
         planes = [ValidationPlane.of(each) for each in project.validation]

@@ -327,6 +327,8 @@ class HistogramsPanel(QWidget):
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         is_new, failed = comparisons is not self._comparisons, self.table.failed
+        is_part = set(comparisons) <= set(self._comparisons)  # other planes were edited
+        shown = self.current if is_part else None
         if is_new:
             self._comparisons = comparisons
             self.table.show_planes(comparisons)
@@ -337,7 +339,8 @@ class HistogramsPanel(QWidget):
         self._fit_table()
         fails_now = self.table.failed - failed and self.current not in self.table.failed
         if is_new or fails_now:
-            self.table.select(self.table.worst_plane())
+            if shown is None or not self.table.select(shown):
+                self.table.select(self.table.worst_plane())
             self._announcing.start()
             self._blank_other_picture()
             self._drawing.start()

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENT_TITLES, ExportDialog
+from lispac.io.project.project_file import read_project
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
 from lispac.workflow.project.output_crs import utm_zone
@@ -132,6 +133,27 @@ def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> No
     assert np.loadtxt(next((tmp_path / "planes").iterdir())).shape[1] == 25
     assert picked.dialogs.requests == ["lines", "targets", "targets", "trajectory"]
     assert not picked.dialogs.errors
+
+
+def test_an_export_contains_unsaved_edits_and_keeps_them(picked: Driver, tmp_path: Path) -> None:
+    """A project is saved when it is created, so only its edits can be unsaved."""
+    window, folder = picked.window, picked.project.folder
+    saved = {each.name for each in read_project(folder).targets}
+    window.controller.rename("T1", "Quay")
+    assert window.document.is_modified
+    picked.dialogs.export_request = ExportRequest("targets", tmp_path / "t", "prior", "csv")
+    window.actions_["targets"].trigger()
+    picked.rest()
+    assert any("Quay" in path.name for path in (tmp_path / "t").iterdir())
+    assert window.document.is_modified
+    assert picked.project.target("Quay")
+    assert {each.name for each in read_project(folder).targets} == saved
+    picked.dialogs.requests.clear()
+    picked.dialogs.save_choice = "cancel"
+    window.close()
+    assert picked.dialogs.requests == [picked.project.name]
+    assert window.isVisible()
+    assert window.document.is_modified
 
 
 def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Path) -> None:

@@ -1,11 +1,12 @@
 """Tests of the check of the signs of roll and pitch, in the import and from a message."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from PySide6.QtCore import QRect, Qt, QTimer
+from PySide6.QtCore import QPoint, QRect, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -18,7 +19,7 @@ from lispac.gui.features.open_project.import_survey.sign_check_dialog import Sig
 from lispac.gui.features.warnings.warnings_panel import ACTION_LINE, BUTTON_GAP_PX
 from lispac.messages import Action, warning
 from tests.gui.import_support import rest
-from tests.gui.support import WAIT_MS, Driver, Key, Left, click, press
+from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click, press, wait_until_idle
 
 ACTION = Action("check_sign", {"name": "pitch"})
 UNCHECKED = warning("sbet.zero_rates", actions=[ACTION], file="t.sbet")
@@ -35,7 +36,8 @@ def while_open(read: Callable[[SignCheckDialog], None]) -> None:
         try:
             read(dialog)
         finally:
-            dialog.reject()
+            if dialog.isVisible():
+                dialog.reject()
 
     poll()
 
@@ -97,6 +99,71 @@ def test_a_message_shows_the_attitude_of_the_survey(opened: Driver) -> None:
         )
     assert "starboard" in texts
     assert "residuals" in texts
+
+
+def open_from_message(driver: Driver) -> None:
+    """Open the dialogue by the button of a message."""
+    driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
+    driver.window.warnings.show_warnings([UNCHECKED])
+    press(driver, Key.Key_F12)
+    click(driver, driver.window.warnings.findChild(QPushButton, "message_check_sign"))
+
+
+def attitude(driver: Driver) -> np.ndarray:
+    return driver.window.document.survey.trajectory.attitude
+
+
+def test_a_reversed_curve_corrects_the_sign_in_the_project(adjusted: Driver) -> None:
+    before, result = attitude(adjusted).copy(), adjusted.project.result
+    reading = adjusted.project.trajectory_reading
+    seen: list[list[np.ndarray]] = []
+
+    def reverse_roll(dialog: SignCheckDialog) -> None:
+        assert not dialog.change.isEnabled()
+        seen.append(curves(dialog))
+        box = dialog.reversals["roll"]
+        adjusted.bot.mouseClick(box, Left, pos=QPoint(10, box.height() // 2))
+        seen.append(curves(dialog))
+        adjusted.bot.mouseClick(dialog.change, Left)
+
+    while_open(reverse_roll)
+    open_from_message(adjusted)
+    wait_until_idle(adjusted)
+    (roll, pitch, _heading), (turned, same, _) = seen
+    # A curve is thinned to the extremes of each interval, which change places
+    assert (np.nanmin(turned), np.nanmax(turned)) == (-np.nanmax(roll), -np.nanmin(roll))
+    np.testing.assert_allclose(same, pitch)
+    # The attitude is relative to the local frame, whose vertical differs by 1e-5 rad
+    np.testing.assert_allclose(attitude(adjusted), before * [-1.0, 1.0, 1.0], rtol=0, atol=1e-4)
+    assert dict(adjusted.project.trajectory_reading.options)["roll"] == "port-down"
+    assert adjusted.project.result is None
+    assert [t.name for t in adjusted.project.targets] == ["T1", "T2", "V1"]
+    undo = adjusted.window.actions_["undo"].text().replace("&", "")
+    assert undo == "Undo change of the sign of roll"
+    press(adjusted, Key.Key_Z, Control)
+    wait_until_idle(adjusted)
+    assert adjusted.project.trajectory_reading == reading
+    assert adjusted.project.result is result
+    np.testing.assert_array_equal(attitude(adjusted), before)
+
+
+def test_signs_of_a_project_with_georeferenced_lines_cannot_be_changed(opened: Driver) -> None:
+    first, *others = opened.project.lines
+    reading = replace(first.reading, options=(("frame", "georeferenced"),))
+    project = replace(opened.project, lines=(replace(first, reading=reading), *others))
+    opened.window.document.open(project, opened.window.document.survey)
+    seen: list[tuple[bool, str]] = []
+
+    def read(dialog: SignCheckDialog) -> None:
+        texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
+        seen.append((dialog.findChild(QPushButton, "change_signs") is None, texts))
+
+    while_open(read)
+    open_from_message(opened)
+    ((has_no_button, texts),) = seen
+    assert has_no_button
+    assert "georeferenced" in texts
+    assert opened.project is project
 
 
 @pytest.mark.parametrize("ends_deg", [(10.0, -800.0), (700.0, 20.0)], ids=["three", "two"])

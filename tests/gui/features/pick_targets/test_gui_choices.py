@@ -7,6 +7,8 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
+from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
@@ -81,3 +83,30 @@ def test_the_candidate_buttons_are_visible_on_a_low_screen(opened: Driver, demo:
             timeout=WAIT_MS,
         )
     click(opened, window.targets.candidate.reject)
+
+
+def test_the_lines_without_the_target_are_listed_with_their_reasons(
+    opened: Driver, demo: Demo
+) -> None:
+    """Lines with the same reason are together; the tooltip has the reasons of all lines."""
+    target = demo.picked.target("T2")
+    names = [line.name for line in opened.project.lines]
+    reasons = {
+        names[2]: error("finder.crossing"),
+        names[3]: error("finder.not_alike"),
+        names[4]: error("finder.not_alike"),
+        names[5]: error("finder.too_large", ratio=3.0),
+    }
+    found = tuple(each for each in target.sightings if each.line not in reasons)
+    opened.window.controller.set_candidate(
+        replace(target, name="T1", sightings=found, missing=reasons)
+    )
+    box = opened.window.targets.candidate
+    text = box.detail.text()
+    assert text.startswith("Found in 2 of 6 lines")
+    together = f"Not found in {names[3]} and {names[4]}. {message_text(reasons[names[3]])}"
+    assert together in text
+    assert f"Not found in {names[2]}. {message_text(reasons[names[2]])}" in text
+    assert f"Not found in {names[5]}." in text
+    assert text.count("Not found") == 3
+    assert all(f"{line}: " in box.detail.toolTip() for line in reasons)

@@ -14,10 +14,12 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QPushButton,
     QScrollArea,
+    QToolBar,
     QWidget,
 )
 
 from lispac.gui.app.settings import ReportChoice
+from lispac.gui.features.report import report_export
 from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
@@ -141,19 +143,39 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         assert label.text() == ""
         assert keep.isEnabled()
         buttons_at = keep.mapToGlobal(QPoint())
-        opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
-        assert "Survey dates" in label.text()
+        type_into(opened, field(dialog, "vessel"), "V" * 201)
         opened.bot.wait(50)
         assert keep.mapToGlobal(QPoint()) == buttons_at
         assert label.height() >= label.heightForWidth(label.width())
-        assert dialog.focusWidget() is dates
-        assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
     use_next_dialog(opened, use_dialog)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
+
+
+@pytest.mark.parametrize("days", ["", "2026-03-04"])
+def test_the_dates_of_the_lines_are_offered_if_the_lines_have_dates(
+    opened: Driver, monkeypatch: pytest.MonkeyPatch, days: str
+) -> None:
+    if days:  # the lines of the demo have only the time of the week
+        monkeypatch.setattr(report_export, "survey_dates", lambda *_: days)
+    seen: list[tuple[bool, str, str]] = []
+
+    def use_dialog(dialog: QWidget) -> None:
+        take = dialog.findChild(QPushButton, "identity_dates_of_lines")
+        opened.bot.mouseClick(take, Left)
+        seen.append((take.isEnabled(), take.toolTip(), field(dialog, "dates").text()))
+        opened.bot.keyClick(dialog, Key.Key_Escape)
+
+    open_step(opened, 0)
+    use_next_dialog(opened, use_dialog)
+    click(opened, opened.window.data.details)
+    ((is_enabled, tip, text),) = seen
+    assert is_enabled == bool(days)
+    assert text == days
+    assert ("no date" in tip) != bool(days)
 
 
 def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
@@ -233,6 +255,26 @@ def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_
     assert fresh.options() == panel.options()
     click(adjusted, panel.no_template)
     assert panel.options() == ReportOptions("letter", "applanix", language="fr")
+
+
+def test_the_toolbar_uses_the_options_of_step_5(adjusted: Driver, tmp_path: Path) -> None:
+    window, sizes = adjusted.window, []
+    panel, toolbar = window.report, window.findChild(QToolBar, "toolbar")
+    button = toolbar.widgetForAction(window.actions_["report"])
+    for extent in range(len(EXTENTS)):
+        open_step(adjusted, REPORT_STEP)
+        choose(adjusted, panel.extent, extent)
+        choose(adjusted, panel.language, 2)
+        written = [tmp_path / f"{extent}{name}.html" for name in ("toolbar", "panel")]
+        for path, press_button in zip(written, (button, panel.report), strict=True):
+            adjusted.dialogs.path = path
+            click(adjusted, press_button)
+            adjusted.rest()
+        texts = [re.sub(r"[0-9]+:[0-9]+|toolbar|panel", "", each.read_text()) for each in written]
+        assert len(texts[0]) == len(texts[1])
+        assert 'lang="fr"' in texts[0]
+        sizes.append(len(texts[0]))
+    assert len(set(sizes)) == len(EXTENTS)
 
 
 def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:

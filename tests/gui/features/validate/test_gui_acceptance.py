@@ -3,10 +3,12 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.acceptance import NO_CRITERIA, largest_offset
+from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
+from lispac.adjustment.result import CrossCheck, CrossChecks
 from lispac.gui.features.validate.planes_table import P95
 from lispac.gui.project.document import ExportedReport
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
@@ -59,6 +61,34 @@ def test_without_criteria_nothing_is_judged(judged: Driver) -> None:
     assert judged.project.judgement.verdict == "not judged"
     assert state_of(judged) == "todo"
     assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+
+
+def test_halves_that_differ_are_named_beside_the_verdict(judged: Driver) -> None:
+    window, project = judged.window, judged.project
+    assert project.result is not None
+    unit = np.radians(0.001)
+    half = CrossCheck("half", "first", project.result.boresight, project.result.sigma)
+    second = replace(
+        half, part="second", difference=np.full(3, 9 * unit), significance=np.full(3, 2.5)
+    )
+    criteria = AcceptanceCriteria(yaw_sigma_deg=1.0)
+    window.document.open(project.with_acceptance(criteria), judged.window.document.survey)
+    judged.rest()
+    open_step(judged, VALIDATE)
+    assert "halves" not in window.validate.outcome.notes.text()
+    window.document.edit("checks", judged.project.with_cross_checks(CrossChecks((half, second))))
+    assert "halves" not in window.validate.outcome.notes.text()
+    field = window.validate.acceptance.fields["roll_sigma_deg"]
+    type_into(judged, field, "0.0085")
+    judged.bot.keyClick(field, Key.Key_Return)
+    judged.rest()
+    notes = window.validate.outcome.notes
+    assert "halves of the survey differ" in notes.text()
+    assert "roll +0.0090° ± 0.0071° (criterion 0.0085°)" in notes.text()
+    assert notes.isVisible()
+    assert any(
+        "halves" in window.warnings.list.item(k).text() for k in range(window.warnings.list.count())
+    )
 
 
 def test_each_criterion_is_one_undo_step(judged: Driver) -> None:

@@ -1,0 +1,132 @@
+"""Tests that an edit of one validation plane keeps the comparisons of the others."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QLineEdit
+
+from lispac.acceptance import AcceptanceCriteria
+from lispac.gui.project.status import VALIDATE
+from lispac.project import Project
+from tests.gui.support import (
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click_check,
+    open_step,
+    press,
+    seed,
+    sentence,
+    show_panel,
+    wait_until_idle,
+)
+
+
+@pytest.fixture
+def two_planes(driver: Driver, demo: Demo, validated: Project) -> Driver:
+    """A window with the validation planes V1 and V9, both compared and accepted."""
+    (plane,) = validated.validation
+    project = validated.with_target(replace(validated.target("V1"), name="V9"))
+    project = project.with_validation((plane, replace(plane, name="V9")), {})
+    criteria = AcceptanceCriteria(rms=10 * plane.after.rms)
+    driver.window.document.open(project.with_acceptance(criteria), demo.survey)
+    show_panel(driver.window, "Histograms")
+    driver.rest()
+    return driver
+
+
+def compared(driver: Driver) -> list[str]:
+    """Names in the table of the histograms, which must be those of the project."""
+    table = driver.window.histograms.table
+    names = [table.item(row, 0).text() for row in range(table.rowCount())]
+    assert names == [plane.name for plane in driver.project.validation]
+    return names
+
+
+def tick(driver: Driver, name: str) -> None:
+    """Click the check box of a plane in the table of sightings."""
+    table = driver.window.table
+    table.show()
+    show_panel(driver.window, "Targets by line")
+    click_check(driver, table, table.sightings.index(table.sightings.row_of(name), 0))
+    wait_until_idle(driver)
+
+
+def undo(driver: Driver) -> None:
+    press(driver, Key.Key_Z, Control)
+    wait_until_idle(driver)
+
+
+def test_excluding_a_plane_keeps_the_comparisons_of_the_others(two_planes: Driver) -> None:
+    before = two_planes.project
+    two_planes.window.histograms.select("V9")
+    verdict = two_planes.window.validate.outcome.verdict
+    assert "excluded" not in verdict.text()
+    tick(two_planes, "V1")
+    assert not two_planes.project.target("V1").used
+    assert two_planes.project.result is before.result
+    assert compared(two_planes) == ["V9"]
+    assert two_planes.project.validation[0] is before.validation[1]
+    assert two_planes.window.histograms.current == "V9"
+    assert two_planes.project.judgement.verdict == "pass"
+    assert "1 validation plane excluded" in verdict.text()
+
+    tick(two_planes, "V1")  # its comparison is not known any more
+    assert compared(two_planes) == ["V9"]
+    assert two_planes.project.not_compared["V1"].code == "validation.plane_edited"
+    assert two_planes.project.judgement.verdict == "not judged"
+    assert sentence(two_planes, VALIDATE) == "1 plane compared, not judged, 1 not compared"
+
+    undo(two_planes)
+    undo(two_planes)
+    assert compared(two_planes) == ["V1", "V9"]
+    assert two_planes.project.validation is before.validation
+
+
+def test_a_renamed_plane_keeps_its_comparison(two_planes: Driver) -> None:
+    open_step(two_planes, 1)
+    table = two_planes.window.targets.table
+    names = [table.item(row, 0).text() for row in range(table.rowCount())]
+    table.setCurrentCell(names.index("V1"), 0)
+    table.setFocus()
+    two_planes.bot.keyClick(table, Key.Key_F2)
+    editor = table.findChild(QLineEdit)
+    editor.selectAll()
+    two_planes.bot.keyClicks(editor, "Tower")
+    two_planes.bot.keyClick(editor, Key.Key_Return)
+    wait_until_idle(two_planes)
+    assert compared(two_planes) == ["Tower", "V9"]
+    assert two_planes.project.not_compared == {}
+    assert two_planes.project.judgement.verdict_on("Tower") == "pass"
+    undo(two_planes)
+    assert compared(two_planes) == ["V1", "V9"]
+
+
+def test_a_new_plane_is_compared_by_the_next_validation(two_planes: Driver) -> None:
+    two_planes.window.controller.remove("V9")
+    assert compared(two_planes) == ["V1"]
+    assert two_planes.project.not_compared == {}
+    open_step(two_planes, 1)
+    seed(two_planes, "V1")
+    press(two_planes, Key.Key_Return)
+    wait_until_idle(two_planes)
+    added = two_planes.project.targets[-1].name
+    assert compared(two_planes) == ["V1"]
+    assert set(two_planes.project.not_compared) == {added}
+    two_planes.window.actions_["validate"].trigger()
+    wait_until_idle(two_planes)
+    assert compared(two_planes) == ["V1", added]
+    assert two_planes.project.not_compared == {}
+
+
+def test_all_comparisons_depend_on_the_boresight(two_planes: Driver) -> None:
+    settings = replace(two_planes.project.settings, boresight_deg=(0.1, 0.0, 0.0))
+    two_planes.window.controller.change_settings(settings)
+    two_planes.rest()
+    assert two_planes.project.validation == ()
+    undo(two_planes)
+    assert compared(two_planes) == ["V1", "V9"]
+    two_planes.window.controller.use_target("T1", False)
+    assert two_planes.project.validation == ()
+    assert two_planes.project.not_compared == {}
