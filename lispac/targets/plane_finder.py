@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
+from lispac.geometry.frames import east_north_up
 from lispac.geometry.planes import (
     Plane,
     extent_in_plane,
@@ -143,8 +144,8 @@ def require_seed(seed: Array) -> Array:
 
 def seed_text(seed: Array) -> Message:
     """Seed, shape (3,), metres, local frame, as part of a message."""
-    north, west, up = map(float, seed)
-    return note("finder.place", north=north, west=west, up=up)
+    east, north, up = map(float, east_north_up(seed))
+    return note("finder.seed_position", east=east, north=north, up=up)
 
 
 def neighbourhood_of(
