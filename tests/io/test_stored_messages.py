@@ -47,10 +47,17 @@ def test_reasons_are_shown_in_the_language_in_use(tmp_path: Path, saved_in: str)
         assert "12" in french
 
 
-def test_the_place_of_a_search_of_a_former_version_is_shown() -> None:
+def test_the_seed_in_a_message_of_a_former_version_is_converted(tmp_path: Path) -> None:
     place = note("finder.place", north=0.6, west=-14.7, up=5.1)
     former = replace(MISSING_REASON, params={**MISSING_REASON.params, "place": place})
-    assert "(north 0.60 m; west −14.70 m; up 5.10 m)" in message_text(former)
+    project = sample_project(tmp_path / "p")
+    target = replace(project.targets[0], missing={"L9": former})
+    write_project(project.with_target(target).with_validation(project.validation, {"V1": former}))
+    assert '"finder.place"' in (project.folder / PROJECT_FILE_NAME).read_text()
+    opened = read_project(project.folder)
+    assert opened.target(target.name).missing == {"L9": MISSING_REASON}
+    assert opened.target(target.name).missing["L9"].params == MISSING_REASON.params
+    assert opened.not_compared["V1"].params == MISSING_REASON.params
     assert "(east 14.70 m; north 0.60 m; up 5.10 m)" in message_text(MISSING_REASON)
 
 

@@ -25,7 +25,7 @@ TOOLTIP_DELAY_MS = 800
 """Time for which the mouse must rest before the tooltip appears."""
 TOOLTIP_DISTANCES = QSize(44, 20)
 """Horizontal and vertical distance of the tooltip from the mouse, pixels."""
-TOOLTIP_MARGINS = QSize(24, 32)
+TOOLTIP_MARGINS = QSize(32, 40)
 """Largest difference of the sizes of the tooltip and its text, with a margin for the offset that Qt
 adds, pixels."""
 QT_TOOLTIP_OFFSET = QPoint(2, 16)
@@ -97,7 +97,10 @@ class PointReadout(QObject):
         self._set_values([] if measured is None else _facts_texts(point_facts(measured)))
         if measured is not None:
             self._tooltip_lines = [
-                FIELD_SEPARATOR.join(f"{name}: {text}" for name, text in _facts_texts(line))
+                FIELD_SEPARATOR.join(
+                    gettext("{name}: {text}", name=name, text=text)
+                    for name, text in _facts_texts(line)
+                )
                 for line in brief_point_facts(measured)
             ]
             self._tooltip.start()

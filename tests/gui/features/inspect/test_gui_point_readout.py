@@ -17,6 +17,7 @@ from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.inspect.point_readout import (
     NO_POINT_TEXT,
+    READ_DELAY_MS,
     TOOLTIP_DELAY_MS,
     tooltip_corner,
 )
@@ -68,7 +69,9 @@ def hover(driver: Driver, place: QPoint) -> dict[str, str]:
         QTest.mouseMove(driver.viewport.canvas, place)
         with suppress(WaitTimeoutError):
             driver.bot.waitUntil(lambda: bool(readout.values), timeout=WAIT_MS // MAX_MOVES)
-            break
+            driver.bot.wait(5 * READ_DELAY_MS)  # the first values may be those of the first place
+            if readout.values:
+                break
     assert readout.values
     return dict(readout.values)
 
