@@ -18,7 +18,11 @@ def east_north_up(points_local: ArrayLike) -> Array:
 
     Parameters
     ----------
-    points_local : array_like of shape (..., 3), north, west, up
+    points_local : array_like of shape (..., 3), metres, local frame
+
+    Returns
+    -------
+    ndarray of shape (..., 3), metres, axes of the local frame east, north, up
     """
     north, west, up = np.moveaxis(np.asarray(points_local, dtype=float), -1, 0)
     return np.stack([0.0 - west, north, up], axis=-1)  # 0.0 - 0.0 has no sign, unlike -0.0
@@ -29,7 +33,11 @@ def north_west_up(points: ArrayLike) -> Array:
 
     Parameters
     ----------
-    points : array_like of shape (..., 3), east, north, up
+    points : array_like of shape (..., 3), metres
+
+    Returns
+    -------
+    ndarray of shape (..., 3), metres, local frame
     """
     east, north, up = np.moveaxis(np.asarray(points, dtype=float), -1, 0)
     return np.stack([north, 0.0 - east, up], axis=-1)

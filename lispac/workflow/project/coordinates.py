@@ -60,7 +60,7 @@ def to_local_frame(
     Parameters
     ----------
     points : ndarray of shape (n, 3)
-        In the order of `axis_names`; metres if ``system`` is None.
+        In the order of `axis_names`; metres in the local frame.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def too_far_message(
     Parameters
     ----------
     point : ndarray of shape (3,)
-        In ``system``; along ``local_axes`` in metres if that is None.
+        In ``system``; metres along ``local_axes`` in the local frame if that is None.
     name : str or Message
         Name of the target, file or row with the coordinates.
     """
@@ -161,7 +161,7 @@ def require_near_trajectory(
     Parameters
     ----------
     point : ndarray of shape (3,)
-        In ``system``; along ``local_axes`` in metres if that is None.
+        In ``system``; metres along ``local_axes`` in the local frame if that is None.
     name : str or Message
         Name of the target, file or row with the coordinates.
 
