@@ -8,7 +8,6 @@ from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
 from lispac.cli.messages import console_text, print_messages
 from lispac.errors import ProjectError
-from lispac.geometry.frames import east_north_up
 from lispac.messages import error
 
 
@@ -65,6 +64,8 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
         print_json(ProposeOutput(targets, sigma, proposal.warnings, arguments.accept))
         return
+    from lispac.geometry.frames import east_north_up
+
     for target in proposal.targets:
         east, north, up = map(ratio(2).plain_text, east_north_up(target.seed))
         print(f"{target.name:4s} {target.role:10s} at east {east}, north {north}, up {up} m")
