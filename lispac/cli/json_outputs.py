@@ -158,7 +158,10 @@ class PickOutput:
 
 @dataclass(frozen=True, kw_only=True)
 class SeedOutput:
-    """Search at one seed of a list; ``reason`` is why no target was found, or None."""
+    """Search at one seed of a list; ``reason`` is why no target was found, or None.
+
+    ``seed_m`` is north, west, up from the origin of the local frame.
+    """
 
     row: int
     name: str
@@ -179,7 +182,10 @@ class SeedListOutput:
 
 @dataclass(frozen=True)
 class ProposedTargetOutput:
-    """Target proposed by ``lispac propose``."""
+    """Target proposed by ``lispac propose``.
+
+    ``seed_m`` is north, west, up from the origin of the local frame.
+    """
 
     name: str
     role: str

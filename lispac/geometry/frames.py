@@ -4,13 +4,43 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 
 SEMI_MAJOR_AXIS = 6378137.0  # WGS84, metres
 FLATTENING = 1 / 298.257223563
 ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
+
+
+def east_north_up(points_local: ArrayLike) -> Array:
+    """Convert coordinates in the local frame to east, north, up, as all positions are shown.
+
+    Parameters
+    ----------
+    points_local : array_like of shape (..., 3), metres, local frame
+
+    Returns
+    -------
+    ndarray of shape (..., 3), metres, axes of the local frame east, north, up
+    """
+    north, west, up = np.moveaxis(np.asarray(points_local, dtype=float), -1, 0)
+    return np.stack([0.0 - west, north, up], axis=-1)  # 0.0 - 0.0 has no sign, unlike -0.0
+
+
+def north_west_up(points: ArrayLike) -> Array:
+    """Convert east, north, up, as positions are shown, to coordinates in the local frame.
+
+    Parameters
+    ----------
+    points : array_like of shape (..., 3), metres
+
+    Returns
+    -------
+    ndarray of shape (..., 3), metres, local frame
+    """
+    east, north, up = np.moveaxis(np.asarray(points, dtype=float), -1, 0)
+    return np.stack([north, 0.0 - east, up], axis=-1)
 
 
 def geodetic_to_ecef(latitude: Array, longitude: Array, height: Array) -> Array:

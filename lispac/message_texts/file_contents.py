@@ -187,6 +187,7 @@ TEXTS: Mapping[str, Template] = {
     "list_column.plane": N_("plane"),
     "list_column.sigma": N_("standard deviation"),
     "list_column.unused": N_("not used"),
+    "axis.east": N_("east"),
     "axis.north": N_("north"),
     "axis.west": N_("west"),
     "axis.up": N_("up"),

@@ -85,7 +85,7 @@ TEXTS: Mapping[str, Template] = {
     # -- coordinates ---------------------------------------------------------------------------
     "coordinates.swapped_local": N_(
         "{name}: the coordinates {values} are far from the trajectory in the local frame, but near "
-        "it when swapped. Give north first, then west."
+        "it when swapped. Give {first} first, then {second}."
     ),
     "coordinates.swapped_geographic": N_(
         "{name}: the coordinates {values} are far from the trajectory in {system}, but near it "
@@ -108,12 +108,12 @@ TEXTS: Mapping[str, Template] = {
         "Check the coordinate system and the order of the coordinates."
     ),
     "coordinates.outside_local": N_(
-        "{name}: the coordinates {values} are impossible in the local frame. Give metres north, "
-        "west and up from its origin, or a coordinate system."
+        "{name}: the coordinates {values} are impossible in the local frame. Give metres "
+        "{axes:names} from its origin, or a coordinate system."
     ),
     "coordinates.too_far_local": N_(
         "{name}: in the local frame the coordinates {values} are {distance:km} km from the "
-        "trajectory. Give metres north, west and up from its origin, or a coordinate system."
+        "trajectory. Give metres {axes:names} from its origin, or a coordinate system."
     ),
     # -- project_folder ------------------------------------------------------------------------
     "project_folder.exists": N_(

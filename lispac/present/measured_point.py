@@ -1,5 +1,6 @@
 """Values of one measured point, which the window shows beside the mouse."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from lispac.language import N_, gettext
@@ -8,7 +9,7 @@ from lispac.messages import Message
 from lispac.present.tables import SECONDS, Fact, Format
 
 AXIS_TITLES = {
-    "north": N_("North"), "west": N_("West"), "up": N_("Up"),
+    "east": N_("East"), "north": N_("North"), "up": N_("Up"),
     "longitude": N_("Longitude"), "latitude": N_("Latitude"), "height": N_("Height"),
     "easting": N_("Easting"), "northing": N_("Northing"), "X": "X", "Y": "Y", "Z": "Z",
 }  # fmt: skip
@@ -103,6 +104,33 @@ def brief_point_facts(point: MeasuredPoint) -> list[list[Fact]]:
         [Fact(gettext("Time"), point.time_s, SECONDS)],
     ]
     return [line for line in lines if line]
+
+
+@dataclass(frozen=True)
+class CopiedPoint:
+    """Coordinates in the copied values of a point.
+
+    Attributes
+    ----------
+    coordinates : texts of the numbers, by the names of the axes
+    system : name of the coordinate system; empty if it was not copied
+    """
+
+    coordinates: Mapping[str, str]
+    system: str
+
+
+def copied_point(text: str) -> CopiedPoint | None:
+    """Coordinates in a text of copied values, one name and value a row; None if it has none."""
+    axes = {gettext(title): axis for axis, title in AXIS_TITLES.items()}
+    values = dict(row.strip().split("\t", 1) for row in text.splitlines() if "\t" in row)
+    found = {
+        axis: value.strip()
+        for name, value in values.items()
+        if (axis := axes.get(name.partition(" (")[0].strip())) is not None
+    }
+    system = values.get(gettext("Coordinate system"), "").strip()
+    return CopiedPoint(found, system) if len(found) == 3 else None
 
 
 def _intensity_facts(point: MeasuredPoint) -> list[Fact]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lispac.geometry.frames import east_north_up
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -104,8 +105,8 @@ def rating_text(quality: SightingQualityValues) -> str:
 class PickedSightingValues:
     """Points of a target in one line, and the RMS distance from the surface.
 
-    The last three values are those of a sphere; ``visible_share`` is the share of the surface that
-    the line has seen.
+    The last three values are those of a sphere; ``centre_m`` is north, west, up from the origin of
+    the local frame, ``visible_share`` the share of the surface that the line has seen.
     """
 
     points: int
@@ -116,8 +117,8 @@ class PickedSightingValues:
     visible_share: float | None = None
 
     def coordinate(self, axis: int) -> float | None:
-        """North, west or up of the centre of a sphere, metres; None for a plane."""
-        return None if self.centre_m is None else self.centre_m[axis]
+        """East, north or up of the centre of a sphere, metres; None for a plane."""
+        return None if self.centre_m is None else float(east_north_up(self.centre_m)[axis])
 
 
 PICKED_SIGHTINGS_TABLE = Table[PickedSightingValues](
@@ -136,8 +137,8 @@ PICKED_SPHERES_TABLE = Table[PickedSightingValues](
     "",
     (
         Column("quality.line", "Line"),
-        Column(lambda row: row.coordinate(0), "North", CENTRE_METRES),
-        Column(lambda row: row.coordinate(1), "West", CENTRE_METRES),
+        Column(lambda row: row.coordinate(0), "East", CENTRE_METRES),
+        Column(lambda row: row.coordinate(1), "North", CENTRE_METRES),
         Column(lambda row: row.coordinate(2), "Up", CENTRE_METRES),
         Column("sphere_radius_m", "Radius", CENTRE_METRES),
         Column("visible_share", "Surface seen", PERCENT, has_unit_in_cells=True),

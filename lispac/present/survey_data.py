@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
+from lispac.geometry.frames import east_north_up
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, SECONDS, Column, Format, Table
@@ -84,10 +85,13 @@ def position_columns(point: Callable[[Any], Sequence[float]]) -> tuple[Column[An
     ----------
     point : function of a row that returns north, west, up, metres
     """
-    return (
-        Column(lambda row: -point(row)[1], N_("East"), POSITION_METRES),
-        Column(lambda row: point(row)[0], N_("North"), POSITION_METRES),
-        Column(lambda row: point(row)[2], N_("Up"), POSITION_METRES),
+
+    def coordinate(axis: int) -> Callable[[Any], float]:
+        return lambda row: float(east_north_up(point(row))[axis])
+
+    return tuple(
+        Column(coordinate(axis), title, POSITION_METRES)
+        for axis, title in enumerate((N_("East"), N_("North"), N_("Up")))
     )
 
 

@@ -17,6 +17,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import BoresightChoice, LineSource, Project, Role, Shape, Target, Triple
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
+from lispac.targets.plane_finder import with_seed_position
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.local_models import DEFAULT_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
@@ -263,8 +264,10 @@ class OpenProject:
 
     def put(self, target: Target) -> None:
         """Add a target with given points, or replace the target of that name."""
-        # Scripts of earlier versions give the reasons as texts.
-        reasons = {line: as_message(reason) for line, reason in target.missing.items()}
+        # Scripts of earlier versions give the reasons as texts, or the seeds as north, west, up.
+        reasons = {
+            line: with_seed_position(as_message(reason)) for line, reason in target.missing.items()
+        }
         target = replace(target, missing=reasons)
         picking.require_survey_points(self.survey, target)
         self.project = self.project.with_target(target)

@@ -1,11 +1,12 @@
 """Find the plane at a seed: RANSAC with local sampling, region growing, trimming, fit."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
+from lispac.geometry.frames import east_north_up
 from lispac.geometry.planes import (
     Plane,
     extent_in_plane,
@@ -143,8 +144,20 @@ def require_seed(seed: Array) -> Array:
 
 def seed_text(seed: Array) -> Message:
     """Seed, shape (3,), metres, local frame, as part of a message."""
-    north, west, up = map(float, seed)
-    return note("finder.place", north=north, west=west, up=up)
+    east, north, up = map(float, east_north_up(seed))
+    return note("finder.seed_position", east=east, north=north, up=up)
+
+
+def with_seed_position(message: Message) -> Message:
+    """Message about a search, with the seed as `seed_text` gives it, not as former versions did."""
+    params = {
+        name: with_seed_position(value) if isinstance(value, Message) else value
+        for name, value in message.params.items()
+    }
+    place = [params.get(axis) for axis in ("north", "west", "up")]
+    if message.code == "finder.place" and all(isinstance(value, int | float) for value in place):
+        return seed_text(np.array(place, dtype=np.float64))
+    return replace(message, params=params)
 
 
 def neighbourhood_of(

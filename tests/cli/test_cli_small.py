@@ -213,8 +213,9 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     )
     out, err = printed_by(capsys, "propose", project.folder)
     assert out.splitlines() == [
-        "T1   target     at 1.250 -15.000 5.000 m", f"     {needed}",
-        "V1   validation at -4.000 -15.000 5.000 m", f"     {flat.replace('²', '2')}",
+        "T1   target     at east 15.000, north 1.250, up 5.000 m", f"     {needed}",
+        "V1   validation at east 15.000, north -4.000, up 5.000 m",
+        f"     {flat.replace('²', '2')}",
         "Predicted standard deviations",
         "               Roll (deg)  Pitch (deg)  Yaw (deg)",
         "  all targets      0.0100       0.0200     0.0300", "",

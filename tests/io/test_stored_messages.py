@@ -17,7 +17,7 @@ from lispac.workflow.checking.warnings import warnings_of
 from tests.support.report_sample import sample_project
 
 DATA = Path(__file__).parents[1] / "data"
-SEARCH_PLACE = note("finder.place", north=0.6, west=-14.7, up=5.1)
+SEARCH_PLACE = note("finder.seed_position", east=14.7, north=0.6, up=5.1)
 MISSING_REASON = error("finder.few_points", count=12, radius=1.0, needed=50, place=SEARCH_PLACE)
 ENGLISH_TEXT = "Only 12 points"
 
@@ -45,6 +45,20 @@ def test_reasons_are_shown_in_the_language_in_use(tmp_path: Path, saved_in: str)
             french = message_text(message)
         assert ENGLISH_TEXT not in french
         assert "12" in french
+
+
+def test_the_seed_in_a_message_of_a_former_version_is_converted(tmp_path: Path) -> None:
+    place = note("finder.place", north=0.6, west=-14.7, up=5.1)
+    former = replace(MISSING_REASON, params={**MISSING_REASON.params, "place": place})
+    project = sample_project(tmp_path / "p")
+    target = replace(project.targets[0], missing={"L9": former})
+    write_project(project.with_target(target).with_validation(project.validation, {"V1": former}))
+    assert '"finder.place"' in (project.folder / PROJECT_FILE_NAME).read_text()
+    opened = read_project(project.folder)
+    assert opened.target(target.name).missing == {"L9": MISSING_REASON}
+    assert opened.target(target.name).missing["L9"].params == MISSING_REASON.params
+    assert opened.not_compared["V1"].params == MISSING_REASON.params
+    assert "(east 14.70 m; north 0.60 m; up 5.10 m)" in message_text(MISSING_REASON)
 
 
 def test_a_text_of_a_former_project_is_kept(tmp_path: Path) -> None:

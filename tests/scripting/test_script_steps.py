@@ -35,7 +35,7 @@ class Steps:
         self.rejected.append(names)
 
 
-SEARCH_PLACE = note("finder.place", north=0.5, west=-15.0, up=8.25)
+SEARCH_PLACE = note("finder.seed_position", east=15.0, north=0.5, up=8.25)
 PLANE_TARGET = Target(
     "T1", "target", (0.5, -15.0, 8.25), 0.012, 1.5,
     (

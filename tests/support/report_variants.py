@@ -84,7 +84,7 @@ def _few_lines(project: Project) -> Project:
     reason = note(
         "finder.few_points",
         count=12, radius=1.0, needed=50,
-        place=note("finder.place", north=0.6, west=-14.7, up=5.1),
+        place=note("finder.seed_position", east=14.7, north=0.6, up=5.1),
     )  # fmt: skip
     return replace(
         project,

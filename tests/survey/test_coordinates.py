@@ -1,12 +1,16 @@
 """Tests of typed or listed coordinates: axis names, and messages about implausible ones."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.message_texts import message_text
 from lispac.survey.crs import coordinate_system
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.project.coordinates import (
+    LocalAxes,
     axis_names,
     distances_from_trajectory,
     require_near_trajectory,
@@ -14,6 +18,7 @@ from lispac.workflow.project.coordinates import (
     too_far_message,
 )
 from tests.support.cloud_files import track
+from tests.support.topocentric import local_by_proj
 
 UTM, GEOGRAPHIC, GEOCENTRIC = "EPSG:32619", "EPSG:4326", "EPSG:4978"
 
@@ -35,6 +40,25 @@ def circle() -> LocalTrajectory:
 )
 def test_axis_names_are_those_of_the_coordinate_system(code: str, axes: tuple[str, ...]) -> None:
     assert axis_names(coordinate_system(code) if code else None) == axes
+
+
+@pytest.mark.parametrize("code", ["", "local:46.8,-71.2,20"])
+def test_coordinates_in_the_local_frame_are_in_the_order_of_the_axes(
+    circle: LocalTrajectory, code: str
+) -> None:
+    system = coordinate_system(code) if code else None
+    frame = circle.frame
+    if system is not None and system.frame is not None:
+        frame = system.frame
+    shown = np.array([14.7, 1.15, 8.11])
+    assert axis_names(system, "east, north, up") == ("east", "north", "up")
+    assert axis_names(system) == ("north", "west", "up")
+    place = require_near_trajectory(shown, system, circle, "P1", "east, north, up")
+    latitude, longitude, height = frame.to_geodetic(local_by_proj(shown, frame))
+    expected = circle.frame.to_local(latitude, longitude, height)[0]
+    np.testing.assert_allclose(place, expected, atol=1e-6)
+    same = require_near_trajectory(np.array([1.15, -14.7, 8.11]), system, circle, "P1")
+    np.testing.assert_allclose(same, place, atol=1e-9)
 
 
 def test_invalid_coordinates_have_an_infinite_distance(circle: LocalTrajectory) -> None:
@@ -85,3 +109,28 @@ def test_implausible_coordinates_are_reported_with_a_possible_cause(
         require_near_trajectory(np.array(point), system, circle, "P1")
     assert caught.value.message == message
     assert str(caught.value).startswith("P1: ")
+
+
+@pytest.mark.parametrize(
+    ("local_axes", "names"),
+    [("north, west, up", "north, west and up"), ("east, north, up", "east, north and up")],
+)
+def test_implausible_local_coordinates_name_their_order(
+    circle: LocalTrajectory, local_axes: LocalAxes, names: str
+) -> None:
+    first, second = local_axes.split(", ")[:2]
+    for point, text in (
+        ([90_000.0, 0.0, 0.0], f"Give metres {names} from its origin"),
+        ([np.inf, 0.0, 0.0], f"Give metres {names} from its origin"),
+    ):
+        message = too_far_message(np.array(point), None, circle, "P1", local_axes)
+        assert message is not None
+        assert text in message_text(message)
+    moved = replace(circle, position=circle.position + [20_000.0, 0.0, 0.0])
+    swapped = np.array([0.0, 20_000.0, 0.0])
+    if first == "east":
+        swapped = swapped[[1, 0, 2]]
+    message = too_far_message(swapped, None, moved, "P1", local_axes)
+    assert message is not None
+    assert message.code == "coordinates.swapped_local"
+    assert f"Give {first} first, then {second}." in message_text(message)

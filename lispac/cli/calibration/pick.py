@@ -55,8 +55,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     seeds.add_argument(
         "--seeds", type=Path, metavar="FILE",
-        help="list of seeds: text file with name, x, y, z and optionally the role in each row, or "
-             "with a header row",
+        help="list of seeds: text file with name, x, y, z (north, west, up in the local frame) and "
+             "optionally the role in each row, or with a header row",
     )  # fmt: skip
     parser.add_argument("--name", help="with --seed: name of the target, e.g. T1")
     parser.add_argument(

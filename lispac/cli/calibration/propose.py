@@ -64,9 +64,11 @@ def run(arguments: Namespace) -> None:
         )  # fmt: skip
         print_json(ProposeOutput(targets, sigma, proposal.warnings, arguments.accept))
         return
+    from lispac.geometry.frames import east_north_up
+
     for target in proposal.targets:
-        place = " ".join(map(SEED_METRES.plain_text, target.seed))
-        print(f"{target.name:4s} {target.role:10s} at {place} m")
+        east, north, up = map(SEED_METRES.plain_text, east_north_up(target.seed))
+        print(f"{target.name:4s} {target.role:10s} at east {east}, north {north}, up {up} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
     print_table(PREDICTED_SIGMAS_TABLE, [AnglesRow("all targets", sigma)])
     print_messages(proposal.warnings, sys.stdout)

@@ -18,8 +18,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     parser.add_argument(
         "--reference", type=Path, required=True, metavar="FILE",
-        help="static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, "
-             "and optionally sigma and the name of the plane that contains them",
+        help="static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z "
+             "(north, west, up in the local frame), and optionally sigma and the name of the plane "
+             "that contains them",
     )  # fmt: skip
     parser.add_argument(
         "--reference-sigma", type=non_negative_number, default=0.005, metavar="M",

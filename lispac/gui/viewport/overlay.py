@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from lispac.geometry.frames import east_north_up
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.gui.viewport.base import Array, Marker, PointColouring
@@ -42,8 +43,8 @@ MOUSE_HELP: Mapping[Role, str] = {
 }
 """Help on the mouse, by the role of a picked surface."""
 
-AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
-"""Letters of the axes, with the names of their colours in the scheme."""
+AXIS_LABELS = ((N_("E"), "axis_x"), (N_("N"), "axis_y"), (N_("Up"), "axis_z"))
+"""Labels of the axes east, north and up, with the names of their colours in the scheme."""
 
 HELP_FADE_MS = 2500
 """Time in which the help on the mouse fades after its first use."""
@@ -262,7 +263,8 @@ class Overlay(QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
-        directions = camera.axes  # columns: north, west and up as seen on the screen
+        # columns: east, north and up as seen on the screen
+        directions = east_north_up(camera.axes)
         font = _scaled_font(self.font(), 0.95)
         font.setBold(True)
         painter.setFont(font)
@@ -271,14 +273,14 @@ class Overlay(QWidget):
             direction = QPointF(directions[0, k], -directions[1, k])
             tip = centre + direction * 28.0
             # At a constant distance beyond the tip, even if the axis nearly points at the viewer
-            letter = tip + direction * (
+            middle = tip + direction * (
                 9.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-3)
             )
             pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
             painter.drawLine(centre, tip)
-            box = QRectF(letter.x() - 10.0, letter.y() - 10.0, 20.0, 20.0)
+            box = QRectF(middle.x() - 20.0, middle.y() - 10.0, 40.0, 20.0)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, gettext(name))
 
     def _paint_scale(self, painter: QPainter, metres_per_pixel: float, size: ViewportSize) -> None:

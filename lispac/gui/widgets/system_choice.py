@@ -1,5 +1,6 @@
 """Fields for the coordinate system and the vertical system of coordinates."""
 
+from collections.abc import Collection
 from typing import cast
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -11,6 +12,7 @@ from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.project.coordinates import LocalAxes, axis_names
 from lispac.workflow.project.output_crs import (
     LOCAL_FRAME,
     common_system,
@@ -20,31 +22,35 @@ from lispac.workflow.project.output_crs import (
 
 CHECK_DELAY_MS = 300
 """Delay after the last typed character until the text is checked."""
-LOCAL_FRAME_TEXT = N_("Local frame – North, West, Up")
+LOCAL_FRAME_TEXTS: dict[LocalAxes, str] = {
+    "north, west, up": N_("Local frame – North, West, Up"),
+    "east, north, up": N_("Local frame – East, North, Up"),
+}
+"""Item for the local frame, by the order of its coordinates."""
 HEIGHT_PLACEHOLDER = N_("From the coordinate system, otherwise ellipsoidal heights")
 HEIGHT_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
 
 
 def system_box(
-    name: str, project: Project, trajectory: LocalTrajectory, *, local_first: bool = False
-) -> QComboBox:
+    name: str, project: Project, trajectory: LocalTrajectory, *, local_first: bool = False,
+    local_axes: LocalAxes = "north, west, up",
+) -> QComboBox:  # fmt: skip
     """Create an editable list of likely coordinate systems, with their codes as item data."""
     found = QComboBox()
     found.setObjectName(name)
     found.setEditable(True)
     found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
     found.setToolTip(gettext("Choose or type an EPSG code, such as EPSG:2959 or EPSG:6347+5703"))
-    zone = utm_zone(trajectory)
+    zone, local_text = utm_zone(trajectory), gettext(LOCAL_FRAME_TEXTS[local_axes])
     try:
         line_system = common_system(project)
     except LispacError:
         line_system = None  # the lines are in different systems
     items = [(gettext("{zone} – UTM zone of the trajectory (WGS 84)", zone=zone), zone)]
     if line_system is not None:
-        items.insert(
-            0, (gettext("System of the line files – {system}", system=line_system.name), "")
-        )
-    items.insert(0 if local_first else len(items), (gettext(LOCAL_FRAME_TEXT), LOCAL_FRAME))
+        system = line_system.name if line_system.frame is None else local_text
+        items.insert(0, (gettext("System of the line files – {system}", system=system), ""))
+    items.insert(0 if local_first else len(items), (local_text, LOCAL_FRAME))
     for text, code in items:
         found.addItem(text, code)
     return found
@@ -73,11 +79,15 @@ class CoordinateSystemFields(QObject):
     changed = Signal()
 
     def __init__(
-        self, project: Project, trajectory: LocalTrajectory, prefix: str, parent: QObject
-    ) -> None:
+        self, project: Project, trajectory: LocalTrajectory, prefix: str, parent: QObject,
+        local_axes: LocalAxes = "north, west, up",
+    ) -> None:  # fmt: skip
         super().__init__(parent)
         self._project, self._trajectory = project, trajectory
-        self.box = system_box(f"{prefix}_system", project, trajectory, local_first=True)
+        self._local_axes = local_axes
+        self.box = system_box(
+            f"{prefix}_system", project, trajectory, local_first=True, local_axes=local_axes
+        )
         self.height = QLineEdit()
         self.height.setObjectName(f"{prefix}_height")
         self.height.setPlaceholderText(gettext(HEIGHT_PLACEHOLDER))
@@ -99,6 +109,14 @@ class CoordinateSystemFields(QObject):
         form.addRow(gettext("Vertical system"), self.height)
         self._form = form
         self._resolve_system()
+
+    def choose(self, axes: Collection[str]) -> None:
+        """Choose the local frame or the system of the line files, by the names of the axes."""
+        is_local_frame = set(axes) == set(axis_names(None, self._local_axes))
+        index = self.box.findData(LOCAL_FRAME if is_local_frame else "")
+        if index >= 0:
+            self.height.clear()
+            self.box.setCurrentIndex(index)
 
     def _on_typed(self) -> None:
         if self.box.findText(self.box.currentText()) >= 0 and not self.height.text():

@@ -44,6 +44,7 @@ from lispac.messages import Message, error
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.store.layout import is_link, require_no_link
 from lispac.targets.finder_settings import DEFAULT_CHOICES
+from lispac.targets.plane_finder import with_seed_position
 from lispac.untrusted_values import InvalidContentError, json_values
 from lispac.value_conversion import decode_value, encode_value, failure_summary, make_converter
 
@@ -331,6 +332,10 @@ def _file_converter() -> Any:
             ),
         ),
     }
+    read_message = make_dict_structure_fn(Message, converter, _cattrs_forbid_extra_keys=True)
+    converter.register_structure_hook(
+        Message, lambda content, kind: with_seed_position(read_message(content, kind))
+    )
     for kind, fields in ((PickedSighting, sighting), (Target, target)):
         converter.register_unstructure_hook(
             kind, make_dict_unstructure_fn(kind, converter, **fields)

@@ -18,7 +18,7 @@ from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.calibration.picking import find_target, next_name
-from lispac.workflow.project.coordinates import axis_names, require_near_trajectory
+from lispac.workflow.project.coordinates import axis_names, is_local, require_near_trajectory
 from lispac.workflow.project.survey import Survey
 
 PLANE_OPTIONS = {"shape": "plane", "sphere_radius": None, "expected": None}
@@ -103,7 +103,7 @@ def read_seeds(
     geographic = system is not None and system.is_geographic
     metres = (1.0, 1.0, 1.0) if system is None else system.metres
     points = read_point_list(
-        path, columns=columns, local=system is None, degrees=geographic, metres=metres
+        path, columns=columns, local=is_local(system), degrees=geographic, metres=metres
     )
     used_names = {target.name for target in project.targets}
     # Points without a name in the list get the next free names.

@@ -23,6 +23,7 @@ from lispac.validation.absolute_check import Kind
 from lispac.workflow.calibration.seed_lists import columns_note
 from lispac.workflow.project.coordinates import (
     distances_from_trajectory,
+    is_local,
     require_near_trajectory,
     to_local_frame,
 )
@@ -218,7 +219,7 @@ def _read_points(
     geographic = system is not None and system.is_geographic
     metres = (1.0, 1.0, 1.0) if system is None else system.metres
     found = read_point_list(
-        path, local=system is None, degrees=geographic, check=True, metres=metres
+        path, local=is_local(system), degrees=geographic, check=True, metres=metres
     )
     placed = []
     for number, point in enumerate(found.points, start=1):
@@ -320,7 +321,7 @@ def _read_surface(
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
-    for chunk in scan.coordinate_chunks(local=system is None):
+    for chunk in scan.coordinate_chunks(local=is_local(system)):
         placed = to_local_frame(chunk, system, survey.trajectory)
         if not done:
             _require_same_site(scan.path, chunk, placed, system, survey.trajectory)

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
+from lispac.geometry.frames import east_north_up
 from lispac.geometry.planes import extent_in_plane, fit_plane, rms_distance
 from lispac.language import gettext
 from lispac.present.measured_point import LOCAL_UNIT, Coordinate, MeasuredPoint
@@ -15,7 +16,7 @@ from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.given_time_bases import time_base_of_trajectory
 from lispac.workflow.importing.line_chunks import LineChunks
-from lispac.workflow.project.coordinates import axis_names
+from lispac.workflow.project.coordinates import axis_names, axis_units, is_local
 
 Array = NDArray[np.float64]
 
@@ -24,8 +25,6 @@ PLANE_RADIUS_M = 0.3
 MIN_PLANE_POINTS, MAX_PLANE_RMS_M, MIN_EXTENT_M = 12, 0.03, 0.1
 """Smallest number of points of this plane, largest RMS of their distances, and smallest extent in
 each direction. Otherwise, the surface is not considered a plane."""
-HEIGHT_UNITS = ((1.0, "metre"), (0.3048, "foot"), (1200 / 3937, "US survey foot"))
-"""Lengths in metres of units of heights."""
 
 
 class PointReader:
@@ -41,8 +40,8 @@ class PointReader:
     def values(self, line: str, cloud: Cloud, index: int, near: Array) -> MeasuredPoint:
         """Values of one point.
 
-        The coordinates are in the coordinate system of the line's file, or in the local frame if it
-        has none.
+        The coordinates are in the coordinate system of the line's file, or east, north and up in
+        the local frame of the project if it has none.
 
         Parameters
         ----------
@@ -71,17 +70,18 @@ class PointReader:
 
     def _system(self, line: str) -> CoordinateSystem | None:
         if line not in self._systems:
-            self._systems[line] = LineChunks.of(self._lines[line]).system
+            system = LineChunks.of(self._lines[line]).system
+            # A cloud in another local frame has positions in that of the project.
+            self._systems[line] = None if is_local(system) else system
         return self._systems[line]
 
     def _coordinates(self, place: Array, system: CoordinateSystem | None) -> tuple[Coordinate, ...]:
         if system is None:
-            values, units = place, [LOCAL_UNIT] * 3
+            values, units = east_north_up(place), (LOCAL_UNIT,) * 3
         else:
             values = system.from_local(place[None], self._trajectory.frame, strict=False)[0]
-            height = min(HEIGHT_UNITS, key=lambda unit: abs(unit[0] - system.metres[2]))[1]
-            units = [system.unit, system.unit, height]
-        axes = axis_names(system)
+            units = axis_units(system)
+        axes = axis_names(system, "east, north, up")
         return tuple(
             Coordinate(axis, float(value), unit)
             for axis, value, unit in zip(axes, values, units, strict=True)

@@ -7,13 +7,14 @@ import pytest
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.language import in_language
-from lispac.present.measured_point import Coordinate, MeasuredPoint, point_facts
+from lispac.present.measured_point import Coordinate, MeasuredPoint, copied_point, point_facts
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.crs import coordinate_system
 from lispac.survey.scan import Scan
 from lispac.workflow.project.measured_points import PointReader, incidence_angle
 from tests.support.cloud_files import MOUNTING, sweep, track
+from tests.support.topocentric import east_north_up_by_proj
 
 NONE_NEAR = np.empty((0, 3))
 
@@ -46,7 +47,7 @@ def test_there_is_no_incidence_without_a_plane() -> None:
     assert incidence_angle(thin, beam) is None
 
 
-@pytest.mark.parametrize("system", ["", "EPSG:32619", "EPSG:4326"])
+@pytest.mark.parametrize("system", ["", "local:46.8,-71.2,20", "EPSG:32619", "EPSG:4326"])
 def test_coordinates_are_in_the_system_of_the_file(system: str, tmp_path: Path) -> None:
     trajectory = track()
     points, time = sweep(trajectory, 200)
@@ -61,9 +62,10 @@ def test_coordinates_are_in_the_system_of_the_file(system: str, tmp_path: Path) 
     )
     read = PointReader(project, trajectory).values("L1", cloud, 7, NONE_NEAR)
     values = [each.value for each in read.coordinates]
-    if not system:
-        np.testing.assert_array_equal(values, cloud.sample[7])
-        assert [each.axis for each in read.coordinates] == ["north", "west", "up"]
+    if not system.startswith("EPSG"):
+        expected = east_north_up_by_proj(cloud.sample[7], trajectory.frame)[0]
+        np.testing.assert_allclose(values, expected, atol=1e-6)
+        assert [each.axis for each in read.coordinates] == ["east", "north", "up"]
     else:
         assert system in read.system
         back = coordinate_system(system).to_local(np.array([values]), trajectory.frame)[0]
@@ -71,6 +73,32 @@ def test_coordinates_are_in_the_system_of_the_file(system: str, tmp_path: Path) 
     assert read.range_m == pytest.approx(float(np.linalg.norm(points[7])))
     assert read.time_s == time[7]
     assert (read.incidence_rad, read.intensity) == (None, None)
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize(
+    ("axes", "unit", "system"),
+    [
+        (("east", "north", "up"), "local", "local frame"),
+        (("easting", "northing", "height"), "US survey foot", "NAD83 / New York East (ftUS)"),
+        (("longitude", "latitude", "height"), "degree", "WGS 84"),
+        (("X", "Y", "Z"), "metre", "WGS 84"),
+    ],
+)
+def test_coordinates_are_found_in_copied_values(
+    language: str, axes: tuple[str, ...], unit: str, system: str
+) -> None:
+    place = tuple(Coordinate(axis, k - 1.5, unit) for k, axis in enumerate(axes))
+    read = MeasuredPoint("East 3", place, system, 1.0, None, 2.0, None, None, None)
+    with in_language(language):
+        facts = {fact.name: fact.text for fact in point_facts(read)}
+        found = copied_point("\n".join(f"{name}\t{text}" for name, text in facts.items()))
+        reordered = copied_point("\n".join(f"{n}\t{t}" for n, t in reversed(facts.items())))
+        assert copied_point("\n".join(facts.values())) is None
+    assert found is not None
+    assert found == reordered
+    assert found.system == system
+    assert [facts[name] for name in list(facts)[1:4]] == [found.coordinates[axis] for axis in axes]
 
 
 def test_unknown_values_are_left_out_and_units_are_named() -> None:

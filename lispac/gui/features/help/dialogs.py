@@ -99,7 +99,10 @@ def about_box(parent: QWidget | None) -> QMessageBox:
         "LISPAC calibrates the boresight of a vessel-mounted LiDAR with respect to the INS/GNSS "
         "and estimates the uncertainty of the angles."
     )
-    frame = gettext("Local coordinates are North, West and Up in metres.")
+    frame = gettext(
+        "The window and the report show positions as east, north and up from the origin of the "
+        "local frame. In files and scripts, local coordinates are north, west and up in metres."
+    )
     licence = gettext("Licence: BSD 3-clause.")
     versions = f"Qt {qVersion()}, Python {platform.python_version()}. {licence}"
     box.setInformativeText(

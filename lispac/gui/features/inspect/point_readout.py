@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterable
 from html import escape
 
-from PySide6.QtCore import QObject, QPoint, QRect, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCursor, QGuiApplication
+from PySide6.QtCore import QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCursor, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QMenu, QToolTip
 
 from lispac.errors import LispacError
@@ -23,6 +23,13 @@ READ_DELAY_MS = 60
 """Time after which the values of the point under the resting mouse are read."""
 TOOLTIP_DELAY_MS = 800
 """Time for which the mouse must rest before the tooltip appears."""
+TOOLTIP_DISTANCES = QSize(44, 20)
+"""Horizontal and vertical distance of the tooltip from the mouse, pixels."""
+TOOLTIP_MARGINS = QSize(32, 40)
+"""Largest difference of the sizes of the tooltip and its text, with a margin for the offset that Qt
+adds, pixels."""
+QT_TOOLTIP_OFFSET = QPoint(2, 16)
+"""Offset that Qt adds to the position of a tooltip, for the usual mouse pointer, pixels."""
 NO_POINT_TEXT = N_("No point under the cursor")
 
 
@@ -90,7 +97,10 @@ class PointReadout(QObject):
         self._set_values([] if measured is None else _facts_texts(point_facts(measured)))
         if measured is not None:
             self._tooltip_lines = [
-                FIELD_SEPARATOR.join(f"{name}: {text}" for name, text in _facts_texts(line))
+                FIELD_SEPARATOR.join(
+                    gettext("{name}: {text}", name=name, text=text)
+                    for name, text in _facts_texts(line)
+                )
                 for line in brief_point_facts(measured)
             ]
             self._tooltip.start()
@@ -116,7 +126,7 @@ class PointReadout(QObject):
             return None
 
     def _show_tooltip(self) -> None:
-        """Show the values at the top until the mouse moves, except while points are picked."""
+        """Show the values beside the mouse until it moves, except while points are picked."""
         is_pressed = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
         has_control = Qt.KeyboardModifier.ControlModifier & QGuiApplication.queryKeyboardModifiers()
         if not self.values or is_pressed or has_control or self._is_picking():
@@ -128,13 +138,20 @@ class PointReadout(QObject):
         widget = view.childAt(view.mapFromGlobal(place)) or view
         here = QRect(widget.mapFromGlobal(place) - QPoint(2, 2), widget.mapFromGlobal(place))
         text = "<br>".join(map(escape, self._tooltip_lines))
-        # In the half of the view away from the mouse, to leave what it points at visible
-        middle = view.width() // 2
-        left = 0 if view.mapFromGlobal(place).x() >= middle else middle
+        bounds = QRect(view.mapToGlobal(QPoint(0, 0)), view.size())
+        corner = tooltip_corner(place, self._tooltip_size, bounds)
         QToolTip.showText(
-            view.mapToGlobal(QPoint(left, 0)), f"<p style='white-space:pre'>{text}</p>",
-            widget, here.adjusted(0, 0, 2, 2),
+            corner - QT_TOOLTIP_OFFSET, f"<p style='white-space:pre'>{text}</p>", widget,
+            here.adjusted(0, 0, 2, 2),
         )  # fmt: skip
+
+    @property
+    def _tooltip_size(self) -> QSize:
+        """Upper limit of the size of the tooltip, pixels."""
+        metrics = QFontMetrics(QToolTip.font())
+        width = max(map(metrics.horizontalAdvance, self._tooltip_lines))
+        height = metrics.lineSpacing() * len(self._tooltip_lines)
+        return QSize(width, height) + TOOLTIP_MARGINS
 
     def _show_menu(self, point: PickedPoint | None, place: QPoint) -> None:
         """Show the menu of the view for the point under the right mouse button."""
@@ -151,6 +168,23 @@ class PointReadout(QObject):
     def _clear_project(self) -> None:
         self._reader = None
         self._on_hovered(None)
+
+
+def tooltip_corner(mouse: QPoint, size: QSize, bounds: QRect) -> QPoint:
+    """Upper left corner of a tooltip: at the lower right of the mouse, if there is room.
+
+    Otherwise it is on the other side. The points around the mouse stay visible. All values are in
+    pixels on the screen.
+    """
+    x = _beside(mouse.x(), TOOLTIP_DISTANCES.width(), size.width(), bounds.left(), bounds.right())
+    y = _beside(mouse.y(), TOOLTIP_DISTANCES.height(), size.height(), bounds.top(), bounds.bottom())
+    return QPoint(x, y)
+
+
+def _beside(mouse: int, distance: int, length: int, low: int, high: int) -> int:
+    """Start of a tooltip along one axis: after the mouse, or before it if there is more room."""
+    after, before = mouse + distance, mouse - distance - length
+    return before if after + length > high and mouse - low > high - mouse else after
 
 
 def _facts_texts(facts: Iterable[Fact]) -> list[tuple[str, str]]:

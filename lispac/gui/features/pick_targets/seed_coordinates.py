@@ -1,10 +1,13 @@
 """Dialogue to enter the coordinates of a seed."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
 from lispac.errors import InputError, ProjectError
+from lispac.geometry.frames import east_north_up
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
@@ -17,11 +20,13 @@ from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.present.measured_point import AXIS_TITLES
+from lispac.present.measured_point import AXIS_TITLES, UNIT_SIGNS, copied_point
 from lispac.project import Project, Triple, require_target_name
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.project.coordinates import (
+    LocalAxes,
     axis_names,
+    axis_units,
     distances_from_trajectory,
     require_near_trajectory,
 )
@@ -44,6 +49,10 @@ ONE_LINE_INTRODUCTIONS = {
     ),
 }
 """Introduction of the dialogue if only one line is searched."""
+
+
+LOCAL_AXES: LocalAxes = "east, north, up"
+"""Order of coordinates in the local frame, as in the read-out of the view and in the report."""
 
 
 class SeedCoordinatesDialog(QDialog):
@@ -71,7 +80,7 @@ class SeedCoordinatesDialog(QDialog):
         # The sighting is added to the selected target, which keeps its name.
         self._adds_sighting = seed_options.line is not None and name == seed_options.selected
         self.name.setEnabled(not self._adds_sighting)
-        self.choice = CoordinateSystemFields(project, trajectory, "seed", self)
+        self.choice = CoordinateSystemFields(project, trajectory, "seed", self, LOCAL_AXES)
         self.fields = tuple(_field(f"seed_coordinate_{k}") for k in range(3))
         self._form = QFormLayout()
         self._form.setVerticalSpacing(theme.SPACING)
@@ -111,17 +120,29 @@ class SeedCoordinatesDialog(QDialog):
         return None if self._position is None else (self.name.text().strip(), self._position)
 
     def _on_typed(self, text: str) -> None:
-        """Split three pasted numbers over the three fields."""
-        if self.sender() is self.fields[0] and (parts := find_coordinates(text)):
+        """Split three pasted numbers, or the copied values of a point, over the three fields."""
+        if self.sender() is self.fields[0] and (parts := self._pasted_coordinates(text)):
             for field, part in zip(self.fields, parts, strict=True):
                 field.blockSignals(True)
                 field.setText(part)
                 field.blockSignals(False)
         self._check_input()
 
+    def _pasted_coordinates(self, text: str) -> Sequence[str] | None:
+        """Three coordinates in a text; chooses the coordinate system of copied values."""
+        point = copied_point(text)
+        if point is None:
+            return find_coordinates(text)
+        self.choice.choose(point.coordinates.keys())
+        system = self.choice.system
+        axes = axis_names(system, LOCAL_AXES)
+        is_other = system is not None and point.system not in ("", system.name)
+        if is_other or set(axes) != set(point.coordinates):
+            return None
+        return [point.coordinates[axis] for axis in axes]
+
     def _check_input(self) -> None:
-        axes = axis_names(self.choice.system)
-        units = ("°", "°", "m") if axes[0] == "longitude" else ("m", "m", "m")
+        axes, units = axis_names(self.choice.system, LOCAL_AXES), self._units
         for field, axis, unit in zip(self.fields, axes, units, strict=True):
             name = f"{_axis_label(axis)} ({unit})"
             self._form.labelForField(field).setText(name)
@@ -138,6 +159,13 @@ class SeedCoordinatesDialog(QDialog):
         self.message_label.style().unpolish(self.message_label)
         self.message_label.style().polish(self.message_label)
         self.find_button.setEnabled(self._position is not None)
+
+    @property
+    def _units(self) -> Sequence[str]:
+        """Signs of the units of the three coordinates."""
+        if self.choice.system is None:
+            return ("m", "m", "m")
+        return [UNIT_SIGNS.get(unit, unit) for unit in axis_units(self.choice.system)]
 
     def _describe_coordinates(self) -> str:
         """Describe the typed coordinates, and set the position if they are complete.
@@ -157,11 +185,11 @@ class SeedCoordinatesDialog(QDialog):
             if any(target.name == name for target in self._project.targets):
                 raise ProjectError(error("window.name_taken", name=name))
         system = self.choice.system
-        axes = axis_names(system)
+        axes = axis_names(system, LOCAL_AXES)
         values = []
-        for field, axis in zip(self.fields, axes, strict=True):
+        for field, axis, unit in zip(self.fields, axes, self._units, strict=True):
             text = field.text().strip()
-            values.append(_parse_coordinate(text, axis))
+            values.append(_parse_coordinate(text, axis, unit))
             wrong = bool(text) and values[-1] is None
             field.setProperty("wrong", wrong)
             field.style().unpolish(field)
@@ -175,16 +203,16 @@ class SeedCoordinatesDialog(QDialog):
             pairs = zip(axes, values, strict=True)
             missing = [_axis_label(axis) for axis, value in pairs if value is None]
             return gettext("Enter {coordinates:names}.", coordinates=missing)
-        place = require_near_trajectory(point, system, self._trajectory, name)
+        place = require_near_trajectory(point, system, self._trajectory, name, LOCAL_AXES)
         self._position = (float(place[0]), float(place[1]), float(place[2]))
         distance = float(distances_from_trajectory(place[None], self._trajectory)[0])
         if system is None:
             return gettext("Distance from the trajectory: {distance:m.1} m.", distance=distance)
-        north, west, up = self._position
+        east, north, up = east_north_up(self._position)
         text = gettext(
-            "Local frame: north {north:m.3} m, west {west:m.3} m, up {up:m.3} m. Distance from "
+            "Local frame: east {east:m.3} m, north {north:m.3} m, up {up:m.3} m. Distance from "
             "the trajectory: {distance:m.1} m.",
-            north=north, west=west, up=up, distance=distance,
+            east=east, north=north, up=up, distance=distance,
         )  # fmt: skip
         return " ".join([text, *map(message_text, system.assumptions)])
 
@@ -203,10 +231,10 @@ def _introduction(seed_options: SeedOptions) -> str:
     return f"{first}\n{second}"
 
 
-def _parse_coordinate(text: str, axis: str) -> float | None:
-    """Coordinate in metres or degrees; None if the text is not a number."""
+def _parse_coordinate(text: str, axis: str, unit: str) -> float | None:
+    """Coordinate in its unit; None if the text is not a number."""
     if axis not in ("longitude", "latitude"):
-        return parse_number(text, "m")
+        return parse_number(text, unit)
     number = parse_number(text, "°")
     return parse_coordinate(text, degrees=True) if number is None else number
 
@@ -221,6 +249,9 @@ def _field(name: str) -> QLineEdit:
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setFont(theme.tabular_font(field.font()))
     field.setToolTip(
-        gettext("Paste three numbers into the first field to fill in all three fields")
+        gettext(
+            "Paste three numbers, or a point copied in the 3D view, into the first field to fill "
+            "in all three fields"
+        )
     )
     return field

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.errors import LispacError
+from lispac.geometry.frames import east_north_up
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
@@ -41,7 +42,7 @@ from lispac.workflow.calibration.seed_lists import ListedSeed, SeedList, SeedOut
 from lispac.workflow.project.coordinates import distances_from_trajectory
 
 SEED_COLUMN_TITLES = (
-    N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
+    N_("Name"), N_("Role"), N_("East (m)"), N_("North (m)"), N_("Up (m)"),
     N_("Distance from trajectory (m)"), N_("Note"),
 )  # fmt: skip
 ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -163,8 +164,9 @@ class SeedListDialog(QDialog):
             name.setCheckState(Qt.CheckState.Unchecked if seed.exists else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
             numbers = [
-                *map(SEED_METRES.text, seed.place), RANGE_METRES.text(distances[row])
-            ]  # fmt: skip
+                *map(SEED_METRES.text, east_north_up(seed.place)),
+                RANGE_METRES.text(distances[row]),
+            ]
             comment = (
                 gettext("A target with this name exists; tick to replace it") if seed.exists else ""
             )

@@ -68,8 +68,9 @@ class CheckDialog(NumberDialog):
             widgets.label(
                 gettext(
                     "The lines are compared with a static scan of the site or with surveyed "
-                    "points. Each row of a point list has a name, three coordinates and, "
-                    "optionally, a standard deviation and the name of the plane of the point."
+                    "points. Each row of a point list has a name, three coordinates (in the local "
+                    "frame north, west, up) and, optionally, a standard deviation and the name of "
+                    "the plane of the point."
                 ),
                 wrap=True,
             )

@@ -7,23 +7,32 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QToolTip
+from PySide6.QtWidgets import QApplication, QFormLayout, QMenu, QToolTip
 from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
-from lispac.gui.appearance import units
-from lispac.gui.features.inspect.point_readout import NO_POINT_TEXT, TOOLTIP_DELAY_MS
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.inspect.point_readout import (
+    NO_POINT_TEXT,
+    READ_DELAY_MS,
+    TOOLTIP_DELAY_MS,
+    tooltip_corner,
+)
+from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.viewport.base import Marker, PickedPoint
+from lispac.gui.viewport.overlay import AXIS_LABELS, MARGIN_PX
 from lispac.gui.viewport.point_picker import PICK_RADII_PX
 from lispac.picked_targets import Target
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.calibration import picking
 from lispac.workflow.planning.demo import demo_seeds
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import find, use_next_dialog
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
+from tests.support.topocentric import east_north_up_by_proj, local_by_proj
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
 EMPTY, FOOT = QPoint(3, 3), 0.3048
@@ -60,7 +69,9 @@ def hover(driver: Driver, place: QPoint) -> dict[str, str]:
         QTest.mouseMove(driver.viewport.canvas, place)
         with suppress(WaitTimeoutError):
             driver.bot.waitUntil(lambda: bool(readout.values), timeout=WAIT_MS // MAX_MOVES)
-            break
+            driver.bot.wait(5 * READ_DELAY_MS)  # the first values may be those of the first place
+            if readout.values:
+                break
     assert readout.values
     return dict(readout.values)
 
@@ -80,8 +91,9 @@ def number(text: str) -> float:
 def test_the_status_bar_shows_the_point_under_the_mouse(board: Driver) -> None:
     values = hover(board, board_pixel(board))
     cloud = board.window.scene.clouds[values["Line"]]
-    place = [number(values[axis]) for axis in ("North", "West", "Up")]
-    distances = np.linalg.norm(cloud.sample - place, axis=1)
+    place = [number(values[axis]) for axis in ("East", "North", "Up")]
+    frame = board.window.document.survey.trajectory.frame
+    distances = np.linalg.norm(east_north_up_by_proj(cloud.sample, frame) - place, axis=1)
     index = int(np.argmin(distances))
     assert distances[index] < 1e-3  # shown with millimetres
     points_lidar, time = cloud.sample_lidar(np.array([index]))
@@ -134,11 +146,77 @@ def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:
     assert board.viewport.widget.findChild(QMenu, "point_menu") is None, "a drag pans"
 
 
+@pytest.mark.parametrize("length", ["metres", "feet"])
+def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
+    clipboard, canvas = QGuiApplication.clipboard(), board.viewport.canvas
+    units.set_units("degrees", length)
+    try:
+        values = hover(board, board_pixel(board))
+        canvas.setFocus()
+        board.bot.keyClick(canvas, Key.Key_C, Control)
+        shown: list[list[str]] = []
+
+        def use_dialog(dialog: SeedCoordinatesDialog) -> None:
+            board.bot.keyClick(dialog.focusWidget(), Key.Key_V, Control)
+            form = dialog.findChild(QFormLayout)
+            shown.append([form.labelForField(field).text() for field in dialog.fields])
+            shown.append([field.text() for field in dialog.fields])
+            board.bot.mouseClick(find(dialog), Left)
+
+        use_next_dialog(board, use_dialog)
+        press(board, Key.Key_F3)
+        board.rest()
+    finally:
+        units.set_units("degrees", "metres")
+    clipboard.clear()
+    names, texts = shown
+    assert names == ["East (m)", "North (m)", "Up (m)"]
+    assert texts == [values[axis] for axis in ("East", "North", "Up")]
+    candidate, survey = board.window.controller.candidate, board.window.document.survey
+    assert candidate is not None
+    factor = FOOT if length == "feet" else 1.0
+    place = np.array([[number(text) * factor for text in texts]])
+    expected = local_by_proj(place, survey.trajectory.frame)[0]
+    assert candidate.seed == pytest.approx(expected, abs=1e-6)
+    cloud = board.window.scene.clouds[values["Line"]]
+    assert np.linalg.norm(cloud.sample - candidate.seed, axis=1).min() < 1e-3
+
+
+@pytest.mark.parametrize("key", [Key.Key_1, Key.Key_2, Key.Key_3])
+def test_the_axes_point_as_the_coordinates_grow(board: Driver, key: Qt.Key) -> None:
+    """A point farther east, north or up is drawn in the direction of the axis of that name."""
+    view, frame = board.viewport, board.window.document.survey.trajectory.frame
+    press(board, key)
+    board.rest()
+    focal, right = view.camera.focal, view.camera.axes[0]
+    length, start = 0.1, east_north_up_by_proj(focal, frame)
+    across = np.ptp(view.to_pixels(np.array([focal, focal + length * right])), axis=0)
+    picture = view.widget.overlay.grab().toImage()
+    centre = np.array([MARGIN_PX + 42.0, view.widget.overlay.height() - MARGIN_PX - 42.0])
+    assert [name for name, _ in AXIS_LABELS] == ["E", "N", "Up"]
+    drawn = 0
+    for axis, (_, colour) in zip(np.eye(3), AXIS_LABELS, strict=True):
+        ends = local_by_proj(np.vstack([start, start + length * axis]), frame)
+        share = np.subtract(*view.to_pixels(ends)[::-1]) / np.hypot(*across)
+        if np.hypot(*share) > 0.3:  # else the axis points at the viewer
+            places = [centre + 28.0 * part * share for part in (0.5, 0.7, 0.9)]
+            assert all(has_colour(picture, each, theme.colour(colour)) for each in places), colour
+            drawn += 1
+    assert drawn >= 2
+
+
+def has_colour(picture: QImage, place: np.ndarray, colour: QColor) -> bool:
+    """Whether a pixel of a colour is within one pixel of a place on the widget."""
+    x, y = (picture.devicePixelRatio() * place).round().astype(int).tolist()
+    near = [picture.pixelColor(x + dx, y + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+    return any(each.rgb() == colour.rgb() for each in near)
+
+
 def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> None:
     place = board_pixel(board)
     metres = hover(board, place)
     board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
-    brief = ("North", "West", "Up", "Line", "Range", "Intensity", "Time")
+    brief = ("East", "North", "Up", "Line", "Range", "Intensity", "Time")
     assert all(metres[name] in QToolTip.text() for name in brief)
     assert QToolTip.text().count("<br>") < 5
     assert metres["Coordinate system"] not in QToolTip.text()
@@ -151,9 +229,10 @@ def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> No
     finally:
         units.set_units("degrees", "metres")
     assert feet["Range"].endswith("ft")
-    place_m = np.array([number(feet[axis]) for axis in ("North", "West", "Up")]) * FOOT
+    place_m = np.array([number(feet[axis]) for axis in ("East", "North", "Up")]) * FOOT
     cloud = board.window.scene.clouds[feet["Line"]]
-    distances = np.linalg.norm(cloud.sample - place_m, axis=1)
+    frame = board.window.document.survey.trajectory.frame
+    distances = np.linalg.norm(east_north_up_by_proj(cloud.sample, frame) - place_m, axis=1)
     index = int(np.argmin(distances))
     assert distances[index] < 1e-3
     points_lidar, _ = cloud.sample_lidar(np.array([index]))
@@ -173,6 +252,8 @@ def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
     show()
     tip = next(each for each in QApplication.topLevelWidgets() if each.inherits("QTipLabel"))
     assert not tip.geometry().adjusted(-40, -40, 40, 40).contains(canvas.mapToGlobal(place))
+    near = QRect(canvas.mapToGlobal(place), QSize(1, 1)).adjusted(-90, -90, 90, 90)
+    assert tip.geometry().intersects(near), "beside the mouse"
     QTest.mouseMove(canvas, place + QPoint(40, 0))
     board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
     show()
@@ -184,6 +265,17 @@ def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
     hover(board, place)
     board.bot.wait(2 * TOOLTIP_DELAY_MS)
     assert is_hidden()
+
+
+@pytest.mark.parametrize("x", [0.02, 0.5, 0.98])
+@pytest.mark.parametrize("y", [0.02, 0.5, 0.98])
+def test_the_tooltip_is_beside_the_mouse_and_in_the_view(x: float, y: float) -> None:
+    view, size = QRect(300, 80, 900, 600), QSize(320, 110)
+    mouse = view.topLeft() + QPoint(round(x * view.width()), round(y * view.height()))
+    tip = QRect(tooltip_corner(mouse, size, view), size)
+    assert view.contains(tip)
+    assert not tip.adjusted(-40, -15, 40, 15).contains(mouse)
+    assert tip.intersects(QRect(mouse, QSize(1, 1)).adjusted(-60, -60, 60, 60))
 
 
 def test_no_tooltip_covers_the_view_while_a_candidate_waits(board: Driver) -> None:

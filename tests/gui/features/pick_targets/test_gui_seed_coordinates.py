@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,8 +17,12 @@ from lispac.gui.app.questions import CandidateChoice
 from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.widgets.result_tables import fact_text
+from lispac.present.measured_point import point_facts
+from lispac.project import Reading
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.measured_points import PointReader
 from tests.gui.french_support import english
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, seed
 from tests.support.message_codes import is_shown
@@ -25,6 +30,12 @@ from tests.support.message_codes import is_shown
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
 T1 = demo_seeds()["T1"][1]
+
+
+def as_shown(place: tuple[float, ...]) -> tuple[float, float, float]:
+    """East, north, up of a place given as north, west, up."""
+    north, west, up = place
+    return -west, north, up
 
 
 def use_next_dialog(
@@ -69,7 +80,8 @@ def find(dialog: SeedCoordinatesDialog) -> QPushButton:
 
 def test_coordinates_are_read_as_in_all_number_fields(opened: Driver) -> None:
     def use_dialog(dialog: SeedCoordinatesDialog) -> None:
-        texts = (f"{T1[0]:.3f} m", f"{100 * T1[1]:.1f} cm", f"{T1[2] / 10:.4f}e1".replace(".", ","))
+        east, north, up = as_shown(T1)
+        texts = (f"{east:.3f} m", f"{100 * north:.1f} cm", f"{up / 10:.4f}e1".replace(".", ","))
         for field, text in zip(dialog.fields, texts, strict=True):
             field.setFocus()
             opened.bot.keyClicks(field, text)
@@ -113,9 +125,9 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
 
     def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         assert not find(dialog).isEnabled()
-        assert all(name in shown_result(dialog) for name in ("North", "West", "Up"))
+        assert all(name in shown_result(dialog) for name in ("East", "North", "Up"))
         assert dialog.focusWidget() is dialog.fields[0]
-        for value in T1:
+        for value in as_shown(T1):
             opened.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             opened.bot.keyClick(dialog.focusWidget(), Key.Key_Tab)
         assert re.search(r"\d+\.\d m", shown_result(dialog))
@@ -143,7 +155,7 @@ def search_at(driver: Driver, place: tuple[float, ...]) -> None:
     """Open the dialogue with the button of step 2, type coordinates and search there."""
 
     def use_dialog(dialog: SeedCoordinatesDialog) -> None:
-        for field, value in zip(dialog.fields, place, strict=True):
+        for field, value in zip(dialog.fields, as_shown(place), strict=True):
             field.setFocus()
             driver.bot.keyClicks(field, f"{value:.3f}")
         driver.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
@@ -212,7 +224,7 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("window.not_a_number", typed("seed_coordinate_0", "abc"))
         assert dialog.fields[0].property("wrong")
         missing = typed("seed_coordinate_0", "1,15")
-        assert [name in missing for name in ("North", "West", "Up")] == [False, True, True]
+        assert [name in missing for name in ("East", "North", "Up")] == [False, True, True]
         assert not dialog.fields[0].property("wrong")
         typed("seed_coordinate_1", "-14.7")
         assert re.search(r"\d+\.\d m", typed("seed_coordinate_2", "8.1"))
@@ -274,6 +286,51 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
     assert len(opened.project.target("T1").sightings) == 6
 
 
+@pytest.mark.parametrize(
+    ("code", "units"),
+    [
+        ("EPSG:32618", ("m", "m", "m")),
+        ("EPSG:2260", ("ftUS", "ftUS", "ftUS")),
+        ("EPSG:4326", ("°", "°", "m")),
+    ],
+)
+def test_a_copied_point_of_georeferenced_lines_is_read_in_their_system(
+    opened: Driver, code: str, units: tuple[str, ...]
+) -> None:
+    reading = Reading("las", (("frame", "georeferenced"), ("crs", code)))
+    lines = tuple(replace(line, reading=reading) for line in opened.project.lines)
+    project = replace(opened.project, lines=lines)
+    trajectory = opened.window.document.survey.trajectory
+    name, cloud = next(iter(opened.window.scene.clouds.items()))
+    point = PointReader(project, trajectory).values(name, cloud, 7, np.empty((0, 3)))
+    rows = [f"{fact.name}\t{fact_text(fact)}" for fact in point_facts(point)]
+    options = opened.window.targets.seed_options
+    dialog = SeedCoordinatesDialog(project, trajectory, options, "T1", opened.window)
+    dialog.show()
+    opened.bot.waitUntil(dialog.isVisible, timeout=WAIT_MS)
+    first = dialog.fields[0]
+    for copied in ("\n".join(rows), "\n".join(rows[1:4])):
+        box = dialog.findChild(QComboBox, "seed_system")
+        box.setCurrentIndex(0)
+        first.setFocus()
+        first.selectAll()
+        QApplication.clipboard().setText(copied)
+        opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+        assert code in box.currentText()
+        labels = [dialog._form.labelForField(field).text() for field in dialog.fields]
+        assert [label.split("(")[1] for label in labels] == [f"{unit})" for unit in units]
+        assert dialog.seed is not None
+        # Longitude and latitude are copied with 8 decimals, which are 1.1 mm
+        assert dialog.seed[1] == pytest.approx(cloud.sample[7].tolist(), abs=1e-3)
+    other = "\n".join(rows).replace(point.system, "NAD83 / MTM zone 8 (EPSG:32188)")
+    first.selectAll()
+    QApplication.clipboard().setText(other)
+    opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert dialog.seed is None, "the point is in another system"
+    opened.bot.keyClick(dialog, Key.Key_Escape)
+    dialog.deleteLater()
+
+
 def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> None:
     open_step(picked, TARGETS_STEP)
     line = picked.project.lines[2].name
@@ -283,7 +340,7 @@ def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> N
     def use_dialog(dialog: SeedCoordinatesDialog) -> None:
         assert dialog.name.text() == "T1"
         assert not dialog.name.isEnabled()
-        for k, value in enumerate(T1):
+        for k, value in enumerate(as_shown(T1)):
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 

@@ -65,6 +65,8 @@ def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, lis
 
     def preview(dialog: QDialog) -> None:
         shown_content.append(cells(dialog, "seed_list_table"))
+        table = dialog.findChild(QTableWidget, "seed_list_table")
+        shown_content.append([table.horizontalHeaderItem(k).text() for k in (2, 3, 4)])
         shown_content.append(dialog.findChild(QLabel, "list_message").text())
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
@@ -76,10 +78,13 @@ def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, lis
     use_both_dialogs(opened, preview, table)
     click(opened, opened.window.targets.list_seeds)
     opened.rest()
-    read, list_text, found, summary = shown_content
+    read, titles, list_text, found, summary = shown_content
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
-    assert read[0][2:5] == [f"{value:.3f}".replace("-", "−") for value in SEEDS[names[0]][1]]
+    assert titles == ["East (m)", "North (m)", "Up (m)"]
+    north, west, up = SEEDS[names[0]][1]
+    east_north_up = (-west, north, up)
+    assert read[0][2:5] == [f"{value:.3f}".replace("-", "−") for value in east_north_up]
     ordered = note("assumed.columns_by_order", columns=("name", "north", "west", "up"))
     assert message_text(ordered) in list_text
     assert [row[2] for row in found][3] == "none"
