@@ -59,6 +59,15 @@ def twin(project: Project) -> Path:
     return folder
 
 
+def few_lines(project: Project) -> Path:
+    """Reduce a project to three lines without targets; return its folder."""
+    few = replace(
+        project, lines=project.lines[:3], targets=(), result=None, cross_checks=None, validation=()
+    )
+    save_project(few)
+    return few.folder
+
+
 WORDS: dict[str, Words] = {
     "simulate": lambda p, f: ("marine", "--output", f / "s", "--points-per-second", 5_000),
     "simulate --list": lambda p, f: ("--list",),
@@ -69,14 +78,14 @@ WORDS: dict[str, Words] = {
     "import": lambda p, f: (p.folder, "--lines", p.lines[0].name),
     "pick": lambda p, f: (p.folder, *SEED, "--name", "S1"),
     "pick a list": lambda p, f: (p.folder, "--seeds", seed_list(f)),
-    "propose": lambda p, f: (p.folder,),
+    "propose": lambda p, f: (few_lines(p),),
     "estimate": lambda p, f: (p.folder,),
     "subsample": lambda p, f: (p.folder, "--distances", 0.3),
     "validate": lambda p, f: (p.folder,),
     "check": lambda p, f: (p.folder, "--reference", check_points(f), "--reference-sigma", 0.02),
     "compare": lambda p, f: (p.folder, twin(p)),
     "compare methods": lambda p, f: (p.folder,),
-    "targetless": lambda p, f: (p.folder,),
+    "targetless": lambda p, f: (few_lines(p),),
     "history": lambda p, f: (p.folder,),
     "budget": lambda p, f: (p.folder,),
     "patchtest": lambda p, f: (p.folder, "--count", 4),
