@@ -78,7 +78,7 @@ WORDS: dict[str, Words] = {
     "import": lambda p, f: (p.folder, "--lines", p.lines[0].name),
     "pick": lambda p, f: (p.folder, *SEED, "--name", "S1"),
     "pick a list": lambda p, f: (p.folder, "--seeds", seed_list(f)),
-    "propose": lambda p, f: (few_lines(p),),
+    "propose": lambda p, f: (p.folder,),
     "estimate": lambda p, f: (p.folder,),
     "subsample": lambda p, f: (p.folder, "--distances", 0.3),
     "validate": lambda p, f: (p.folder,),
