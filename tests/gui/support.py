@@ -34,7 +34,7 @@ def show_panel(window: MainWindow, title: str) -> QWidget:
     container = {**window.docks, **window.panel_windows}[title]
     is_dock = title in window.docks
     raise_panel(container.widget() if is_dock else container.centralWidget())
-    QApplication.processEvents()
+    finish_layouts()
     return container
 
 
@@ -292,7 +292,7 @@ def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) 
 def click(driver: Driver, widget: QWidget) -> None:
     assert widget.isVisible()
     assert widget.isEnabled()
-    QCoreApplication.processEvents()  # a step that was just opened is laid out
+    finish_layouts()  # a step that was just opened moves the widgets below it
     driver.bot.mouseClick(widget, Left)
 
 
