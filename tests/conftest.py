@@ -28,9 +28,12 @@ hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
 LONG_FILES = {
-    "test_absolute.py", "test_coverage.py", "test_gui_manual.py", "test_gui_monkey.py",
-    "test_gui_proposal.py", "test_gui_script.py", "test_gui_tour_by_hand.py", "test_omitted.py",
-    "test_script.py", "test_scripting.py", "test_targetless.py",
+    "test_absolute.py", "test_cli_acceptance.py", "test_cloud.py", "test_coverage.py",
+    "test_gui_adjust.py", "test_gui_histograms.py", "test_gui_manual.py", "test_gui_monkey.py",
+    "test_gui_point_readout.py", "test_gui_proposal.py", "test_gui_script.py",
+    "test_gui_tour_by_hand.py", "test_gui_view_state.py", "test_gui_warnings.py", "test_kill.py",
+    "test_omitted.py", "test_proposed_targets.py", "test_report_pages.py", "test_script.py",
+    "test_scripting.py", "test_targetless.py", "test_two_programs.py",
 }  # fmt: skip
 """Files with a few long tests, which take as long as `LONG_FILE_TESTS` short ones."""
 LONG_FILE_TESTS = 40
