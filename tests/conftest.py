@@ -214,6 +214,7 @@ def shown(qtbot):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
+    from tests.gui.support import finish_layouts
 
     views = []
 
@@ -223,6 +224,7 @@ def shown(qtbot):
         view.widget.resize(800, 600)
         view.widget.show()
         qtbot.waitExposed(view.widget)
+        finish_layouts()
         return view
 
     yield show

@@ -99,7 +99,7 @@ def test_the_values_of_a_bar_are_shown_under_the_mouse(
     middle = drawn.edges[highest : highest + 2].mean()
     driver.bot.mouseMove(panel.canvas, QPoint(2, 2))
     driver.bot.mouseMove(panel.canvas, place(panel, 0, middle, drawn.values[highest] / 2))
-    driver.bot.waitUntil(lambda: "after" in panel.reading.text(), timeout=5000)
+    driver.bot.waitUntil(lambda: "after" in panel.reading.text())
     assert f"{drawn.values[highest]:,.0f} points after" in panel.reading.text()
 
 
