@@ -17,7 +17,7 @@ from lispac.installation_paths import resource_path
 from lispac.project import Project
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.workflow.output.manual import build_manual
-from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.planning.demo import calibrate_demo, make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.sharing import make_once
@@ -28,9 +28,12 @@ hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
 LONG_FILES = {
-    "test_absolute.py", "test_coverage.py", "test_gui_manual.py", "test_gui_monkey.py",
-    "test_gui_proposal.py", "test_gui_script.py", "test_gui_tour_by_hand.py", "test_omitted.py",
-    "test_script.py", "test_scripting.py", "test_targetless.py",
+    "test_absolute.py", "test_cli_acceptance.py", "test_cloud.py", "test_coverage.py",
+    "test_gui_adjust.py", "test_gui_histograms.py", "test_gui_manual.py", "test_gui_monkey.py",
+    "test_gui_point_readout.py", "test_gui_proposal.py", "test_gui_script.py",
+    "test_gui_tour_by_hand.py", "test_gui_view_state.py", "test_gui_warnings.py", "test_kill.py",
+    "test_omitted.py", "test_proposed_targets.py", "test_report_pages.py", "test_script.py",
+    "test_scripting.py", "test_targetless.py", "test_two_programs.py",
 }  # fmt: skip
 """Files with a few long tests, which take as long as `LONG_FILE_TESTS` short ones."""
 LONG_FILE_TESTS = 40
@@ -149,15 +152,32 @@ def printed_demo(
 
 @pytest.fixture(scope="session")
 def calibrated(
+    demo_project: Project, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Project, Survey]:
+    """The demo project, calibrated and validated; tests must not change it on disk."""
+
+    def calibrate(folder: Path) -> Project:
+        shutil.copytree(demo_project.folder, folder)
+        return calibrate_demo(open_project(folder))[0]
+
+    project = make_once(tmp_path_factory, "calibrated", calibrate)
+    return project, load_survey(project)
+
+
+@pytest.fixture(scope="session")
+def whole_calibrated(
     printed_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
-    """The built-in survey, calibrated and validated; tests must not change it on disk."""
+    """The built-in survey with all points, as `calibrated`, for tests that depend on its density.
+
+    Its calibration takes several times as long.
+    """
 
     def take(folder: Path) -> Project:
         shutil.copytree(printed_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
         return open_project(folder)
 
-    project = make_once(tmp_path_factory, "calibrated", take)
+    project = make_once(tmp_path_factory, "whole-calibrated", take)
     return project, load_survey(project)
 
 
@@ -176,9 +196,13 @@ def manual_pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
     """A copy of the calibrated project that a test may change."""
-    folder = tmp_path / "copy"
-    shutil.copytree(calibrated[0].folder, folder)
-    return open_project(folder)
+    return open_project(Path(shutil.copytree(calibrated[0].folder, tmp_path / "copy")))
+
+
+@pytest.fixture
+def whole_copy(whole_calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """A copy of the calibrated project with all points that a test may change."""
+    return open_project(Path(shutil.copytree(whole_calibrated[0].folder, tmp_path / "copy")))
 
 
 @pytest.fixture
@@ -190,6 +214,7 @@ def shown(qtbot):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
+    from tests.gui.support import finish_layouts
 
     views = []
 
@@ -199,6 +224,7 @@ def shown(qtbot):
         view.widget.resize(800, 600)
         view.widget.show()
         qtbot.waitExposed(view.widget)
+        finish_layouts()
         return view
 
     yield show

@@ -126,11 +126,11 @@ def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path
 
 
 def test_replay_of_the_built_in_survey(
-    calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    whole_calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
     folder = tmp_path / "port"
-    shutil.copytree(calibrated[0].folder, folder)
+    shutil.copytree(whole_calibrated[0].folder, folder)
     found = run_json(capsys, "compare-plan", folder, "--plan", PORT)
     adjusted, predicted = (
         found["obtained_sigma_deg"],

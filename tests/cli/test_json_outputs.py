@@ -4,8 +4,10 @@ import argparse
 import json
 import shutil
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from dataclasses import replace
 from importlib import import_module
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,7 @@ import pytest
 from jsonschema import Draft202012Validator, ValidationError
 
 from lispac.cli.json_outputs import OUTPUTS, ImportedLineOutput
+from lispac.cli.main import main
 from lispac.cli.parser import COMMANDS
 from lispac.cli.planning import demo
 from lispac.project import Project
@@ -56,6 +59,15 @@ def twin(project: Project) -> Path:
     return folder
 
 
+def few_lines(project: Project) -> Path:
+    """Reduce a project to three lines without targets; return its folder."""
+    few = replace(
+        project, lines=project.lines[:3], targets=(), result=None, cross_checks=None, validation=()
+    )
+    save_project(few)
+    return few.folder
+
+
 WORDS: dict[str, Words] = {
     "simulate": lambda p, f: ("marine", "--output", f / "s", "--points-per-second", 5_000),
     "simulate --list": lambda p, f: ("--list",),
@@ -73,7 +85,7 @@ WORDS: dict[str, Words] = {
     "check": lambda p, f: (p.folder, "--reference", check_points(f), "--reference-sigma", 0.02),
     "compare": lambda p, f: (p.folder, twin(p)),
     "compare methods": lambda p, f: (p.folder,),
-    "targetless": lambda p, f: (p.folder,),
+    "targetless": lambda p, f: (few_lines(p),),
     "history": lambda p, f: (p.folder,),
     "budget": lambda p, f: (p.folder,),
     "patchtest": lambda p, f: (p.folder, "--count", 4),
@@ -151,6 +163,18 @@ def test_output_of_the_demo_follows_the_schema(
     assert found["project"] == str(calibrated[0].folder)
 
 
+@pytest.fixture(scope="module")
+def printed_warnings(
+    calibrated: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory
+) -> str:
+    """Output of `lispac warnings --json`."""
+    folder = tmp_path_factory.mktemp("warnings") / "copy"
+    shutil.copytree(calibrated[0].folder, folder)
+    with redirect_stdout(StringIO()) as out:
+        assert main(["warnings", str(folder), "--json"]) == 0
+    return out.getvalue()
+
+
 @pytest.mark.parametrize(
     "change",
     [
@@ -162,9 +186,9 @@ def test_output_of_the_demo_follows_the_schema(
     ],
 )
 def test_other_outputs_are_refused(
-    change: Callable[[dict[str, Any]], object], copy: Project, capsys: pytest.CaptureFixture[str]
+    change: Callable[[dict[str, Any]], object], printed_warnings: str
 ) -> None:
-    data = run_json(capsys, "warnings", copy.folder)
+    data = followed_output("warnings", printed_warnings)
     assert data["warnings"]
     change(data)
     with pytest.raises(ValidationError):

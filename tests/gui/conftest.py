@@ -41,7 +41,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
-from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
+from tests.gui.support import WAIT_MS, Demo, Driver, PatientBot, ScriptedDialogs
 from tests.support.sharing import make_once
 
 PICKED_NAMES = ("T1", "T2", "V1")
@@ -112,6 +112,12 @@ def visibility_studies(tmp_path_factory: pytest.TempPathFactory) -> list[Visibil
         "visibility",
         lambda _folder: [study_visibility(site) for site in SITES.values()],
     )
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> PatientBot:
+    """Replace the bot of pytest-qt."""
+    return PatientBot(request)
 
 
 @pytest.fixture(autouse=True)

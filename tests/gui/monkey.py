@@ -157,9 +157,15 @@ class Monkey(QObject):
 
     # -- actions ---------------------------------------------------------------------------------
 
-    def play(self, seconds: float) -> None:
-        """Perform random actions for some seconds, then wait until nothing runs."""
-        self._until = time.monotonic() + seconds
+    def play(self, seconds: float, least: int = 0) -> None:
+        """Perform random actions for some seconds, then wait until nothing runs.
+
+        Parameters
+        ----------
+        least : int
+            Number of actions for which it goes on after this time, on busy processors.
+        """
+        self._until, self._least = time.monotonic() + seconds, least
         self._weighed = 0.0
         self.ending = False
         self.pulse.skip()
@@ -175,7 +181,7 @@ class Monkey(QObject):
         if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
             self.findings.course_mb.append(round(resident_mb(), 1))
-        if time.monotonic() > self._until:
+        if time.monotonic() > self._until and sum(self.findings.done.values()) >= self._least:
             self.ending = True
             if self._rests() and not self._inside:
                 return
@@ -295,6 +301,10 @@ def main() -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--actions", type=int, default=0, help="least number of actions")
+    parser.add_argument(
+        "--no-memory", action="store_true", help="do not prepare the comparison of memory"
+    )
     options = parser.parse_args()
     folder = options.folder.resolve()
     home, here = folder / "home", folder / "here"
@@ -335,7 +345,9 @@ def main() -> int:
     monkey = Monkey(session, folder, options.seed, draws)
     # The first report allocates 250 MB permanently (fonts, caches of Typst), later reports nothing:
     # make one before the first measurement, or it looks like growth
-    write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {}, FULL_REPORT)
+    if not options.no_memory:
+        sample = sample_content(sample_project(home / "sample"))
+        write_pdf(sample, home / "sample.pdf", {}, FULL_REPORT)
     for logger in (LOGGER, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
     sys.unraisablehook = lambda known: monkey.caught(
@@ -343,7 +355,7 @@ def main() -> int:
     )
     monkey.stand(home / "compared")
     monkey.pulse.start()
-    monkey.play(options.seconds)
+    monkey.play(options.seconds, options.actions)
     monkey.note_pauses()
     monkey.pulse.stop()
     findings = monkey.findings

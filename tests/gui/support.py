@@ -5,7 +5,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject, QPoint, Qt
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPoint,
+    Qt,
+    SignalInstance,
+)
 from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -34,8 +42,21 @@ def show_panel(window: MainWindow, title: str) -> QWidget:
     container = {**window.docks, **window.panel_windows}[title]
     is_dock = title in window.docks
     raise_panel(container.widget() if is_dock else container.centralWidget())
-    QApplication.processEvents()
+    finish_layouts()
     return container
+
+
+class PatientBot(QtBot):
+    """The bot of pytest-qt with limits of waits that suffice on a busy computer."""
+
+    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = WAIT_MS) -> None:
+        super().waitUntil(callback, timeout=timeout)
+
+    def waitSignal(self, signal: SignalInstance, *, timeout: int = WAIT_MS, **options):
+        return super().waitSignal(signal, timeout=timeout, **options)
+
+    def waitExposed(self, widget: QWidget, *, timeout: int = WAIT_MS):
+        return super().waitExposed(widget, timeout=timeout)
 
 
 class ScriptedDialogs(Dialogs):
@@ -292,7 +313,7 @@ def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) 
 def click(driver: Driver, widget: QWidget) -> None:
     assert widget.isVisible()
     assert widget.isEnabled()
-    QCoreApplication.processEvents()  # a step that was just opened is laid out
+    finish_layouts()  # a step that was just opened moves the widgets below it
     driver.bot.mouseClick(widget, Left)
 
 

@@ -45,7 +45,9 @@ print(" ".join(compiled))
 
 
 @pytest.mark.long
-def test_a_calibration_compiles_nothing_after_precompilation(tmp_path: Path, copy: Project) -> None:
+def test_a_calibration_compiles_nothing_after_precompilation(
+    tmp_path: Path, whole_copy: Project
+) -> None:
     """The demo has four times as many points as the survey with which functions are compiled."""
     variables = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}
 
@@ -59,7 +61,7 @@ def test_a_calibration_compiles_nothing_after_precompilation(tmp_path: Path, cop
     (cache,) = (tmp_path / "cache").iterdir()
     assert (cache / precompile.FINISHED_FILE).is_file()
     assert not (cache / precompile.SURVEY_FOLDER).exists()
-    assert run("-c", CALIBRATION, str(copy.folder)).split() == []
+    assert run("-c", CALIBRATION, str(whole_copy.folder)).split() == []
 
 
 @pytest.fixture

@@ -37,6 +37,12 @@ def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:
 
 
 @pytest.fixture(scope="module")
+def calibrated(whole_calibrated: tuple[Project, Survey]) -> tuple[Project, Survey]:
+    """All points of the survey, which fill several blocks."""
+    return whole_calibrated
+
+
+@pytest.fixture(scope="module")
 def project(
     calibrated: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory
 ) -> Project:

@@ -65,10 +65,10 @@ def test_statistics_of_given_differences() -> None:
 
 
 def test_differences_of_the_demo_before_and_after_the_calibration(
-    calibrated: tuple[Project, Survey],
+    whole_calibrated: tuple[Project, Survey],
 ) -> None:
     """The calibration reduces the differences to the POS errors of the simulation."""
-    project, survey = calibrated
+    project, survey = whole_calibrated
     survey = replace(survey, clouds=dict(list(survey.clouds.items())[:2]))
     found = line_quality(project, survey)
     assert len(found.pairs) == 1

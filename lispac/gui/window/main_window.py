@@ -139,6 +139,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         with without_style_sheet():
             self._build()
+        self._restore_layout()
         self._connect_panels()
         self._connect_actions()
         self._connect_tasks()
@@ -284,14 +285,20 @@ class MainWindow(QMainWindow):
         self.actions_.fill_menus(docks.dock_actions(self.docks))
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
-        stored_layout = self.settings.layout()
-        if stored_layout is None:
+        if self.settings.layout() is None:
             if screen.height() < self.height() + MAX_TITLE_BAR_HEIGHT_PX:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
             self.dock_layout.set_initial_sizes()
-        else:
-            self.restoreGeometry(stored_layout[0])
-            self.dock_layout.restore(stored_layout[1], self.settings.open_panels)
+
+    def _restore_layout(self) -> None:
+        """Restore the stored layout of an earlier window.
+
+        The style sheet must be set: Qt keeps a copy of the restored layout with the width of the
+        separators, and uses it if the size of the window changes within the next 150 ms.
+        """
+        if (stored := self.settings.layout()) is not None:
+            self.restoreGeometry(stored[0])
+            self.dock_layout.restore(stored[1], self.settings.open_panels)
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""

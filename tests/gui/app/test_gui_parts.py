@@ -27,7 +27,7 @@ from lispac.messages import warning
 from lispac.progress import PointProgress, Progress
 from lispac.project import Project
 from lispac.workflow.calibration import edits
-from tests.gui.support import Demo
+from tests.gui.support import Demo, finish_layouts
 
 
 @pytest.fixture
@@ -333,7 +333,7 @@ def test_a_message_stays_alone_when_the_height_of_the_status_bar_changes(qtbot: 
     higher = QLabel("6 notes")
     higher.setFixedHeight(2 * bar.height())
     bar.addPermanentWidget(higher)
-    QApplication.processEvents()
+    finish_layouts()
     assert not bar.point.isVisible()
     bar.clearMessage()
     assert bar.point.isVisible()

@@ -8,7 +8,6 @@ import pytest
 from matplotlib.text import Text
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPolygonF
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -48,7 +47,7 @@ from lispac.project import Project
 from lispac.simulation.visibility_study import VisibilityStudy
 from tests.gui.import_support import drop, raw
 from tests.gui.import_support import rest as import_rest
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, press, show_panel
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, finish_layouts, press, show_panel
 from tests.support.long_runs import LONG, others_long
 
 SMALL_WINDOW = (1366, 740)
@@ -133,7 +132,7 @@ def test_a_study_fits_a_low_screen(
     qtbot.waitUntil(lambda: dialog.canvas.isVisible(), timeout=WAIT_MS)
     for site in range(dialog.site.count()):
         dialog.site.setCurrentIndex(site)
-        QApplication.processEvents()
+        finish_layouts()
         assert dialog.height() <= LOW_SCREEN.height()
         assert dialog.width() <= LOW_SCREEN.width()
         close = dialog.findChild(QPushButton, "visibility_close")
@@ -167,9 +166,9 @@ def test_the_curve_of_the_patch_test_is_beside_the_picture_from_the_start(
     qtbot.addWidget(panel)
     panel.resize(1240, 252)
     panel.show()
-    QApplication.processEvents()
+    finish_layouts()
     panel._middle.setCurrentIndex(1)
-    QApplication.processEvents()
+    finish_layouts()
     assert panel.curve.x() > panel.picture.x()
 
 
@@ -287,8 +286,8 @@ def test_no_chosen_item_is_cut_in_the_window(
         for group in window.workflow.findChildren(FoldableGroup):
             group.open()
         driver.rest()
-        QTest.qWait(50)  # the panel becomes as wide as its content
-        assert cut_choices(window.workflow) == [], (language, step)
+        # The panel becomes as wide as its content
+        driver.bot.waitUntil(lambda: not cut_choices(window.workflow), timeout=WAIT_MS)
     for title in ("Histograms", "Section"):
         show_panel(window, title)
         driver.rest()
@@ -306,7 +305,7 @@ def test_no_chosen_item_is_cut_in_the_import(
     import_rest(qtbot, dialog)
     for row in range(dialog.table.rowCount()):
         dialog.table.selectRow(row)
-        QApplication.processEvents()
+        finish_layouts()
         assert cut_choices(dialog) == [], (language, row)
     dialog.done(0)
 

@@ -221,8 +221,8 @@ def test_a_failed_recovery_copy_is_repeated(driver: Driver, folder: Path) -> Non
     (folder / UNSAVED_NAME / "held").unlink()
     (folder / UNSAVED_NAME).rmdir()
     driver.window.controller.rename("T2", "South wall")
-    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).is_file(), timeout=5000)
-    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is None, timeout=5000)
+    driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).is_file())
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is None)
 
 
 def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, folder: Path) -> None:
@@ -230,17 +230,17 @@ def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, fol
     away = folder.with_name("renamed")
     folder.rename(away)
     driver.window.controller.rename("T1", "North wall")
-    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is not None, timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is not None)
     driver.window.activateWindow()
     press(driver, Key.Key_S, Control)
-    driver.bot.waitUntil(lambda: driver.dialogs.errors != [], timeout=5000)
+    driver.bot.waitUntil(lambda: driver.dialogs.errors != [])
     assert driver.dialogs.errors[0].code == "project_folder.gone"
     assert not folder.exists()
     assert driver.window.isWindowModified()
 
     away.rename(folder)
     press(driver, Key.Key_S, Control)
-    driver.bot.waitUntil(lambda: not driver.window.isWindowModified(), timeout=5000)
+    driver.bot.waitUntil(lambda: not driver.window.isWindowModified())
     assert "North wall" in names(read_project(folder))
     assert driver.dialogs.safety == [], "nobody else wrote it"
     assert driver.window.recovery_copies.problem is None

@@ -15,6 +15,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.viewport import navigation
 from lispac.gui.viewport.base import (
     Highlight,
     Marker,
@@ -24,6 +25,7 @@ from lispac.gui.viewport.base import (
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from tests.gui.support import WAIT_MS
 from tests.support.long_runs import others_long
 from tests.support.view_scenes import (
     BLUE,
@@ -51,7 +53,7 @@ def test_ctrl_click_finds_the_line_and_the_point(viewport, qtbot, origin):
     viewport.view("front")
     for line, index in (("red", 600), ("blue", 16000)):
         point = clouds[line][index]
-        with qtbot.waitSignal(viewport.signals.seed_clicked, timeout=2000) as clicked:
+        with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
             QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, point))
         picked = clicked.args[0]
         assert isinstance(picked, PickedPoint)
@@ -337,6 +339,13 @@ def test_resizing_keeps_all_points_in_view(viewport, qtbot):
     assert clicked.args[0].line == "red"
 
 
+@pytest.fixture
+def _slow_layout(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep the picture until the size has changed, however long this takes."""
+    monkeypatch.setattr(navigation, "KEPT_TIME_S", WAIT_MS / 1000)
+
+
+@pytest.mark.usefixtures("_slow_layout")
 def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
@@ -349,6 +358,7 @@ def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     np.testing.assert_allclose(viewport.to_pixels(middle[None])[0], before, atol=1.0)
 
 
+@pytest.mark.usefixtures("_slow_layout")
 def test_a_panel_that_opens_does_not_cover_the_selected_target(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)

@@ -161,17 +161,17 @@ def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
     viewport.signals.hovered.connect(emitted.append)
     QTest.mouseMove(viewport.canvas, spot)
     QTest.mouseMove(viewport.canvas, spot + QPoint(1, 0))
-    qtbot.waitUntil(lambda: len(emitted) == 1, timeout=2000)
+    qtbot.waitUntil(lambda: len(emitted) == 1)
     assert emitted[0].line == "red"
     np.testing.assert_allclose(emitted[0].position, clouds["red"][600], atol=0.11)
     viewport.view("front")
     viewport.canvas.setFocus()
     QTest.keyClick(viewport.canvas, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
     assert emitted[1:] == [None], "the view has moved"
-    qtbot.waitUntil(lambda: len(emitted) == 3, timeout=2000)
+    qtbot.waitUntil(lambda: len(emitted) == 3)
     assert emitted[2].line == "red"
     QTest.mouseMove(viewport.canvas, QPoint(3, 3))
-    qtbot.waitUntil(lambda: len(emitted) == 4, timeout=2000)
+    qtbot.waitUntil(lambda: len(emitted) == 4)
     assert emitted[3] is None
 
 
@@ -198,7 +198,7 @@ def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
     viewport.show_clouds(clouds, colours, PointColouring(shades, "", "", "", scale))
     image = picture(viewport)  # each point keeps its colour
     assert count(image, (0, 90, 20)) == pytest.approx(count(image, OVERLAY_COLOUR), rel=0.25)
-    with qtbot.waitSignal(viewport.signals.missed, timeout=2000):
+    with qtbot.waitSignal(viewport.signals.missed):
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (5.0, 25.0, 5.0)))
     viewport.clip(None)
     viewport.show_clouds(clouds, colours)

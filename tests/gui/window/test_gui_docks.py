@@ -35,20 +35,6 @@ def arrangement(window: MainWindow) -> Arrangement:
     }
 
 
-def is_same(one: Arrangement, other: Arrangement) -> bool:
-    """Whether all panels have the same place; a splitter may be a pixel elsewhere."""
-
-    def edges(place: QRect | None) -> tuple[int, ...]:
-        return () if place is None else place.getCoords()
-
-    return one.keys() == other.keys() and all(
-        a[1:] == b[1:]
-        and len(edges(a[0])) == len(edges(b[0]))
-        and all(abs(x - y) <= 1 for x, y in zip(edges(a[0]), edges(b[0]), strict=True))
-        for a, b in ((one[title], other[title]) for title in one)
-    )
-
-
 def is_in_front(window: MainWindow, title: str) -> bool:
     return not window.docks[title].visibleRegion().isEmpty()
 
@@ -108,7 +94,7 @@ def test_panels_moved_in_an_earlier_window_return_to_the_default_arrangement(
         assert not docks["Targets by line"].isVisible(), "closed by the user"
         later.window.resize(window.size())
         arrange(later)
-        qtbot.waitUntil(lambda: is_same(arrangement(later.window), before), timeout=SOON_MS)
+        qtbot.waitUntil(lambda: arrangement(later.window) == before, timeout=SOON_MS)
     finally:
         later.leave()
 

@@ -20,11 +20,13 @@ WARMING_S = 120
 MAX_GROWTH = 1.10
 
 
-def run_monkey(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
+def run_monkey(
+    project: Path, folder: Path, seed: int, seconds: int, *options: str
+) -> dict[str, Any]:
     """Run the monkey in its own process and return its findings."""
     run = subprocess.run(
         [sys.executable, "-m", "tests.gui.monkey", str(project), str(folder),
-         "--seed", str(seed), "--seconds", str(seconds)],
+         "--seed", str(seed), "--seconds", str(seconds), *options],
         cwd=CHECKOUT, capture_output=True, text=True, check=False, timeout=seconds + 2 * WARMING_S,
         env={**os.environ, "PYTHONPATH": str(CHECKOUT)},
     )  # fmt: skip
@@ -47,7 +49,7 @@ def base(demo: Demo, demo_copy: Path) -> Path:
 @pytest.mark.timeout(60 + 2 * WARMING_S)
 def test_five_seconds_of_random_actions(base: Path, tmp_path: Path) -> None:
     """Stalls are only printed, because computing times on shared processors vary."""
-    found = run_monkey(base, tmp_path / "cage", seed=1, seconds=5)
+    found = run_monkey(base, tmp_path / "cage", 1, 5, "--no-memory", "--actions=11")
     assert sum(found["done"].values()) > 10, "it hardly did anything"
     assert found["exceptions"] == []
     assert found["left"] == []
@@ -56,7 +58,7 @@ def test_five_seconds_of_random_actions(base: Path, tmp_path: Path) -> None:
 @pytest.mark.long
 @pytest.mark.timeout(600 + 2 * WARMING_S)
 def test_ten_minutes_of_random_actions(base: Path, tmp_path: Path) -> None:
-    found = run_monkey(base, tmp_path / "cage", seed=2, seconds=600)
+    found = run_monkey(base, tmp_path / "cage", 2, 600)
     assert sum(found["done"].values()) > 1000
     assert found["exceptions"] == []
     assert found["stalls"] == []

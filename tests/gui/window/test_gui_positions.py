@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.help.tour import TOUR_STEPS, VERDICT_TEXTS
@@ -12,15 +12,14 @@ from lispac.gui.features.open_project.import_survey.import_dialog import MOUNTIN
 from lispac.gui.project.status import DATA, REPORT, VALIDATE
 from lispac.gui.widgets.number_field import NumberField
 from lispac.project import Project
-from tests.gui.support import Demo, Driver, Key, click, open_step, type_into
+from tests.gui.support import Demo, Driver, Key, click, finish_layouts, open_step, type_into
 
 CONTROLS = (QAbstractButton, QComboBox, QLineEdit, NumberField)
 
 
 def places(root: QWidget) -> dict[str, QPoint]:
     """Places in a widget of all its visible named controls."""
-    for _ in range(3):
-        QApplication.processEvents()
+    finish_layouts()
     return {
         each.objectName(): each.mapTo(root, QPoint(0, 0))
         for each in root.findChildren(QWidget)

@@ -14,7 +14,9 @@ from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance.theme import apply_theme
 from lispac.gui.window.session import Session
+from lispac.messages import note
 from lispac.project import Project
+from lispac.workflow.calibration.proposals import Proposal
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
 
@@ -219,10 +221,17 @@ def test_objects_and_angles_of_the_patch_test_are_kept(
 
 
 def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
-    session: Session, qtbot: QtBot, demo: Demo
+    session: Session, qtbot: QtBot, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The proposed targets are those of the demo, because a search takes ten seconds."""
+    targets = demo.picked.targets
+    reasons = {each.name: note("propose.target_needed", lines=6) for each in targets}
+    proposal = Proposal(targets, reasons, lambda _names: np.radians([0.01, 0.02, 0.03]))
+    monkeypatch.setattr(
+        "lispac.workflow.calibration.proposals.propose_targets", lambda *_, **__: proposal
+    )
     window = session.window
-    window.document.open(demo.picked, demo.survey)
+    window.document.open(demo.project, demo.survey)
     wait_until_idle(session, qtbot)
     qtbot.keyClick(window, Key.Key_F5)
     qtbot.waitUntil(window.targets.proposal.isVisible, timeout=WAIT_MS)
@@ -245,8 +254,7 @@ def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
         assert window.viewport.selected == emphasised
         assert sorted(marker.label for marker in window.viewport.markers) == labels
     qtbot.mouseClick(panel.accept_button, Left)
-    names = [target.name for target in window.document.project.targets]
-    assert names[len(demo.picked.targets) :] == list(ticked)
+    assert [target.name for target in window.document.project.targets] == list(ticked)
 
 
 def test_linked_views_and_a_measurement_are_kept(

@@ -40,6 +40,12 @@ from tests.support.store_lines import stop_at
 
 
 @pytest.fixture(scope="module")
+def calibrated(whole_calibrated: tuple[Project, Survey]) -> tuple[Project, Survey]:
+    """All points of the survey, which fill several blocks."""
+    return whole_calibrated
+
+
+@pytest.fixture(scope="module")
 def survey(calibrated: tuple[Project, Survey]) -> Survey:
     """Return the survey read from the files, without a store."""
     return calibrated[1]

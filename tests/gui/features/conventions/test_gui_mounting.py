@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
+from PySide6.QtWidgets import QScrollArea, QWidget
 
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
@@ -17,7 +17,7 @@ from lispac.message_texts import message_text
 from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
-from tests.gui.support import Control, Driver, Key, open_step, press, type_into
+from tests.gui.support import Control, Driver, Key, finish_layouts, open_step, press, type_into
 from tests.support.long_runs import LONG
 
 RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
@@ -163,10 +163,10 @@ def test_the_sketch_is_visible_beside_the_field_on_a_low_screen(opened: Driver) 
     area = opened.window.workflow.findChild(QScrollArea)
     field = opened.window.data.lever_arm.fields[0]
     area.verticalScrollBar().setValue(0)
-    QApplication.processEvents()
+    finish_layouts()
     assert sketch.visibleRegion().boundingRect().height() < 150
     type_into(opened, field, "1.5")
-    QApplication.processEvents()
+    finish_layouts()
     assert sketch.visibleRegion().boundingRect().height() > 150
     assert not field.visibleRegion().isEmpty()
 

@@ -25,6 +25,7 @@ from tests.gui.support import (
     click,
     click_check,
     estimate,
+    finish_layouts,
     open_step,
     press,
     seed,
@@ -171,7 +172,7 @@ def test_the_text_on_correlation_times_is_not_cut_off(picked: Driver):
     times = panel.model.times
     for kind in (0, 1, 2):
         panel.model.noise.setCurrentIndex(kind)
-        picked.bot.wait(50)
+        finish_layouts()
         assert times.height() >= times.heightForWidth(times.width())
 
 

@@ -69,7 +69,7 @@ def test_an_invalid_coordinate_system_is_reported_while_typing(
     assert not ok(dialog).isEnabled()
     assert "EPSG:2" in dialog.message_label.text()
     qtbot.keyClicks(field, "959")
-    qtbot.waitUntil(ok(dialog).isEnabled, timeout=5000)
+    qtbot.waitUntil(ok(dialog).isEnabled)
     assert "NAD83(CSRS)" in dialog.message_label.text()
     assert dialog.request().system == "EPSG:2959"
     dialog.folder.selectAll()
@@ -90,7 +90,7 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
     assert not is_shown("crs.meant_elsewhere", dialog.message_label.text())
     dialog.height.setText("5703")
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
-    qtbot.waitUntil(lambda: not dialog.height.isEnabled(), timeout=5000)
+    qtbot.waitUntil(lambda: not dialog.height.isEnabled())
     assert dialog.request().height == ""
 
 

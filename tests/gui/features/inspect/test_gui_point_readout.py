@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFormLayout, QMenu, QToolTip
+from PySide6.QtWidgets import QApplication, QFormLayout, QMenu, QToolTip, QWidget
 from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
@@ -36,6 +36,8 @@ from tests.support.topocentric import east_north_up_by_proj, local_by_proj
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
 EMPTY, FOOT = QPoint(3, 3), 0.3048
+SOON_MS = 5_000
+"""Limit of waits for the end of a tooltip, which otherwise ends after 10 s."""
 MAX_MOVES = 120
 """Largest number of times that the mouse is moved to a point."""
 
@@ -246,25 +248,27 @@ def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
         hover(board, place)
         board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
 
-    def is_hidden() -> bool:
-        return not QToolTip.isVisible()
+    def tip() -> QWidget:
+        return next(
+            each for each in QApplication.topLevelWidgets()
+            if each.inherits("QTipLabel") and each.isVisible()
+        )  # fmt: skip
 
     show()
-    tip = next(each for each in QApplication.topLevelWidgets() if each.inherits("QTipLabel"))
-    assert not tip.geometry().adjusted(-40, -40, 40, 40).contains(canvas.mapToGlobal(place))
+    assert not tip().geometry().adjusted(-40, -40, 40, 40).contains(canvas.mapToGlobal(place))
     near = QRect(canvas.mapToGlobal(place), QSize(1, 1)).adjusted(-90, -90, 90, 90)
-    assert tip.geometry().intersects(near), "beside the mouse"
-    QTest.mouseMove(canvas, place + QPoint(40, 0))
-    board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
+    assert tip().geometry().intersects(near), "beside the mouse"
+    with board.bot.waitSignal(tip().destroyed, timeout=SOON_MS):
+        QTest.mouseMove(canvas, place + QPoint(40, 0))
     show()
-    QTest.keyPress(canvas, Key.Key_Control)
-    board.bot.waitUntil(is_hidden, timeout=TOOLTIP_DELAY_MS)
+    with board.bot.waitSignal(tip().destroyed, timeout=SOON_MS):
+        QTest.keyPress(canvas, Key.Key_Control)
     QTest.keyRelease(canvas, Key.Key_Control)
     press(board, Key.Key_M)
     assert board.window.tools.mouse_tool.tool
     hover(board, place)
     board.bot.wait(2 * TOOLTIP_DELAY_MS)
-    assert is_hidden()
+    assert not QToolTip.isVisible()
 
 
 @pytest.mark.parametrize("x", [0.02, 0.5, 0.98])

@@ -21,6 +21,7 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.language import LANGUAGES, in_language
 from lispac.warning_causes import Cause
 from tests.gui.support import (
+    WAIT_MS,
     Demo,
     Driver,
     Key,
@@ -140,8 +141,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
         cuts[1].section, has_ends=False
     )
     show_panel(window, "Log")
-    QApplication.processEvents()
-    assert "section" not in adjusted.viewport.sketches
+    adjusted.bot.waitUntil(lambda: "section" not in adjusted.viewport.sketches, timeout=WAIT_MS)
     window.controller.remove("V1")
     press(adjusted, Key.Key_S)
     wait_until_idle(adjusted)

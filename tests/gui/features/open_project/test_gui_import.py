@@ -20,7 +20,7 @@ from lispac.gui.features.open_project.import_survey.timeline import timeline_bar
 from lispac.messages import Action
 from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
-from tests.gui.support import WAIT_MS, Demo, Key, Left
+from tests.gui.support import WAIT_MS, Demo, Key, Left, finish_layouts
 from tests.support.message_codes import is_shown
 
 # -- files in --------------------------------------------------------------------------------------
@@ -273,7 +273,7 @@ def test_the_mounting_page_scrolls_to_the_end_of_its_content_only(
         qtbot.keyClick(field, Key.Key_Tab)
     for size in ((1180, 700), (1000, 640)):
         filled.resize(*size)
-        qtbot.wait(50)
+        finish_layouts()
         body = page.widget()
         bar = page.verticalScrollBar()
         bar.setValue(bar.maximum())

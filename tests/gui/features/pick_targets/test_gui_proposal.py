@@ -18,22 +18,29 @@ from PySide6.QtWidgets import (
 from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.proposed_targets_panel import ProposedTargetsPanel
 from lispac.gui.project.scene import proposed_key
+from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.calibration.proposal_acceptance import (
     remove_picked_surfaces,
     with_accepted_targets,
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
+from lispac.workflow.project.survey import Survey
 from tests.gui.support import Demo, Driver, Left, click, open_step, seed
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
 
 
+SEARCH = "lispac.workflow.calibration.proposals.propose_targets"
+FOUND: list[Proposal] = []
+"""Proposals of searches in the window with the demo."""
+
+
 @pytest.fixture(scope="module")
 def proposal(demo: Demo) -> Proposal:
-    """Proposed targets of the demo."""
-    return propose_targets(demo.project, demo.survey)
+    """Proposed targets of the demo, if possible of a search in the window; it takes ten seconds."""
+    return FOUND[0] if FOUND else propose_targets(demo.project, demo.survey)
 
 
 def use_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
@@ -64,9 +71,8 @@ def propose(driver: Driver) -> QTableWidget:
 @pytest.fixture
 def table(opened: Driver, proposal: Proposal, monkeypatch: pytest.MonkeyPatch) -> QTableWidget:
     """The table of the proposal, whose search is that of an earlier test of this file."""
-    module = "lispac.workflow.calibration.proposals"
     with monkeypatch.context() as patch:
-        patch.setattr(f"{module}.propose_targets", lambda *_arguments, **_named: proposal)
+        patch.setattr(SEARCH, lambda *_arguments, **_named: proposal)
         return propose(opened)
 
 
@@ -74,7 +80,14 @@ def cells(table: QTableWidget, column: int) -> list[str]:
     return [table.item(row, column).text() for row in range(table.rowCount())]
 
 
-def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
+def test_some_proposed_targets_are_accepted_and_undone_in_one_step(
+    opened: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def search(project: Project, survey: Survey, *, progress: Progress) -> Proposal:
+        FOUND.append(propose_targets(project, survey, progress=progress))
+        return FOUND[-1]
+
+    monkeypatch.setattr(SEARCH, search)
     before = opened.project
     table = propose(opened)
     panel = opened.window.targets.proposal

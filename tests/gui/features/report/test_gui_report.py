@@ -41,6 +41,7 @@ from tests.gui.support import (
     Key,
     Left,
     click,
+    finish_layouts,
     in_front,
     open_step,
     type_into,
@@ -144,7 +145,7 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         assert keep.isEnabled()
         buttons_at = keep.mapToGlobal(QPoint())
         type_into(opened, field(dialog, "vessel"), "V" * 201)
-        opened.bot.wait(50)
+        finish_layouts()
         assert keep.mapToGlobal(QPoint()) == buttons_at
         assert label.height() >= label.heightForWidth(label.width())
         opened.bot.keyClick(dialog, Key.Key_Escape)

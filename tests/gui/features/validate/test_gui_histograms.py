@@ -30,7 +30,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import TIP_LENGTH
 from lispac.language import LANGUAGES
 from lispac.project import Project
-from tests.gui.support import WAIT_MS, Demo, Driver, show_panel
+from tests.gui.support import WAIT_MS, Demo, Driver, finish_layouts, show_panel
 from tests.support.long_runs import LONG, others_long
 
 Left = Qt.MouseButton.LeftButton
@@ -99,7 +99,7 @@ def test_the_values_of_a_bar_are_shown_under_the_mouse(
     middle = drawn.edges[highest : highest + 2].mean()
     driver.bot.mouseMove(panel.canvas, QPoint(2, 2))
     driver.bot.mouseMove(panel.canvas, place(panel, 0, middle, drawn.values[highest] / 2))
-    driver.bot.waitUntil(lambda: "after" in panel.reading.text(), timeout=5000)
+    driver.bot.waitUntil(lambda: "after" in panel.reading.text())
     assert f"{drawn.values[highest]:,.0f} points after" in panel.reading.text()
 
 
@@ -172,7 +172,7 @@ def test_choice_and_buttons_stay_at_their_place(panel: HistogramsPanel) -> None:
     places = set()
     for index in range(panel.plot.count()):
         panel.plot.setCurrentIndex(index)
-        QApplication.processEvents()
+        finish_layouts()
         assert not panel.plot.is_cut
         controls = (panel.plot, panel.copy_picture, panel.copy_numbers, panel.enlarge)
         places.add(tuple(each.mapTo(panel, QPoint()).toTuple() for each in controls))
