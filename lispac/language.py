@@ -271,14 +271,15 @@ def without_negative_zero(value: float, decimals: int) -> float:
 
 
 def decimals_apart(value: float, other: float, decimals: int) -> int:
-    """Number of decimals with which two values are written differently, unless they are equal.
+    """Number of decimals with which two magnitudes are written differently, unless they are equal.
 
     Parameters
     ----------
     decimals : smallest number of decimals
     """
     further = range(decimals, decimals + MAX_FURTHER_DECIMALS + 1)
-    return next((k for k in further if f"{value:.{k}f}" != f"{other:.{k}f}"), decimals)
+    low, high = abs(value), abs(other)
+    return next((k for k in further if f"{low:.{k}f}" != f"{high:.{k}f}"), decimals)
 
 
 @lru_cache(maxsize=8192)

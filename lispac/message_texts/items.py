@@ -80,7 +80,8 @@ TEXTS: Mapping[str, Template] = {
         "its standard deviation)"
     ),
     "item.half_difference": N_(
-        "{angle} {difference:deg.4+}° ± {interval:deg.4}° (criterion {limit:deg.4}°)"
+        "{angle} {difference:deg.4+|interval}° ± {interval:deg.4|difference}° (criterion "
+        "{limit:deg.4}°)"
     ),
     "suspect.heights": N_("heights"),
     "suspect.time": N_("time"),

@@ -121,6 +121,15 @@ def test_halves_that_differ_more_than_a_criterion_are_noted(project: Project) ->
     assert angles(checked.with_cross_checks(CrossChecks((half, undetermined))), **limits) == []
 
 
+def test_a_negative_difference_is_not_written_like_its_interval() -> None:
+    """The magnitude exceeds the interval, although both round to 0.0493."""
+    item = note(
+        "item.half_difference", angle=mounting_value_name("yaw"),
+        difference=np.radians(-0.049312), interval=np.radians(0.049304), limit=np.radians(0.02),
+    )  # fmt: skip
+    assert "0.04931° ± 0.04930°" in message_text(item)
+
+
 def test_each_plane_is_judged_by_its_95_percent(project: Project) -> None:
     worst = max(project.validation, key=lambda plane: plane.after.p95)
     assert verdict(project, p95=1.001 * worst.after.p95) == "pass"
