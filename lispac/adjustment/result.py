@@ -436,6 +436,17 @@ class AdjustmentResult:
         return {target.target: target.noise for target in self.targets}
 
     @property
+    def is_fit_unexplained(self) -> bool:
+        """Whether the residuals are larger than the sigmas used and the noise factors explain.
+
+        Noise factors above 1, with which the sigmas of the angles are computed, explain them, and
+        so do assumed sigmas that are too small.
+        """
+        is_raised = any(target.noise > 1 for target in self.targets)
+        failed = self.chi_square.outcome == "failed"
+        return failed and not (is_raised or self.unestimated_sigmas)
+
+    @property
     def boresight(self) -> Array:
         """Estimated roll, pitch, yaw, shape (3,), radians; see `Mounting`."""
         return self.mounting.boresight

@@ -113,19 +113,18 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.surfaces_differ": N_(
         "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more than "
-        "the given standard deviations explain. Check for rough or bent targets, and for errors "
+        "the standard deviations used explain. Check for rough or bent targets, and for errors "
         "that are not in the error model."
     ),
     "adjustment.surfaces_displaced": N_(
         "The targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm between lines "
-        "(1 sigma), more than the given standard deviations explain. Check whether targets moved, "
+        "(1 sigma), more than the standard deviations used explain. Check whether targets moved, "
         "and check for errors that are not in the error model."
     ),
     "adjustment.shorter_times": N_(
-        "With the given correlation times of the POS errors (position {position:s} s, attitude "
-        "{attitude:s} s) the residuals fail the chi-square test. The standard deviations are "
-        "computed with {used_position:s} s and {used_attitude:s} s, with which the residuals pass "
-        "the test."
+        "With correlation times of the POS errors of {position:s} s (position) and {attitude:s} s "
+        "(attitude), the residuals fail the chi-square test. Angles and standard deviations are "
+        "computed with {used_position:s} s and {used_attitude:s} s, with which they pass it."
     ),
     "adjustment.sigmas_raised": N_(
         "Angles computed from subsets of the data scatter more than the error model predicts. The "
@@ -249,11 +248,11 @@ TEXTS: Mapping[str, Template] = {
         "surface on all lines.",
     ),
     "adjustment.noise": Plural(
-        "The residuals on {targets:names} indicate {factor:x.1} times the given LiDAR noise: the "
-        "surface is rough or curved, or the given LiDAR sigma is too small. The standard "
+        "The residuals on {targets:names} indicate {factor:x.1} times the LiDAR noise used: the "
+        "surface is rough or curved, or that LiDAR sigma is too small. The standard "
         "deviations of the angles are computed with the larger noise.",
-        "The residuals on {targets:names} indicate up to {factor:x.1} times the given LiDAR noise: "
-        "the surfaces are rough or curved, or the given LiDAR sigma is too small. The standard "
+        "The residuals on {targets:names} indicate up to {factor:x.1} times the LiDAR noise used: "
+        "the surfaces are rough or curved, or that LiDAR sigma is too small. The standard "
         "deviations of the angles are computed with the larger noise.",
     ),
     "adjustment.not_flat": Plural(

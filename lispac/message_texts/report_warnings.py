@@ -4,6 +4,12 @@ from collections.abc import Mapping
 
 from lispac.language import N_, Plural, Template
 
+NOISE_DIFFERS_TEXT = N_(
+    "The residuals of {targets:names} are up to {factor:x.2} times as large as the LiDAR noise "
+    "that was estimated from all targets. The standard deviations of the angles are computed with "
+    "the larger noise."
+)
+
 TEXTS: Mapping[str, Template] = {
     # -- calibration -------------------------------------------------------------------------
     "report.not_calibrated": N_(
@@ -23,14 +29,15 @@ TEXTS: Mapping[str, Template] = {
         "cannot be detected. Add targets or lines."
     ),
     "report.chi_square_high": N_(
-        "The chi-square test failed: the residuals are larger than the given standard deviations "
+        "The chi-square test failed: the residuals are larger than the standard deviations used "
         "allow. Correct the standard deviations, or look for outliers."
     ),
     "report.chi_square_high_noise": N_(
-        "The chi-square test failed: the residuals are larger than the given standard deviations "
-        "allow, so those of the angles are computed with the larger noise. Correct the given "
-        "standard deviations, or look for outliers."
+        "The chi-square test failed: the residuals are larger than the standard deviations used "
+        "allow, so those of the angles are computed with the larger noise. Correct the standard "
+        "deviations, or look for outliers."
     ),
+    "report.noise_differs": NOISE_DIFFERS_TEXT,
     "report.chi_square_high_classical": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
         "allow, so the standard deviations of the angles are too small. Correct the given standard "
@@ -41,13 +48,12 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the data sheet or of the processing report, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The residuals are smaller than the standard deviations used predict, so those of the "
-        "angles are rather too large. Nothing has to be changed."
+        "The residuals are smaller than the standard deviations used predict, so the tests detect "
+        "errors less well."
     ),
     "report.chi_square_low_estimated": N_(
         "The LiDAR noise was estimated from all targets and then increased for targets with a "
-        "noise factor above 1, so the standard deviations of the angles are rather too large. "
-        "Nothing has to be changed."
+        "noise factor above 1, so the residuals are smaller than predicted."
     ),
     "report.parameter_not_seen": N_(
         "The {parameter} was not estimated: {reason} Turn off its estimation."

@@ -5,7 +5,7 @@ of the JSON report.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,9 +19,11 @@ from lispac.adjustment.result import (
     FitOutcome,
     Observability,
     PossibleCause,
+    VarianceComponent,
 )
 from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.language import N_, LazyText, gettext, gettext_lazy, join_sentences
+from lispac.message_texts.report_warnings import NOISE_DIFFERS_TEXT
 from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
@@ -91,6 +93,8 @@ def observability_values(observability: Observability | None) -> ObservabilityVa
     )
 
 
+MIN_REPORTED_NOISE_FACTOR = 1.05
+"""Smallest noise factor that is named; smaller ones are within the uncertainty of the estimate."""
 NOT_TESTED_TEXT = N_("Not tested: there are no more points than unknowns.")
 PASSED_TEXT = N_("Passed.")
 AGREE_TEXT = N_("The residuals agree with the given standard deviations.")
@@ -98,13 +102,13 @@ AGREE_ESTIMATED_TEXT = N_(
     "The residuals agree with the standard deviations used, which were partly estimated from them."
 )
 TOO_LARGE_TEXT = N_(
-    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
-    "LiDAR sigma is too small, a target is rough, or there are outliers."
+    "Failed: the residuals are larger than the standard deviations used allow. Possible causes: "
+    "standard deviations are too small, a target is rough, or there are outliers."
 )
 TOO_LARGE_NOISE_TEXT = N_(
-    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
-    "LiDAR sigma is too small, a target is rough, or there are outliers. The sigmas of the angles "
-    "are computed with the noise found in the residuals."
+    "Failed: the residuals are larger than the standard deviations used allow. Possible causes: "
+    "the LiDAR sigma is too small, a target is rough, or there are outliers. The sigmas of the "
+    "angles are computed with the noise found in the residuals."
 )
 TOO_LARGE_CLASSICAL_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
@@ -116,13 +120,17 @@ TOO_LARGE_ASSUMED_TEXT = N_(
     "of the processing report."
 )
 TOO_SMALL_TEXT = N_(
-    "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "
-    "of the angles are therefore rather too large; nothing has to be changed."
+    "Conservative: the residuals are smaller than the standard deviations used predict, so the "
+    "tests detect errors less well. Nothing has to be changed."
+)
+TOO_SMALL_NOISE_TEXT = N_(
+    "Conservative: the residuals are smaller than the standard deviations used predict, so the "
+    "tests detect errors less well. Use the LiDAR noise of the residuals and estimate again."
 )
 TOO_SMALL_ESTIMATED_TEXT = N_(
     "Conservative: the LiDAR noise was estimated from all targets and then increased for targets "
-    "with a noise factor above 1. The sigmas of the angles are therefore rather too large; nothing "
-    "has to be changed."
+    "with a noise factor above 1. The residuals are therefore smaller than predicted; nothing has "
+    "to be changed."
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "
@@ -167,8 +175,37 @@ def small_residuals_template(result: AdjustmentResult) -> str:
     """
     if has_raised_sigmas(result):
         return TOO_SMALL_RAISED_TEXT
-    is_estimated = any(c.applied and c.name == "LiDAR" for c in result.components)
-    return TOO_SMALL_ESTIMATED_TEXT if is_estimated else TOO_SMALL_TEXT
+    if is_lidar_noise_estimated(result.components):
+        return TOO_SMALL_ESTIMATED_TEXT
+    return TOO_SMALL_TEXT if result.lidar_noise_ratio is None else TOO_SMALL_NOISE_TEXT
+
+
+def large_residuals_text(result: AdjustmentResult) -> LazyText:
+    """Text of residuals that are larger than predicted."""
+    if result.unestimated_sigmas:
+        return gettext_lazy(TOO_LARGE_ASSUMED_TEXT)
+    if not result.model.correlated:
+        return gettext_lazy(TOO_LARGE_CLASSICAL_TEXT)
+    if is_lidar_noise_estimated(result.components) and (
+        noisy := noisier_targets(result.noise_factors)
+    ):
+        factor = result.noise_factors[noisy[0]]
+        return gettext_lazy(NOISE_DIFFERS_TEXT, targets=noisy, factor=factor)
+    is_raised = any(target.noise > 1 for target in result.targets)
+    return gettext_lazy(TOO_LARGE_NOISE_TEXT if is_raised else TOO_LARGE_TEXT)
+
+
+def is_lidar_noise_estimated(
+    components: Iterable[VarianceComponent | VarianceComponentValues],
+) -> bool:
+    """Whether the LiDAR noise used was estimated from all targets."""
+    return any(each.applied and each.name == "LiDAR" for each in components)
+
+
+def noisier_targets(factors: Mapping[str, float]) -> list[str]:
+    """Targets with more noise than used, the noisiest first, by noise factors by target."""
+    found = [name for name, factor in factors.items() if factor >= MIN_REPORTED_NOISE_FACTOR]
+    return sorted(found, key=lambda name: -factors[name])
 
 
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
@@ -177,20 +214,15 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
         return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
     sentences = []
     if test.outcome == "passed":
-        sentences, finding = [gettext_lazy(PASSED_TEXT)], agreement_template(result)
+        sentences = [gettext_lazy(PASSED_TEXT)]
+        finding = gettext_lazy(agreement_template(result))
     elif test.outcome == "conservative":
-        finding = small_residuals_template(result)
-    elif result.unestimated_sigmas:
-        finding = TOO_LARGE_ASSUMED_TEXT
-    elif not result.model.correlated:
-        finding = TOO_LARGE_CLASSICAL_TEXT
-    elif any(target.noise > 1 for target in result.targets):
-        finding = TOO_LARGE_NOISE_TEXT
+        finding = gettext_lazy(small_residuals_template(result))
     else:
-        finding = TOO_LARGE_TEXT
+        finding = large_residuals_text(result)
     return VarianceFactorTest(
         test.statistic, test.lower, test.upper, test.passed,
-        join_sentences([*sentences, gettext_lazy(finding)]), test.outcome,
+        join_sentences([*sentences, finding]), test.outcome,
         result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.language import N_, gettext
-from lispac.present.adjustment import AdjustmentValues
+from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
 from lispac.present.sigmas import SigmaValues, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
@@ -34,9 +34,6 @@ POS_ERROR_MODEL_NAMES: Mapping[PosErrors, str] = {
     "independent": N_("uncorrelated POS errors (classical)"),
 }
 """Names of the models of the POS errors in figures and forms of the survey design."""
-
-MIN_REPORTED_NOISE_FACTOR = 1.05
-"""Smallest noise factor of a target (estimated divided by given LiDAR noise) that is reported."""
 
 POS_ERROR_TEXTS: Mapping[str, str] = {
     "correlated": N_("Correlated in time."),
@@ -269,21 +266,17 @@ def _lever_arm_sigma_text(used: SettingsUsed) -> str:
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:
-    larger = [t for t in adjustment.targets if (t.noise_factor or 1.0) >= MIN_REPORTED_NOISE_FACTOR]
-    applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
+    factors = {target.target: target.noise_factor or 1.0 for target in adjustment.targets}
+    larger = noisier_targets(factors)
     if not larger:
-        if applied:
+        if is_lidar_noise_estimated(adjustment.components):
             return gettext("not larger than the sigma from the variance components on any target")
         return gettext("not larger than the given noise on any target")
     found = [
-        gettext(
-            "{target}: {factor}\u00a0times",
-            factor=fixed_number(t.noise_factor or 1.0, 2),
-            target=t.target,
-        )
-        for t in larger
+        gettext("{target}: {factor}\u00a0times", factor=fixed_number(factors[name], 2), target=name)
+        for name in larger
     ]
-    if applied:
+    if is_lidar_noise_estimated(adjustment.components):
         return gettext(
             "{factors:names} the sigma from the variance components; the sigmas of the angles are "
             "computed with this noise",

@@ -17,7 +17,7 @@ from lispac.adjustment.model.parameters import (
 from lispac.message_texts import english_text
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.adjustment import AdjustmentValues
+from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
 from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.present.survey_data import PickedPlane
@@ -111,8 +111,7 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
     if content.adjustment is None:
         return
     independent = content.settings.pos_errors == "independent"
-    noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
-    yield from _chi_square_warnings(content.adjustment, independent, noisy)
+    yield from _chi_square_warnings(content.adjustment, independent)
 
 
 def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
@@ -139,16 +138,16 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
         )
 
 
-def _chi_square_warnings(
-    adjustment: AdjustmentValues, independent: bool, noisy: bool
-) -> Iterator[Message]:
+def _chi_square_warnings(adjustment: AdjustmentValues, independent: bool) -> Iterator[Message]:
     test = adjustment.chi_square
+    factors = {target.target: target.noise_factor or 1.0 for target in adjustment.targets}
+    noisy = noisier_targets(factors)
+    is_estimated = is_lidar_noise_estimated(adjustment.components)
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
     elif test.passed:
         return
     elif test.outcome == "conservative":
-        is_estimated = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
         yield note(
             "report.chi_square_low_estimated" if is_estimated else "report.chi_square_low",
             subject=RESULT_CAUSE,
@@ -157,10 +156,15 @@ def _chi_square_warnings(
         yield note("report.chi_square_high_assumed", subject=Cause.of_field("lidar_sigma"))
     elif independent:
         yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
-    elif noisy:
+    elif is_estimated and noisy:
+        yield note(
+            "report.noise_differs", targets=noisy, factor=factors[noisy[0]],
+            subject=Cause.of_target(noisy[0]),
+        )  # fmt: skip
+    elif any(factor > 1 for factor in factors.values()):
         yield note("report.chi_square_high_noise", subject=RESULT_CAUSE)
     else:
-        yield note("report.chi_square_high", subject=RESULT_CAUSE)
+        yield warning("report.chi_square_high", subject=RESULT_CAUSE)
 
 
 def _target_warnings(content: ReportContent) -> Iterator[Message]:

@@ -255,7 +255,7 @@ def _adjust_status(
     reason = first_reason((not used, Unavailable.NO_TARGET), (survey is None, Unavailable.READING))
     if project.result is not None:
         factor = project.result.variance_factor
-        fits = project.result.chi_square.outcome != "failed"
+        fits = not project.result.is_fit_unexplained
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings (F12)")
@@ -265,7 +265,7 @@ def _adjust_status(
             advice = gettext("The result is in the panel Results.")
         if not serious and not fits:
             advice = gettext(
-                "The residuals do not agree with the given standard deviations. See the test in "
+                "The residuals do not agree with the standard deviations used. See the test in "
                 "the panel Results."
             )
         return StepStatus(

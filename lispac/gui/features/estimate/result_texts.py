@@ -12,9 +12,11 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.adjustment import (
-    TOO_LARGE_ASSUMED_TEXT,
     agreement_template,
     agrees_by_construction,
+    is_lidar_noise_estimated,
+    large_residuals_text,
+    noisier_targets,
     small_residuals_template,
 )
 from lispac.present.adjustment_fit import TEST_STATISTIC_FORMAT
@@ -90,14 +92,8 @@ def fit_verdict(
         if is_sure:
             sentences.append(gettext(REALISTIC_TEXT))
         return " ".join(sentences)
-    if result.variance_factor > 1 and result.unestimated_sigmas:
-        return gettext(TOO_LARGE_ASSUMED_TEXT)
     if result.variance_factor > 1:
-        return gettext(
-            "The residuals are larger than expected from the given standard deviations. Check "
-            "for a target that is not flat or a sighting with points of another object, or "
-            "enter larger standard deviations."
-        )
+        return str(large_residuals_text(result))
     return gettext(small_residuals_template(result))
 
 
@@ -118,8 +114,11 @@ def chi_square_text(result: AdjustmentResult) -> str:
         interval = N_("{value}, below {lower} to {upper}: residuals smaller than expected")
     elif result.unestimated_sigmas:
         title, colour = gettext("assumed values too small"), theme.MUTED
+    elif is_lidar_noise_estimated(result.components) and noisier_targets(result.noise_factors):
+        title, colour = gettext("noise differs between targets"), theme.MUTED
     else:
-        title, colour = gettext("failed"), theme.WARNING
+        colour = theme.WARNING if result.is_fit_unexplained else theme.MUTED
+        title = gettext("failed")
     values = gettext(interval, value=statistic, lower=lower, upper=upper)
     bold = f'<b style="color:{colour}">{title}</b>'
     return gettext("{name}: {text}", name=bold, text=values)
