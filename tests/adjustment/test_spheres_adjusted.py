@@ -226,7 +226,7 @@ def test_the_command_line_picks_balls(balls, capsys):
     out = capsys.readouterr().out
     assert "Sphere in each line, radius estimated\n" in out
     rows = [line.split() for line in out.splitlines()]
-    heads = ["Line", "North", "(m)", "West", "(m)", "Up", "(m)", "Radius", "(m)", "Surface", "seen"]
+    heads = ["Line", "East", "(m)", "North", "(m)", "Up", "(m)", "Radius", "(m)", "Surface", "seen"]
     start = rows.index(heads) + 1
     lines = list(balls.survey.lines)
     assert [row[0] for row in rows[start : start + len(lines)]] == lines

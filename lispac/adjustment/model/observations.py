@@ -190,7 +190,7 @@ class Observations:
 
     @cached_property
     def half_angle_tangents(self) -> Array:
-        """`half_angle_tangents` of the attitude, shape (n, 3)."""
+        """`half_angle_tangents` of the attitude, shape (n, 3), no unit."""
         return half_angle_tangents(self.attitude)
 
     @cached_property
@@ -260,7 +260,7 @@ def half_angle_tangents(attitude: Array) -> Array:
 
     Returns
     -------
-    ndarray of shape (n, 3)
+    ndarray of shape (n, 3), no unit
     """
     tangents = np.empty((len(attitude), 3))
     run_over_points(

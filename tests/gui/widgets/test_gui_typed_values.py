@@ -290,7 +290,7 @@ def test_no_angles_are_converted_from_a_wrong_text(opened: Driver) -> None:
 
 def test_a_patch_test_does_not_search_from_a_former_angle(opened: Driver) -> None:
     controller = opened.window.panel_controllers["patch_test"]
-    controller.open()
+    opened.window.actions_["patch_test"].trigger()
     click(opened, controller.panel.propose)
     opened.rest()
     angles = controller.panel.angles

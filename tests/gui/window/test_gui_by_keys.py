@@ -59,7 +59,8 @@ def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
     """Press F3 and type the coordinates of a plane into one field after the other."""
 
     def act(dialog: SeedCoordinatesDialog) -> bool:
-        for value in demo_seeds()[name][1]:
+        north, west, up = demo_seeds()[name][1]
+        for value in (-west, north, up):
             hands.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             press_keys(hands, Key.Key_Tab)
         end(dialog)

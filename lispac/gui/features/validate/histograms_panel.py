@@ -1,5 +1,6 @@
 """Distances between the lines on each validation plane, before and after the adjustment."""
 
+from collections.abc import Sequence
 from html import escape
 from typing import Literal
 
@@ -327,8 +328,7 @@ class HistogramsPanel(QWidget):
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         is_new, failed = comparisons is not self._comparisons, self.table.failed
-        is_part = set(comparisons) <= set(self._comparisons)  # other planes were edited
-        shown = self.current if is_part else None
+        shown = self._same_plane(comparisons) if is_new else None
         if is_new:
             self._comparisons = comparisons
             self.table.show_planes(comparisons)
@@ -339,13 +339,23 @@ class HistogramsPanel(QWidget):
         self._fit_table()
         fails_now = self.table.failed - failed and self.current not in self.table.failed
         if is_new or fails_now:
-            if shown is None or not self.table.select(shown):
-                self.table.select(self.table.worst_plane())
-            self._announcing.start()
+            self.table.select(shown or self.table.worst_plane())
+            if shown is None:
+                self._announcing.start()
             self._blank_other_picture()
             self._drawing.start()
         else:
             self._show_judgement()
+
+    def _same_plane(self, comparisons: Sequence[PlaneComparison]) -> str | None:
+        """Name of the plane that is shown, if other planes or its name were edited.
+
+        None after a new validation, of which the worst plane is shown.
+        """
+        shown = self._current_comparison
+        if shown is None:
+            return None
+        return next((each.name for each in comparisons if each.pairs is shown.pairs), None)
 
     def _fit_table(self) -> None:
         """Give the table the width of its columns, and the rest to the plot.
