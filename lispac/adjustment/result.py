@@ -436,15 +436,14 @@ class AdjustmentResult:
         return {target.target: target.noise for target in self.targets}
 
     @property
-    def is_fit_unexplained(self) -> bool:
-        """Whether the residuals are larger than the sigmas used and the noise factors explain.
+    def are_sigmas_too_small(self) -> bool:
+        """Whether residuals larger than predicted show that the sigmas of the angles are too small.
 
-        Noise factors above 1, with which the sigmas of the angles are computed, explain them, and
-        so do assumed sigmas that are too small.
+        With correlated POS errors, these sigmas contain the noise found in the residuals. Nothing
+        follows from sigmas that are only assumed.
         """
-        is_raised = any(target.noise > 1 for target in self.targets)
         failed = self.chi_square.outcome == "failed"
-        return failed and not (is_raised or self.unestimated_sigmas)
+        return failed and not (self.model.correlated or self.unestimated_sigmas)
 
     @property
     def boresight(self) -> Array:

@@ -164,7 +164,7 @@ def _chi_square_warnings(adjustment: AdjustmentValues, independent: bool) -> Ite
     elif any(factor > 1 for factor in factors.values()):
         yield note("report.chi_square_high_noise", subject=RESULT_CAUSE)
     else:
-        yield warning("report.chi_square_high", subject=RESULT_CAUSE)
+        yield note("report.chi_square_high", subject=RESULT_CAUSE)
 
 
 def _target_warnings(content: ReportContent) -> Iterator[Message]:

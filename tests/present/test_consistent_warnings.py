@@ -246,7 +246,7 @@ CASES = [
     ("radii_pitch_sign", True, _radii("pitch_sign"), "but agrees with the opposite sign of pitch"),
     ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
-    ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
+    ("shorter_times", False, _shorter, "of 300 s (position) and 600 s (attitude)"),
     ("sigmas_raised", False, _raised, "the result: pitch from 0.0291 to 0.0728"),
     ("sigmas_raised_conservative", False, _raised_conservative, "The residuals are smaller than "
      "the standard deviations used predict, but"),
@@ -266,10 +266,10 @@ CASES = [
      "L1 (displaced by 20.0 mm, test value w = +5.5)."),
     ("line_jumped", False, _without_line, "All targets are displaced on line L3"),
     ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
-    ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the given LiDAR noise: the "
+    ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the LiDAR noise used: the "
      "surface"),
-    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 indicate up to 2.4 times the given LiDAR "
-     "noise: the surfaces"),
+    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 indicate up to 2.4 times the LiDAR noise "
+     "used: the surfaces"),
     ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),

@@ -410,6 +410,28 @@ def test_noise_is_reported_only_where_it_was_found(project: Project, changed: Ch
         assert f"report.{code}" in {each.code for each in content.warnings}
 
 
+def test_noise_that_differs_between_targets_blames_no_given_sigma(
+    project: Project, changed: Changed
+) -> None:
+    """The LiDAR noise was estimated from all targets, and one target has more of it."""
+    result = _result(project)
+    failed = replace(result.chi_square, statistic=result.chi_square.upper * 1.01)
+    first, *others = result.targets
+    targets = (replace(first, noise=1.18), *(replace(each, noise=1.0) for each in others))
+    values = {"chi_square": failed, "targets": targets, "model": StochasticModel("correlated")}
+    for is_applied, code in ((True, "noise_differs"), (False, "chi_square_high_noise")):
+        components = (VarianceComponent("LiDAR", 0.73, 0.72, 0.74, applied=is_applied),)
+        content = changed(components=components, **values)  # type: ignore[arg-type]
+        (message,) = [
+            each for each in content.warnings
+            if each.code.removeprefix("report.") in {"noise_differs", "chi_square_high_noise"}
+        ]  # fmt: skip
+        assert (message.code, message.level) == (f"report.{code}", Level.NOTE)
+        if is_applied:
+            assert message.params["targets"] == [first.target]
+            assert message.params["factor"] == 1.18
+
+
 def test_a_single_plane_gives_a_warning(project: Project, changed: Changed) -> None:
     result = _result(project)
     first = result.targets[0]

@@ -255,7 +255,7 @@ def _adjust_status(
     reason = first_reason((not used, Unavailable.NO_TARGET), (survey is None, Unavailable.READING))
     if project.result is not None:
         factor = project.result.variance_factor
-        fits = not project.result.is_fit_unexplained
+        fits = not project.result.are_sigmas_too_small
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings (F12)")

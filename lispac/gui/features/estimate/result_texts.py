@@ -117,7 +117,7 @@ def chi_square_text(result: AdjustmentResult) -> str:
     elif is_lidar_noise_estimated(result.components) and noisier_targets(result.noise_factors):
         title, colour = gettext("noise differs between targets"), theme.MUTED
     else:
-        colour = theme.WARNING if result.is_fit_unexplained else theme.MUTED
+        colour = theme.WARNING if result.are_sigmas_too_small else theme.MUTED
         title = gettext("failed")
     values = gettext(interval, value=statistic, lower=lower, upper=upper)
     bold = f'<b style="color:{colour}">{title}</b>'
