@@ -376,10 +376,11 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
             )
     if not_compared or (better < total and judgement.verdict != "pass"):
         state = "warning"
-    if not_compared:
+    if not_compared and judgement.verdict == "not judged":  # shorter, so that it is not cut off
         sentence = gettext(
-            "{planes}, {number:n} not compared", planes=sentence, number=len(not_compared)
-        )
+            "{compared:n} of {count:n} planes compared",
+            compared=total, count=total + len(not_compared),
+        )  # fmt: skip
     return StepStatus(
         state,
         sentence,

@@ -1,5 +1,6 @@
 """Tests that an edit of one validation plane keeps the comparisons of the others."""
 
+import operator
 from dataclasses import replace
 
 import pytest
@@ -72,16 +73,46 @@ def test_excluding_a_plane_keeps_the_comparisons_of_the_others(two_planes: Drive
     assert two_planes.project.judgement.verdict == "pass"
     assert "1 validation plane excluded" in verdict.text()
 
-    tick(two_planes, "V1")  # its comparison is not known any more
-    assert compared(two_planes) == ["V9"]
-    assert two_planes.project.not_compared["V1"].code == "validation.plane_edited"
-    assert two_planes.project.judgement.verdict == "not judged"
-    assert sentence(two_planes, VALIDATE) == "1 plane compared, not judged, 1 not compared"
+    tick(two_planes, "V1")
+    assert compared(two_planes) == ["V1", "V9"]
+    assert all(map(operator.is_, two_planes.project.validation, before.validation))
+    assert two_planes.project.not_compared == {}
+    assert two_planes.project.judgement.verdict == "pass"
+    assert sentence(two_planes, VALIDATE) == "2 of 2 planes pass"
 
     undo(two_planes)
+    assert compared(two_planes) == ["V9"]
     undo(two_planes)
     assert compared(two_planes) == ["V1", "V9"]
     assert two_planes.project.validation is before.validation
+
+
+def test_an_excluded_plane_is_compared_again_after_an_edit(two_planes: Driver) -> None:
+    tick(two_planes, "V1")
+    line = two_planes.project.target("V1").sightings[0].line
+    two_planes.window.controller.use_sighting("V1", line, False)
+    assert two_planes.project.excluded_comparisons == {}
+    tick(two_planes, "V1")
+    assert compared(two_planes) == ["V9"]
+    assert two_planes.project.not_compared["V1"].code == "validation.plane_edited"
+    assert two_planes.project.judgement.verdict == "not judged"
+    assert sentence(two_planes, VALIDATE) == "1 of 2 planes compared"
+    header = two_planes.window.workflow.headers[VALIDATE]
+    shown = header.sentence
+    assert shown.fontMetrics().horizontalAdvance(shown.text()) <= shown.width()
+    assert "V1" in header.toolTip()
+
+
+def test_excluded_planes_keep_their_comparisons_under_a_new_name(two_planes: Driver) -> None:
+    before = two_planes.project.validation
+    for name in ("V1", "V9"):
+        tick(two_planes, name)
+    assert two_planes.project.validation == ()
+    two_planes.window.controller.rename("V1", "Tower")
+    tick(two_planes, "Tower")
+    (tower,) = two_planes.project.validation
+    assert (tower.name, tower.after) == ("Tower", before[0].after)
+    assert two_planes.project.not_compared == {}
 
 
 def test_a_renamed_plane_keeps_its_comparison(two_planes: Driver) -> None:
@@ -127,6 +158,9 @@ def test_all_comparisons_depend_on_the_boresight(two_planes: Driver) -> None:
     assert two_planes.project.validation == ()
     undo(two_planes)
     assert compared(two_planes) == ["V1", "V9"]
+    tick(two_planes, "V9")
+    assert set(two_planes.project.excluded_comparisons) == {"V9"}
     two_planes.window.controller.use_target("T1", False)
     assert two_planes.project.validation == ()
+    assert two_planes.project.excluded_comparisons == {}
     assert two_planes.project.not_compared == {}
