@@ -148,7 +148,8 @@ def test_a_plane_is_excluded_in_the_context_menu_of_the_table(two_planes: Driver
         True, False
     ]  # fmt: skip
     assert compared(two_planes) == ["V1"]
-    undo(two_planes)  # one step
+    window.actions_["undo"].trigger()  # one step
+    wait_until_idle(two_planes)
     assert two_planes.project.validation is before.validation
 
     choose(two_planes, "Exclude V1", lambda: click_and_request(two_planes, table, 0))
