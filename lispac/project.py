@@ -6,7 +6,7 @@ never be shown. Undo restores the previous value.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -353,11 +353,15 @@ class ProposalPrediction:
     sigma: Annotated[NDArray[np.float64], ArrayShape(3)]
 
 
+UNSAVED_FIELDS = ("folder", "file_digest", "excluded_comparisons")
+"""Fields of a project that are not in its file."""
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Project:
     """Content of a project folder; paths are absolute here and relative in the project file.
 
-    The file has the fields in the same order, except for the folder and the digest.
+    The file has the fields in the same order, except for `UNSAVED_FIELDS`.
     """
 
     folder: Path
@@ -389,6 +393,11 @@ class Project:
     """True boresight of a simulated survey; None for a real one."""
     file_digest: str = field(default="", compare=False, repr=False)
     """Digest of the project file that was read; empty for a new project."""
+    excluded_comparisons: Mapping[str, PlaneComparison | Message] = field(
+        default_factory=dict, compare=False, repr=False
+    )
+    """Comparison of each excluded plane, or the reason why it has none, for when it is included
+    again. It is used for nothing else and is not saved."""
 
     @property
     def name(self) -> str:
@@ -517,14 +526,15 @@ class Project:
         """Remove all results, after a change of data or settings on which they depend."""
         return replace(
             self, result=None, cross_checks=None, validation=(), not_compared={}, absolute=None,
-            alternative_results=(), prediction=None,
+            alternative_results=(), prediction=None, excluded_comparisons={},
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
         """Set the result of the adjustment; the validation of a previous result is removed."""
         return replace(
-            self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None
-        )
+            self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None,
+            excluded_comparisons={},
+        )  # fmt: skip
 
     def with_cross_checks(self, checks: CrossChecks) -> "Project":
         """Set the cross-checks, which are results from parts of the data."""
@@ -534,7 +544,9 @@ class Project:
         self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, Message]
     ) -> "Project":
         """Set the comparison on validation planes, and the reasons for those not compared."""
-        return replace(self, validation=validation, not_compared=not_compared)
+        return replace(
+            self, validation=validation, not_compared=not_compared, excluded_comparisons={}
+        )
 
     def with_data_messages(self, messages: tuple[Message, ...]) -> "Project":
         """Set the warnings and notes about the imported files."""
@@ -575,13 +587,20 @@ class Project:
         require_valid_target(renamed)
         targets = tuple(renamed if target.name == old else target for target in self.targets)
         edited = self._edited(targets, {renamed.role})
-        if renamed.role == "target" or old not in {plane.name for plane in self.validation}:
+        if renamed.role == "target":
             return edited
+        excluded = dict(edited.excluded_comparisons)
+        if isinstance(comparison := self.excluded_comparisons.get(old), PlaneComparison):
+            excluded[new] = replace(comparison, name=new)
+        if old not in {plane.name for plane in self.validation}:
+            return replace(edited, excluded_comparisons=excluded)
         comparisons = tuple(
             replace(plane, name=new) if plane.name == old else plane for plane in self.validation
         )
         kept = {name: reason for name, reason in self.not_compared.items() if name != new}
-        return replace(edited, validation=comparisons, not_compared=kept)
+        return replace(
+            edited, validation=comparisons, not_compared=kept, excluded_comparisons=excluded
+        )
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # Validation planes are not used in the adjustment, so the angles stay valid after an edit
@@ -594,6 +613,7 @@ class Project:
             cross_checks=self.cross_checks if kept else None,
             validation=(),
             not_compared={},
+            excluded_comparisons={},
             absolute=self.absolute if kept else None,
             prediction=self.prediction if kept else None,
             alternative_results=tuple(
@@ -607,23 +627,41 @@ class Project:
     def _with_unchanged_comparisons_of(self, former: "Project") -> "Project":
         """Keep the comparisons of planes that have not changed, and give a reason for the others.
 
-        Nothing is kept if no comparison of a plane that is used now remains.
+        A plane that was only excluded or included has not changed. The comparison of an excluded
+        plane is in `excluded_comparisons`. None is shown if no plane that is used has one.
         """
-        unchanged = {id(plane) for plane in former.targets_of_role("validation")}
-        planes = [plane for plane in self.targets_of_role("validation") if plane.used]
-        known = {plane.name for plane in planes if id(plane) in unchanged}
-        comparisons = tuple(plane for plane in former.validation if plane.name in known)
+        known: dict[str, PlaneComparison | Message] = {
+            **former.excluded_comparisons,
+            **former.not_compared,
+            **{plane.name: plane for plane in former.validation},
+        }
+        before = {plane.name: plane for plane in former.targets_of_role("validation")}
+        planes = self.targets_of_role("validation")
+        kept = {
+            plane.name: known[plane.name]
+            for plane in planes
+            if plane.name in known and _is_same_surface(plane, before.get(plane.name))
+        }
+        used = [plane.name for plane in planes if plane.used]
+        excluded = {name: each for name, each in kept.items() if name not in used}
+        outcomes = {
+            name: kept.get(name, error("validation.plane_edited", plane=name)) for name in used
+        }
+        comparisons = tuple(o for o in outcomes.values() if isinstance(o, PlaneComparison))
         if not comparisons:
-            return self
-        names = {plane.name for plane in comparisons}
+            return replace(self, excluded_comparisons=excluded)
         return replace(
             self,
             validation=comparisons,
-            not_compared={
-                plane.name: former.not_compared[plane.name]
-                if plane.name in known and plane.name in former.not_compared
-                else error("validation.plane_edited", plane=plane.name)
-                for plane in planes
-                if plane.name not in names
-            },
+            not_compared={n: o for n, o in outcomes.items() if isinstance(o, Message)},
+            excluded_comparisons=excluded,
         )
+
+
+def _is_same_surface(plane: Target, former: Target | None) -> bool:
+    """Whether a plane has the points that it had, with or without being used."""
+    return former is not None and all(
+        getattr(plane, each.name) is getattr(former, each.name)
+        for each in fields(Target)
+        if each.name != "used"
+    )

@@ -349,6 +349,17 @@ POS_COMPONENTS = (
 )  # fmt: skip
 """Components of the POS error, as in tables and figures."""
 
+UNDETERMINED_POS_ERRORS_TEXT = N_(
+    "A component without a value or a point is not determined by the data, for instance because "
+    "no surface of a target faces it."
+)
+"""Explanation of gaps in the table and the figure of the POS errors."""
+
+
+def has_undetermined_pos_errors(sightings: Sequence[SightingValues]) -> bool:
+    """Whether the data do not determine a component of the POS error of a sighting."""
+    return any(part.error_of(each) is None for each in sightings for part in POS_COMPONENTS)
+
 
 def mean_pos_sigmas(sightings: Sequence[SightingValues]) -> tuple[float, ...]:
     """Mean prior sigma of each component, in the order of `SightingReliability.pos_error`."""

@@ -12,10 +12,12 @@ from lispac.present.sightings import (
     POS_ERROR_CAPTION,
     POS_ERRORS_TABLE,
     SIGHTING_TESTS_TABLE,
+    UNDETERMINED_POS_ERRORS_TEXT,
     SightingValues,
+    has_undetermined_pos_errors,
     mean_pos_sigmas,
 )
-from lispac.present.text_format import UNKNOWN_TEXT, fixed_number, sentence_text
+from lispac.present.text_format import fixed_number, sentence_text
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -41,10 +43,6 @@ POINT_TEST_TEXT = N_(
     "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
     "the farthest point divided by its sigma, with its time on the line; averaged points have the "
     "mean of their times."
-)
-NOT_DETERMINED_TEXT = N_(
-    "–, and no point in the figure: not determined by the data, for instance a component that no "
-    "surface of a target faces."
 )
 CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
@@ -133,8 +131,8 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     blocks: list[Block] = [
         with_rows_below(table, report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]))
     ]
-    if any(UNKNOWN_TEXT in row for row in table.rows):
-        blocks.append(Paragraph(gettext(NOT_DETERMINED_TEXT)))
+    if has_undetermined_pos_errors(sightings):
+        blocks.append(Paragraph(gettext(UNDETERMINED_POS_ERRORS_TEXT)))
     figures = UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),))
     return [*blocks, figures]
 

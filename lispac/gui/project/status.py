@@ -30,6 +30,10 @@ DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
 
 POINT_COUNT_TEXT = Plural("{count:n} point", "{count:n} points")
 VALIDATION_PLANE_COUNT_TEXT = Plural("{count:n} validation plane", "{count:n} validation planes")
+USED_PLANES_TEXT = Plural(
+    "{used:n} of {count:n} validation plane", "{used:n} of {count:n} validation planes"
+)
+"""Number of planes that are used, short enough for the header of the step."""
 
 
 @dataclass(frozen=True)
@@ -215,8 +219,12 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
     lines = {s.line for target in used for s in target.used_sightings}
     targets = gettext(Plural("{count:n} target", "{count:n} targets"), count=len(used))
     sentence = gettext("{targets} in {lines}", targets=targets, lines=line_count(len(lines)))
+    compared = [plane for plane in planes if plane.used]
+    excluded = len(planes) - len(compared)
     if planes:
         text = gettext(VALIDATION_PLANE_COUNT_TEXT, count=len(planes))
+        if excluded:
+            text = gettext(USED_PLANES_TEXT, used=len(compared), count=len(planes))
         sentence = gettext("{targets}, {planes}", targets=targets, planes=text)
     if in_few_lines:
         return StepStatus(
@@ -236,16 +244,23 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
         )
     if project.result is None and have_targets_single_orientation(project, survey):
         return StepStatus("warning", sentence, _single_orientation_text())
-    if planes:
-        advice = gettext(
-            "There are enough targets and planes for the adjustment and the validation."
+    return StepStatus("done", sentence, _planes_advice(len(compared), excluded))
+
+
+def _planes_advice(used: int, excluded: int) -> str:
+    """Advice if there are enough targets, for the numbers of validation planes."""
+    if excluded:
+        used_text = gettext(
+            Plural("{count:n} validation plane used", "{count:n} validation planes used"),
+            count=used,
         )
-    else:
-        advice = gettext(
-            "There are enough targets for the adjustment. Pick validation planes as well, to "
-            "check how well the lines agree."
-        )
-    return StepStatus("done", sentence, advice)
+        return gettext("{planes}, {excluded:n} excluded.", planes=used_text, excluded=excluded)
+    if used:
+        return gettext("There are enough targets and planes for the adjustment and the validation.")
+    return gettext(
+        "There are enough targets for the adjustment. Pick validation planes as well, to "
+        "check how well the lines agree."
+    )
 
 
 def _adjust_status(
@@ -376,10 +391,11 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
             )
     if not_compared or (better < total and judgement.verdict != "pass"):
         state = "warning"
-    if not_compared:
+    if not_compared and judgement.verdict == "not judged":  # shorter, so that it is not cut off
         sentence = gettext(
-            "{planes}, {number:n} not compared", planes=sentence, number=len(not_compared)
-        )
+            "{compared:n} of {count:n} planes compared",
+            compared=total, count=total + len(not_compared),
+        )  # fmt: skip
     return StepStatus(
         state,
         sentence,

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QScrollArea, QWidget
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
-from lispac.gui.project.status import ADJUST, DATA, STEP_KEYS, TARGETS
+from lispac.gui.project.status import ADJUST, DATA, STEP_KEYS, TARGETS, VALIDATE
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.window.panels import Panels
@@ -48,6 +48,11 @@ class CauseNavigation(QObject):
             "result": self._go_to_result,
         }
         functions[cause.kind](cause)
+
+    def go_to_acceptance_criteria(self) -> None:
+        """Open step 4, and focus the field of the first acceptance criterion."""
+        self._open_step(VALIDATE)
+        _focus_widget(next(iter(self._panels.validate.acceptance.fields.values())))
 
     def _go_to_line(self, cause: Cause) -> None:
         data, scene = self._panels.data, self._scene

@@ -219,6 +219,9 @@ class MainWindow(QMainWindow):
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
+        actions.connect_slots(
+            {"acceptance_criteria": self.cause_navigation.go_to_acceptance_criteria}
+        )
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
         panels.validate.cause_requested.connect(self.cause_navigation.show_cause)
         panels.results.cross_checks_requested.connect(
@@ -325,6 +328,7 @@ class MainWindow(QMainWindow):
         self.diagnostics.row_activated.connect(self._go_to)
         self.histograms.plane_selected.connect(lambda name: self._select(name, ""))
         self.histograms.plane_activated.connect(lambda name: self._go_to(name, ""))
+        self.histograms.used_changed.connect(self.controller.use_target)
         enlargeable = (self.results, self.histograms, self.tools.sections.panel)
         for panel in enlargeable:
             panel.enlarged.connect(partial(self.dock_layout.set_enlarged, panel))

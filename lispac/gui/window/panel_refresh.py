@@ -34,8 +34,8 @@ MIN_TARGET_COUNT = 2
 TASK_STEPS = {ESTIMATE_KEY: ADJUST, VALIDATION_KEY: VALIDATE}
 """Step of the workflow by the key of its task."""
 PROJECT_ACTIONS = (
-    "before", "seed_target", "seed_validation", "hover", "change_role", "fit",
-    "fit_selection", *VIEWS, "normal", "orthographic", "larger", "smaller",
+    "acceptance_criteria", "before", "seed_target", "seed_validation", "hover", "change_role",
+    "fit", "fit_selection", *VIEWS, "normal", "orthographic", "larger", "smaller",
     *COLOUR_ACTIONS.values(), "colour_next", "picture", "copy_picture", "section",
     "section_points", "section_forward", "section_backward", "section_picture", "copy_section",
     "measure_distance", "measure_angle", "clip",

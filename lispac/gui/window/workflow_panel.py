@@ -170,7 +170,8 @@ class _StepHeader(QPushButton):
         self.sentence.setText(sentence)
         described = gettext("{step}: {status}", step=self._title, status=sentence)
         self.setAccessibleName(described)
-        self.setToolTip(widgets.plain_tip(f"{described} ({gettext(state)})"))
+        tip = f"{described} ({gettext(state)})\n{status.advice}"
+        self.setToolTip(widgets.wrapped_tip(tip))
 
 
 def _top_aligned(panel: QWidget) -> QWidget:

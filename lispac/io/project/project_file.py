@@ -41,7 +41,7 @@ from lispac.io.project.project_lock import content_digest, project_lock
 from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
 from lispac.message_texts import has_text
 from lispac.messages import Message, error
-from lispac.project import PickedSighting, Project, Target
+from lispac.project import UNSAVED_FIELDS, PickedSighting, Project, Target
 from lispac.survey.store.layout import is_link, require_no_link
 from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.targets.plane_finder import with_seed_position
@@ -348,7 +348,7 @@ def _file_converter() -> Any:
 def _stored_fields() -> dict[str, Any]:
     """Types of the fields of a project that are in its file, in the order of the file."""
     kinds = get_type_hints(Project, include_extras=True)
-    return {name: kind for name, kind in kinds.items() if name not in ("folder", "file_digest")}
+    return {name: kind for name, kind in kinds.items() if name not in UNSAVED_FIELDS}
 
 
 OPTIONAL_FIELDS = frozenset({"absolute", "data_messages", "reading_warnings", "prediction"})

@@ -61,12 +61,16 @@ def test_an_edit_of_a_plane_keeps_the_comparisons_of_the_others(project: Project
     assert without.validation == (compared["V1"], compared["V3"])
     assert dict(without.not_compared) == {}
     again = set_target_use(without, "V2", True)
-    assert again.validation == without.validation
-    assert {name: each.code for name, each in again.not_compared.items()} == {
+    assert again.validation == project.validation
+    assert dict(again.not_compared) == {}
+    line = project.target("V2").sightings[0].line
+    edited = set_target_use(set_sighting_use(without, "V2", line, False), "V2", True)
+    assert edited.validation == without.validation
+    assert {name: each.code for name, each in edited.not_compared.items()} == {
         "V2": "validation.plane_edited"
     }
     assert project.without_target("V2").validation == without.validation
-    last = again.without_target("V1").without_target("V3")
+    last = edited.without_target("V1").without_target("V3")
     assert last.validation == ()  # nothing to compare with is the same as no validation
     assert dict(last.not_compared) == {}
     line = project.target("V1").sightings[0].line

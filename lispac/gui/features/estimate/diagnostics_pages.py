@@ -23,7 +23,13 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
 from lispac.present.parameters import WINDOW_PARAMETERS_TABLE, angle_parameters, parameter_values
-from lispac.present.sightings import POS_ERROR_CAPTION, SIGHTINGS_TABLE, sighting_values
+from lispac.present.sightings import (
+    POS_ERROR_CAPTION,
+    SIGHTINGS_TABLE,
+    UNDETERMINED_POS_ERRORS_TEXT,
+    has_undetermined_pos_errors,
+    sighting_values,
+)
 from lispac.present.tables import Table
 from lispac.present.targets import TARGETS_TABLE, target_values
 from lispac.project import Project
@@ -160,6 +166,13 @@ class PosErrorsPage(FigurePage):
         super().__init__()
         self._row.setDirection(QBoxLayout.Direction.TopToBottom)
         self._row.addWidget(widgets.label(gettext(POS_ERROR_CAPTION), "muted", wrap=True))
+        self.undetermined = widgets.label(
+            gettext(UNDETERMINED_POS_ERRORS_TEXT),
+            "muted",
+            wrap=True,
+            name="undetermined_pos_errors",
+        )
+        self._row.addWidget(self.undetermined)
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if no POS error of a sighting was estimated."""
@@ -171,6 +184,8 @@ class PosErrorsPage(FigurePage):
 
         super().draw(result)
         assert self.canvas is not None
+        drawn = [each for each in sighting_values(result) if each.pos_error is not None]
+        self.undetermined.setVisible(has_undetermined_pos_errors(drawn))
         height = pos_errors_height(len(result.reliability)) * self.canvas.figure.dpi
         self.canvas.setMinimumHeight(round(height / self.canvas.devicePixelRatioF()))
 

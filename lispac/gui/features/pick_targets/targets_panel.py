@@ -544,9 +544,10 @@ def _target_items(target: Target, project: Project) -> list[QTableWidgetItem]:
             if radius
             else gettext("Radius unknown")
         )
-    lines = QTableWidgetItem(
-        gettext("{used:n} of {total:n}", used=len(target.used_sightings), total=len(project.lines))
+    found = gettext(
+        "{used:n} of {total:n}", used=len(target.used_sightings), total=len(project.lines)
     )
+    lines = QTableWidgetItem(found if target.used else gettext("excluded"))
     lines.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     for item in (role, shape, lines):
         item.setFlags(flags)

@@ -181,6 +181,8 @@ class HistogramsPanel(QWidget):
     """Another plane was selected, by the user or as the worst one."""
     plane_activated = Signal(str)
     """The user double-clicked a plane, or pressed Enter on it."""
+    used_changed = Signal(str, bool)
+    """The user excluded or included a plane."""
     enlarged = Signal(bool)
     """The user wants a higher panel, or the initial height."""
 
@@ -227,6 +229,7 @@ class HistogramsPanel(QWidget):
         """Table of the planes, and a text on the selected one or on the plot under the mouse."""
         self.table = PlanesTable()
         self.table.plane_selected.connect(self._on_plane_selected)
+        self.table.used_changed.connect(self.used_changed)
         self.table.activated.connect(lambda _index: self.plane_activated.emit(self.current))
         self.reading = _ReadingLabel()
         planes = QWidget()
@@ -447,8 +450,9 @@ class HistogramsPanel(QWidget):
         from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
         self._show_judgement()
-        self.reading.setText(gettext(ZOOM_HINT))
-        if self.plot.currentIndex() == PAIRS_VIEW:
+        is_table = self.plot.currentIndex() == PAIRS_VIEW
+        self.reading.setText("" if is_table else gettext(ZOOM_HINT))
+        if is_table:
             return
         canvas = self._plot_canvas()
         self._blank_other_picture()
@@ -469,7 +473,11 @@ class HistogramsPanel(QWidget):
             share = self.plot.currentIndex() == PERCENT_PLOT
             histogram_figure(comparison, canvas.figure, share=share, titled=not self._plot_form[0])
         self._show_units(canvas.figure)
-        self._zooming.set_home(zooms_vertically=False)
+        limits = [axes.get_xlim() for axes in canvas.figure.axes]
+        if self.plot.currentIndex() != PROFILE_PLOT:
+            furthest = 1000.0 * float(comparison.bin_edges[-1])
+            limits = [(0.0, max(furthest, shown[1])) for shown in limits]
+        self._zooming.set_home(zooms_vertically=False, limits=limits)
         canvas.draw_idle()
         canvas.setAccessibleName(
             gettext(

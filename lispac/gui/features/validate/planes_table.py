@@ -3,10 +3,11 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QFont, QIcon
+from PySide6.QtGui import QBrush, QContextMenuEvent, QFont, QIcon
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
+    QMenu,
     QSizePolicy,
     QTableWidget,
     QTableWidgetItem,
@@ -51,12 +52,15 @@ class PlanesTable(QTableWidget):
 
     plane_selected = Signal(str)
     """The user selected a plane, or clicked the selected one."""
+    used_changed = Signal(str, bool)
+    """The user excluded the selected plane, or included an excluded one, in the context menu."""
 
     def __init__(self) -> None:
         super().__init__(0, len(WINDOW_PLANES_TABLE.columns))
         self.failed: frozenset[str] = frozenset()
         """Names of the planes that fail an acceptance criterion."""
         self._comparisons: tuple[PlaneComparison, ...] = ()
+        self._excluded: tuple[str, ...] = ()
         self.setTabKeyNavigation(False)
         self.setObjectName("comparison_table")
         self.setAccessibleName(title_text(WINDOW_PLANES_TABLE.title))
@@ -93,6 +97,24 @@ class PlanesTable(QTableWidget):
         if watched is self.viewport() and event.type() == QEvent.Type.Resize:
             self.scrollTo(self.currentIndex())
         return super().eventFilter(watched, event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Offer to exclude the selected plane and to include the excluded ones."""
+        place = event.globalPos()
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            row = self.visualRect(self.currentIndex())
+            place = self.viewport().mapToGlobal(row.center())
+        menu = QMenu(self)
+        menu.setObjectName("planes_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        if (selected := self.current_comparison) is not None:
+            name = selected.name
+            text = gettext("Exclude {plane}", plane=name.replace("&", "&&"))
+            menu.addAction(text, lambda: self.used_changed.emit(name, False))
+        for name in self._excluded:
+            text = gettext("Include {plane}", plane=name.replace("&", "&&"))
+            menu.addAction(text, lambda name=name: self.used_changed.emit(name, True))
+        menu.popup(place)
 
     def show_planes(self, comparisons: Sequence[PlaneComparison]) -> None:
         """Show the planes; none is selected."""
@@ -138,6 +160,9 @@ class PlanesTable(QTableWidget):
 
     def show_verdicts(self, project: Project) -> None:
         """Show the limits, and whether each plane meets them."""
+        self._excluded = tuple(
+            plane.name for plane in project.targets_of_role("validation") if not plane.used
+        )
         judgement = project.judgement
         values = AcceptanceValues.of(judgement)
         self.failed = frozenset(

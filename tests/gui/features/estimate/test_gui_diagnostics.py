@@ -15,6 +15,7 @@ from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
+from lispac.present.sightings import has_undetermined_pos_errors, sighting_values
 from lispac.project import Project
 from tests.gui.support import (
     WAIT_MS,
@@ -123,6 +124,19 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
         band, half = panels[k].patches[0], 2 * item.pos_sigma[place] * abs(scale)
         assert band.get_x() == pytest.approx(-half)
         assert band.get_width() == pytest.approx(2 * half)
+    page = turn_to(shown, "POS error")
+    has_gap = any(
+        (each.pos_sigma_after >= 0.995 * each.pos_sigma).any() for each in result.reliability
+    )
+    assert page.undetermined.isVisible() == has_gap
+    assert page.undetermined.text().startswith("A component without a value or a point is not")
+    sightings = sighting_values(result)
+    known = replace(
+        sightings[0].pos_error, sigma_after_m=(0.0, 0.0, 0.0), sigma_after_deg=(0.0, 0.0, 0.0)
+    )
+    determined = [replace(each, pos_error=known) for each in sightings]
+    assert has_undetermined_pos_errors(sightings) == has_gap
+    assert not has_undetermined_pos_errors(determined)
     words = turn_to(shown, "Observability").text_label.text()
     for message in result.observability.messages:
         assert message_text(message) in words

@@ -141,6 +141,35 @@ def test_the_wheel_zooms_to_finer_bars_and_a_double_click_resets(
     assert axes.get_xlim() == whole
 
 
+def test_no_distance_below_zero_is_shown(driver: Driver, panel: HistogramsPanel) -> None:
+    panel.canvas.draw()
+    axes = panel.canvas.figure.axes[0]
+    bottom = place(panel, 0, 0.3 * axes.get_xlim()[1], 0.5 * axes.get_ylim()[1])
+    furthest = 1000 * panel.table.current_comparison.bin_edges[-1]
+    wheel(panel, bottom, 4)
+    right = bottom + QPoint(300, 0)
+    driver.bot.mousePress(panel.canvas, Left, pos=bottom)
+    driver.bot.mouseMove(panel.canvas, right)
+    driver.bot.mouseRelease(panel.canvas, Left, pos=right)
+    assert axes.get_xlim()[0] == 0.0
+    wheel(panel, bottom, -60)
+    assert axes.get_xlim() == pytest.approx((0.0, furthest))
+    panel.plot.setCurrentIndex(PROFILE_PLOT)
+    panel.canvas.draw()
+    profile = panel.canvas.figure.axes[0]
+    whole = profile.get_xlim()
+    wheel(panel, place(panel, 0, sum(whole) / 2, sum(profile.get_ylim()) / 2), -10)
+    assert profile.get_xlim() == pytest.approx(whole)
+
+
+def test_the_hint_on_zooming_is_only_shown_with_a_plot(panel: HistogramsPanel) -> None:
+    assert panel.reading.text().startswith("Wheel")
+    panel.plot.setCurrentIndex(PAIRS_VIEW)
+    assert panel.reading.text() == ""
+    panel.plot.setCurrentIndex(0)
+    assert panel.reading.text().startswith("Wheel")
+
+
 def colours_of(widget: QWidget) -> set[int]:
     image = widget.grab().toImage()
     return {
