@@ -107,8 +107,12 @@ class LineQualityIndicators(QWidget):
 
 
 MAX_REASONS = 2
-"""Largest number of reasons shown for lines without the target, and for lines of doubtful or poor
-quality; the tooltips have all."""
+"""Largest number of lines of doubtful or poor quality that are shown with their reason; the others
+are counted, and their tooltips have the reasons."""
+MORE_LINES_TEXT = Plural(
+    "and {count:n} more line of doubtful or poor quality",
+    "and {count:n} more lines of doubtful or poor quality",
+)
 TARGET_TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
@@ -218,6 +222,8 @@ class DetectedTargetPanel(QFrame):
             )
             for line, each in rated[:MAX_REASONS]
         ]  # fmt: skip
+        if more := len(rated) - len(texts):
+            texts.append(gettext(MORE_LINES_TEXT, count=more))
         self.reasons.setText("\n".join(texts))
         is_new = bool(texts) and self.reasons.isHidden()
         self.reasons.setVisible(bool(texts))
