@@ -107,6 +107,6 @@ def test_the_lines_without_the_target_are_listed_with_their_reasons(
     together = f"Not found in {names[3]} and {names[4]}. {message_text(reasons[names[3]])}"
     assert together in text
     assert f"Not found in {names[2]}. {message_text(reasons[names[2]])}" in text
-    assert f"Not found in {names[5]}." in text
+    assert f"Not found in {names[5]}. {message_text(reasons[names[5]])}" in text
     assert text.count("Not found") == 3
     assert all(f"{line}: " in box.detail.toolTip() for line in reasons)

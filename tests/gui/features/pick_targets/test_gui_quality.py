@@ -11,7 +11,17 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.targets.sighting_quality import SightingQuality
-from tests.gui.support import Demo, Driver, Key, Left, open_step, press, seed, wait_until_idle
+from tests.gui.support import (
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    open_step,
+    press,
+    seed,
+    wait_until_idle,
+)
 from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
@@ -205,3 +215,29 @@ def test_further_lines_of_doubtful_quality_are_counted(
     shown = box.reasons.text().split("\n")
     assert [text.partition(":")[0] for text in shown[:2]] == lines[:2]
     assert shown[2:] == ([last] if last else [])
+
+
+def test_enter_does_not_accept_a_candidate_whose_lines_are_all_poor(opened: Driver) -> None:
+    open_step(opened, 1)
+    seed(opened, "T2")
+    opened.rest()
+    window, box = opened.window, opened.window.targets.candidate
+    lines = [sighting.line for sighting in window.controller.candidate.sightings]
+    poor = dict.fromkeys(lines, replace(RATED, rating="poor"))
+    box.show_qualities(poor | {lines[0]: RATED})
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept  ⏎", True)
+    assert window.actions_["accept"].isEnabled()
+    box.accept.setFocus()
+    box.show_qualities(poor)
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept", False)
+    assert "Every line of the target is rated poor" in window.actions_["accept"].toolTip()
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert window.controller.candidate is not None
+    assert opened.project.targets == ()
+    click(opened, box.accept)
+    assert [target.name for target in opened.project.targets] == ["T1"]
+    seed(opened, "T1")
+    opened.rest()
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept  ⏎", True)
+    assert window.actions_["accept"].isEnabled()
