@@ -7,6 +7,7 @@ from lispac.gui.app.docks import DockLayout
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.features.validate.validation import VALIDATION_KEY
 from lispac.gui.project.computations import Computations, PointCount
@@ -26,7 +27,6 @@ from lispac.gui.project.status import (
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels, filled_docks
-from lispac.message_texts import message_text
 from lispac.messages import Message
 
 MIN_TARGET_COUNT = 2

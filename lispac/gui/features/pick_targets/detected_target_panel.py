@@ -10,11 +10,11 @@ from lispac.duplicate_targets import overlap_warning
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.pick_targets.sightings_table import RATING_TEXTS, quality_text
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.tables import MILLIMETRES
 from lispac.project import PickedSighting, Project, Role, Shape, Target

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QPushButton, QTableWidget
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
 from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
-from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
 from lispac.project import Project

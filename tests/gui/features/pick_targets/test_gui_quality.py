@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from lispac.message_texts import message_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.targets.sighting_quality import SightingQuality
