@@ -75,6 +75,7 @@ _DEGREES_IN_TEXT = re.compile("(?:(?<=[}\\d])[ \u00a0]|^)deg\\b|(?<=\\()deg(?=\\
 _program_language = "en"
 _block_language: ContextVar[str | None] = ContextVar("language", default=None)
 _has_degree_signs: ContextVar[bool] = ContextVar("degree_signs", default=False)
+_has_minus_signs: ContextVar[bool] = ContextVar("minus_signs", default=False)
 
 
 @dataclass(frozen=True)
@@ -170,6 +171,16 @@ def degree_signs() -> Iterator[None]:
         yield
     finally:
         _has_degree_signs.reset(token)
+
+
+@contextmanager
+def minus_signs() -> Iterator[None]:
+    """Write numbers in texts with a minus sign, not a hyphen, in a block and in this thread."""
+    token = _has_minus_signs.set(True)
+    try:
+        yield
+    finally:
+        _has_minus_signs.reset(token)
 
 
 def in_english(value: object) -> str:
@@ -379,7 +390,8 @@ class TextFormatter(Formatter):
                 decimals = decimals_apart(scaled, float(other) * factor, decimals)
             if unit == "percent" and decimals is not None and is_rounded_to_zero(scaled, decimals):
                 return LESS_THAN + number(10.0**-decimals, decimals)
-            return number(scaled, decimals, sign=format_spec.endswith("+"))
+            text = number(scaled, decimals, sign=format_spec.endswith("+"))
+            return text.replace("-", "\N{MINUS SIGN}") if _has_minus_signs.get() else text
         if format_spec:
             raise ValueError(f"no format specification {format_spec!r}")
         return str(value)

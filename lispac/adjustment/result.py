@@ -57,6 +57,8 @@ class SightingResidual:
     points : int
     rms_before, rms_after, mean_after : float, metres
         RMS and mean distance before and after the adjustment. Estimated POS errors are not removed.
+        The mean is positive on the side to which the normal of the surface points, or outside a
+        sphere.
     incidence : float or None, radians
         Mean angle between the beams and the normals of the surface. None in results of earlier
         versions.
@@ -81,8 +83,8 @@ class SightingReliability:
         Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
         and its standard deviation before and after the adjustment.
     shift : float, metres
-        Offset of the whole sighting along the normal from the result of all others, estimated
-        without a prior.
+        Offset of the whole sighting from the result of all others, estimated without a prior;
+        positive against the direction of the normal, or inside a sphere.
     w : float
         ``shift`` divided by its standard deviation (Baarda's test); standard normal if the sighting
         has no blunder.
@@ -143,6 +145,9 @@ class TargetResidual:
     noise_of_form : float or None
         Ratio of the noise explained by form errors of the surface to the given one, at least 1;
         only for planes with more than the given noise.
+    vessel_side : int or None
+        1 if the normal points towards the vessel, -1 if it points away from it; 1 for a sphere.
+        None in results of earlier versions.
     """
 
     target: str
@@ -153,6 +158,7 @@ class TargetResidual:
     sphere: bool = False
     noise: float = 1.0
     noise_of_form: float | None = None
+    vessel_side: int | None = None
 
 
 @dataclass(frozen=True)

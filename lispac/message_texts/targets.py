@@ -55,6 +55,7 @@ TEXTS: Mapping[str, Template] = {
     "finder.seed": N_("The seed must be three finite numbers: north, west and up, in metres."),
     # -- search in one line ------------------------------------------------------------------------
     "finder.seed_position": N_("(east {east:m.2} m; north {north:m.2} m; up {up:m.2} m)"),
+    "finder.predicted_position": N_("the position predicted for the target on this line"),
     "finder.few_points": Plural(
         "Only {count:n} point lies within {radius:m} m of {place}, but a target needs at least "
         "{needed:n}. Move the seed, or increase the search radius.",

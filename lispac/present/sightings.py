@@ -74,6 +74,10 @@ class PosErrorValues:
 class SightingValues:
     """Fit of a sighting to the surface of its target, and its test against all other sightings.
 
+    Mean and shift, and therefore w and the effect, are positive if the sighting is nearer to the
+    vessel than the surface. They are None in results of earlier versions, which do not contain the
+    side of the vessel.
+
     The values of the test are None with uncorrelated POS errors. Shift, w, detectable shift and its
     effect are also None if no other data check the sighting. ``largest_w`` is the largest test
     value of a point, measured at ``largest_w_time_s``, which is None in results of earlier
@@ -86,7 +90,7 @@ class SightingValues:
     points: int
     rms_before_m: float
     rms_after_m: float
-    mean_after_m: float
+    mean_after_m: float | None
     incidence_deg: float | None
     status: SightingStatus
     shift_m: float | None = None
@@ -123,19 +127,25 @@ def sighting_values(
     """
     critical = critical_test_value(result) or math.inf
     tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
+    sides = {target.target: target.vessel_side for target in result.targets}
     return tuple(
         _sighting_values(
             each,
             tests.get((each.sighting.target, each.sighting.line)),
             (headings_deg or {}).get(each.sighting.line),
             critical,
+            sides[each.sighting.target],
         )
         for each in result.sightings
     )
 
 
 def _sighting_values(
-    fit: SightingResidual, test: SightingReliability | None, heading: float | None, critical: float
+    fit: SightingResidual,
+    test: SightingReliability | None,
+    heading: float | None,
+    critical: float,
+    vessel_side: int | None,
 ) -> SightingValues:
     sighting = fit.sighting
     values = SightingValues(
@@ -145,7 +155,7 @@ def _sighting_values(
         points=fit.points,
         rms_before_m=fit.rms_before,
         rms_after_m=fit.rms_after,
-        mean_after_m=fit.mean_after,
+        mean_after_m=None if vessel_side is None else vessel_side * fit.mean_after,
         incidence_deg=None if fit.incidence is None else math.degrees(fit.incidence),
         status="not tested",
     )
@@ -155,13 +165,18 @@ def _sighting_values(
     if status == "agrees" and test.outliers > MANY_OUTLIERS_SHARE * fit.points:
         status = "many outliers"
     is_checked = bool(test.detectable < MAX_DETECTABLE_BIAS)
+    if is_checked and vessel_side is not None:
+        towards_vessel = -vessel_side  # the test is positive against the direction of the normal
+        values = replace(
+            values,
+            shift_m=towards_vessel * test.shift,
+            w=towards_vessel * test.w,
+            effect_deg=degrees(towards_vessel * test.effect),
+        )
     return replace(
         values,
         status=status,
-        shift_m=test.shift if is_checked else None,
-        w=test.w if is_checked else None,
         detectable_m=test.detectable if is_checked else None,
-        effect_deg=degrees(test.effect) if is_checked else None,
         redundancy=test.redundancy,
         outliers=test.outliers,
         largest_w=test.largest_w,
@@ -209,12 +224,15 @@ RMS_AFTER_COLUMN = Column[SightingValues](
         "larger than before."
     ),
 )  # fmt: skip
-MEAN_AFTER_COLUMN = Column[SightingValues]("mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed)
+MEAN_AFTER_COLUMN = Column[SightingValues](
+    "mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed,
+    N_("Mean distance from the adjusted surface; positive if nearer to the vessel"),
+)  # fmt: skip
 SHIFT_COLUMN = Column[SightingValues](
     "shift_m", N_("Shift"), MILLIMETRES.signed,
     N_(
         "Shift of the sighting from the surface fitted to all other sightings, without the "
-        "estimated POS error of the line"
+        "estimated POS error of the line; positive if nearer to the vessel"
     ),
 )  # fmt: skip
 W_COLUMN = Column[SightingValues](

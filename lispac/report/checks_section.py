@@ -31,11 +31,11 @@ from lispac.report.section_summaries import cross_check_summary, reliability_sum
 
 SIGHTING_TEST_TEXT = N_(
     "Each sighting of a target is compared with the result of all others. Shift: distance of the "
-    "sighting from the surface of its target, along the normal. w: shift divided by its sigma; "
-    "above {limit} the sighting disagrees (1 % probability that any of {count:n} sightings of "
-    "targets without a blunder does so). Detectable shift: smallest shift that the test finds with "
-    "80 % probability. Effect: change of the angles caused by a shift of that size that is not "
-    "found."
+    "sighting from the surface of its target, positive if nearer to the vessel. w: shift divided "
+    "by its sigma; above {limit} the sighting disagrees (1 % probability that any of {count:n} "
+    "sightings of targets without a blunder does so). Detectable shift: smallest shift that the "
+    "test finds with 80 % probability. Effect: change of the angles caused by a positive shift of "
+    "that size that is not found."
 )
 POINT_TEST_TEXT = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "

@@ -47,7 +47,8 @@ SYSTEM_FIELDS = (
 )  # fmt: skip
 """Fields of the equipment, which the short report gives with the lever arm."""
 COMMON_SURFACE_TEXT = N_(
-    "RMS and mean are distances from the common surface of all lines. After the adjustment they "
+    "RMS and mean are distances from the common surface of all lines; a mean is positive if the "
+    "line is nearer to the vessel. After the adjustment they "
     "still contain the POS error of each sighting, which the boresight cannot correct."
 )
 NOISE_FACTOR_TEXT = N_(

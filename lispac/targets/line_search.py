@@ -9,7 +9,7 @@ and the comparison with the reference depend on the shape.
 import os
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
 import numpy as np
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from lispac.errors import TargetNotFound
 from lispac.geometry.radius_search import PointGrid, nearest_point, points_within
 from lispac.language import gettext_lazy
-from lispac.messages import Message, as_message, error
+from lispac.messages import Message, as_message, error, note
 from lispac.progress import Progress
 from lispac.targets.cloud_shift import CloudShift, find_shifts, voxel_numbers
 from lispac.targets.finder_settings import FinderSettings
@@ -347,7 +347,18 @@ def _search_from_reference(
             gettext_lazy("Search for the target in {line} finished", line=name),
         ),
     )
-    return found, {name: as_message(reason.reason) for name, reason in missing.items()}
+    return found, {name: _at_prediction(as_message(each.reason)) for name, each in missing.items()}
+
+
+def _at_prediction(reason: Message) -> Message:
+    """Reason why a line has no target, with the place where it was searched for.
+
+    This place is predicted from the surroundings of the target and differs from the seed.
+    """
+    if "place" not in reason.params:
+        return reason
+    place = note("finder.predicted_position")
+    return replace(reason, params={**reason.params, "place": place})
 
 
 def _clicked_line(

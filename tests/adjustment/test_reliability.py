@@ -24,6 +24,7 @@ from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
 from lispac.adjustment.solve.blunders import Blunder
 from lispac.adjustment.solve.iteration import iterate
 from lispac.adjustment.solve.variance_components import estimate_variance_components
+from lispac.present.sightings import sighting_values
 from lispac.progress import no_progress
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
@@ -137,6 +138,36 @@ def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> 
         np.testing.assert_array_equal(item.pos_error, linearised.state.pos_errors[nearest])
         np.testing.assert_allclose(item.pos_sigma_after, np.sqrt(variance[nearest]), rtol=1e-4)
         np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
+
+
+@pytest.mark.parametrize("sighting", [0, 7])
+def test_mean_and_shift_are_presented_positive_if_nearer_to_the_vessel(sighting: int) -> None:
+    data = survey(1, 0.3)
+    shape = fit_shapes(data, PRIOR)[data.target_of_sighting[sighting]]
+    side = np.sign(data.position[data.sighting == sighting].mean(axis=0) @ shape[:3] + shape[3])
+    (clean, nearer) = (
+        sighting_values(adjust(each, PRIOR, FIXED_SURFACE_MODEL))[sighting]
+        for each in (data, shifted(data, sighting, 0.05 * side))
+    )
+    assert nearer.mean_after_m > clean.mean_after_m + 0.01
+    assert nearer.shift_m == pytest.approx(clean.shift_m + 0.05, abs=0.01)
+    assert nearer.w > clean.w + 3.0
+
+
+def test_sign_of_the_effect_is_that_of_a_shift_towards_the_vessel() -> None:
+    data = survey(1, 0.3)
+    result = adjust(data, PRIOR, FIXED_SURFACE_MODEL)
+    (values, *_), test = sighting_values(result), result.reliability[0]
+    side = result.targets[0].vessel_side
+    assert values.effect_deg.roll == -side * np.degrees(test.effect[0])
+
+
+def test_results_without_the_side_of_the_vessel_have_no_signed_values() -> None:
+    result = adjust(survey(1, 0.3), PRIOR, FIXED_SURFACE_MODEL)
+    old = replace(result, targets=tuple(replace(t, vessel_side=None) for t in result.targets))
+    for new, each in zip(sighting_values(result), sighting_values(old), strict=True):
+        assert (each.mean_after_m, each.shift_m, each.w, each.effect_deg) == (None,) * 4
+        assert (each.status, each.detectable_m) == (new.status, new.detectable_m)
 
 
 def test_detectable_shift_is_four_sigmas(linearised) -> None:

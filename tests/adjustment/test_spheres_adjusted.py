@@ -13,6 +13,7 @@ from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share
 from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.messages import note
+from lispac.present.sightings import sighting_values
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
@@ -115,6 +116,23 @@ def picked(balls) -> Project:
             project, balls.survey, balls.seed(name), name=name, shape="sphere", sphere_radius=radius
         )
     return picking.pick_target(project, balls.survey, balls.seed("board"), name="T1")
+
+
+def test_mean_and_shift_on_a_ball_are_presented_positive_if_nearer_to_the_vessel() -> None:
+    generator = np.random.default_rng(3)
+    targets = [*three_balls(0.1), *THESIS_BOARDS[1:]]
+    exact = error_free_survey(TRUTH, targets, six_courses(), 0.01, generator)
+    data = add_errors(exact, HYDROGRAPHIC_INS, generator)
+    own = data.sighting == 0
+    points = data.points_lidar.copy()
+    points[own] *= 1.0 - 0.03 / np.linalg.norm(points[own], axis=1, keepdims=True)
+    clean, nearer = (
+        sighting_values(adjust(each, prior(2.0), StochasticModel(surface=0.002)))[0]
+        for each in (data, replace(data, points_lidar=points))
+    )
+    assert nearer.mean_after_m > clean.mean_after_m + 0.01
+    assert nearer.shift_m > clean.shift_m + 0.01
+    assert nearer.w > clean.w + 3.0
 
 
 def test_a_ball_is_picked_in_every_line(balls, picked):

@@ -151,6 +151,7 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
                 0.0541,
                 0.00296,
                 np.array([0.0, np.cos(lean), np.sin(lean), 15.0]),
+                vessel_side=1,
             )
             for target, lean in zip(targets, (0.0, -np.pi / 4), strict=True)
         ),

@@ -15,10 +15,14 @@ from lispac.geometry.radius_search import PointGrid, points_within
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.las.las_format import read_scan
 from lispac.io.trajectory.sbet import read_sbet
+from lispac.message_texts import message_text
+from lispac.messages import error
+from lispac.progress import no_progress
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.targets.plane_finder import FinderSettings, find_plane
+from lispac.targets.line_search import ShapeSearch, search_target_in_lines
+from lispac.targets.plane_finder import FinderSettings, find_plane, seed_text
 from lispac.targets.planes_across_lines import find_in_lines
 from tests.support.error_codes import has_code
 from tests.support.long_runs import others_long
@@ -228,6 +232,27 @@ def test_a_line_without_the_target_has_a_reason():
     assert set(found) == {"L1", "L2"}
     assert missing["away"].code == missing["empty"].code == "finder.line_no_points"
     assert missing["ground"].code
+
+
+def test_the_reason_of_another_line_names_the_predicted_position_and_not_the_seed():
+    def refuse(name):
+        raise PlaneNotFound(error("finder.no_plane", place=seed_text(CENTRE + 4), threshold=0.015))
+
+    shape = ShapeSearch(
+        no_line="finder.no_line_for_plane",
+        in_no_line="finder.no_plane_in_lines",
+        error=PlaneNotFound,
+        find=lambda name: "patch",
+        distance=lambda name, patch: 0.0,
+        follow=lambda name, patch: refuse,
+    )
+    clouds = {"L1": CENTRE[None], "L2": CENTRE[None]}
+    found, missing = search_target_in_lines(clouds, {}, CENTRE, shape, "L1", no_progress)
+    assert found == {"L1": "patch"}
+    assert message_text(missing["L2"]) == (
+        "No plane fits the points around the position predicted for the target on this line "
+        "within 15.0 mm."
+    )
 
 
 def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():

@@ -172,6 +172,22 @@ def _form_error_noise(
     return form_error_noise(problem.observations, state.mounting, standardised, of_interest)
 
 
+def _vessel_side(observations: Observations, target: int, shape: Array) -> int:
+    """Side of a plane on which the vessel was: 1 if its normal points there, else -1.
+
+    Spheres are seen from outside, where distances are positive.
+
+    Parameters
+    ----------
+    shape : ndarray of shape (4,), local frame
+    """
+    if observations.is_sphere[target]:
+        return 1
+    own = observations.target_of_sighting[observations.sighting] == target
+    distance = float(observations.position[own].mean(axis=0) @ shape[:3] + shape[3])
+    return 1 if distance >= 0.0 else -1
+
+
 def _residual_statistics(
     observations: Observations,
     before: Array,
@@ -200,6 +216,7 @@ def _residual_statistics(
                 name, int(counts.sum()), float(b), float(a), shapes[k],
                 bool(observations.is_sphere[k]), float(noise[k]),
                 None if np.isnan(of_form[k]) else float(of_form[k]),
+                _vessel_side(observations, k, shapes[k]),
             )
         )  # fmt: skip
     both = np.sqrt(observations.counts @ squares / len(observations))

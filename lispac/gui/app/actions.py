@@ -152,7 +152,10 @@ class Actions(QObject):
         tip = "" if menu is not None else self._tip(name)
         added = [] if reason is None else [reason.text]
         action.setToolTip("\n".join([tip, *added] if tip else added))
-        action.setStatusTip(" ".join([self._records[name].texts[1], *added] if tip else added))
+        status = self._records[name].texts[1] if tip else ""
+        if status and added:  # in one line, unlike the tool tip
+            status = f"{status.removesuffix('.')}."
+        action.setStatusTip(" ".join([status, *added] if status else added))
 
     def reason(self, name: str) -> Reason:
         """Reason why an action or a submenu is disabled; None if it is enabled."""

@@ -17,6 +17,10 @@ class Unavailable(Enum):
     NO_RESULT = N_("Estimate the boresight first.")
     WAITING = N_("The result is being updated.")
     NO_CANDIDATE = N_("No detected target is waiting to be accepted.")
+    POOR_CANDIDATE = N_(
+        "Every line of the target is rated poor, so Enter does not accept it. Press the button "
+        "Accept in step 2 to accept it nevertheless."
+    )
     ONE_LINE = N_("At least two lines are needed.")
     NO_OBJECT = N_("Find or add an object first.")
     NO_ANGLES = N_("Find the angles first.")

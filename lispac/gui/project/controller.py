@@ -12,12 +12,12 @@ from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.app.questions import CandidateChoice
 from lispac.gui.app.settings import AppSettings, documents_folder
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.viewport.base import PickedPoint
 from lispac.language import N_, Plural, Template, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.progress import Progress, sub_progress
 from lispac.project import LineSource, Project, Settings, Target, Triple

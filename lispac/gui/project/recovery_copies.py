@@ -16,11 +16,11 @@ from lispac.errors import InputError, LispacError, failure_reason
 from lispac.gui.app.language import local_datetime
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.io.project.project_file import remove_unsaved, write_unsaved
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.project import Project
 from lispac.workflow.project.moved_files import with_files_of

@@ -19,7 +19,7 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
-LEGEND_TITLE = N_("Residual (mm)")
+LEGEND_TITLE = N_("Residual (mm), positive: nearer to the vessel")
 OTHER_POINTS_COLOUR = (188, 194, 200)
 """Colour of points that belong to no target."""
 PERCENT_BEYOND_SCALE = 2.0
@@ -29,12 +29,12 @@ SightingKey = tuple[str, str]
 
 
 def residuals(project: Project, survey: Survey) -> dict[SightingKey, Array]:
-    """Signed distances of all points of the adjusted sightings from their surfaces.
+    """Signed distances of all points of the adjusted sightings, positive towards the vessel.
 
     Returns
     -------
     ndarray of shape (n,), metres, by target and line
-        Distances after the adjustment.
+        Distances from the surfaces after the adjustment.
 
     Raises
     ------
@@ -51,6 +51,10 @@ def residuals(project: Project, survey: Survey) -> dict[SightingKey, Array]:
         values = fit.plane
         surface = Sphere(values[:3], float(values[3])) if fit.sphere else None
         plane = Plane(values[:3], float(values[3]))
+        if fit.vessel_side is None:  # a result of an earlier version
+            plane = _facing_vessel(plane, survey)
+        elif fit.vessel_side < 0:
+            plane = plane.flipped()
         target = next((each for each in project.targets if each.name == fit.target), None)
         for sighting in target.used_sightings if target is not None else ():
             points = clouds[sighting.line][sighting.indices]
@@ -59,8 +63,18 @@ def residuals(project: Project, survey: Survey) -> dict[SightingKey, Array]:
     return found
 
 
-def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[SightingKey, Array]:
+def _facing_vessel(plane: Plane, survey: Survey) -> Plane:
+    """The same plane, with its normal on the side of the vessel."""
+    distance = plane.distances(survey.trajectory.position.mean(axis=0))
+    return plane if distance >= 0.0 else plane.flipped()
+
+
+def validation_distances(
+    project: Project, survey: Survey, clouds: Mapping[str, Cloud]
+) -> dict[SightingKey, Array]:
     """Signed distances of the points on validation planes from the plane through all lines.
+
+    They are positive towards the vessel.
 
     Parameters
     ----------
@@ -78,7 +92,7 @@ def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[
             if sighting.line in clouds
         }
         if len(points) > 1:
-            plane = fit_plane(np.concatenate(list(points.values())))
+            plane = _facing_vessel(fit_plane(np.concatenate(list(points.values()))), survey)
             found |= {(target.name, line): plane.distances(own) for line, own in points.items()}
     return found
 
@@ -97,6 +111,8 @@ def residual_shading(
 ) -> tuple[PointColouring, dict[SightingKey, NDArray[np.uint8]]]:
     """Grey lines with a legend, and colours of the points of the sightings.
 
+    Red points are nearer to the vessel than the surface, blue ones farther away.
+
     Parameters
     ----------
     clouds : points of each line, as displayed
@@ -110,7 +126,7 @@ def residual_shading(
     """
     from matplotlib import colormaps
 
-    found = residuals(project, survey) | validation_distances(project, clouds)
+    found = residuals(project, survey) | validation_distances(project, survey, clouds)
     colour_limit = _colour_limit(found) if colour_limit is None else colour_limit
     scale = np.asarray(
         np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8

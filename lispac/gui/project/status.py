@@ -6,9 +6,9 @@ from typing import Literal
 from lispac.duplicate_targets import all_warnings, data_warnings
 from lispac.gui.app.language import local_datetime
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.document import ExportedReport
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.present.acceptance import AcceptanceValues, calibration_verdict_text
 from lispac.project import Project

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
 from lispac.errors import LispacError, system_reason
 from lispac.gui import widgets
+from lispac.gui.appearance.message_texts import message_text
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 
 

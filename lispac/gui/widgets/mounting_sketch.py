@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.gui.widgets.scanner_axes_view import (
@@ -29,7 +30,6 @@ from lispac.gui.widgets.scanner_axes_view import (
     exaggeration_text,
 )
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
 
 View = Literal["above", "starboard"]

@@ -7,6 +7,7 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QToolTip
 
 from lispac.gui.appearance import units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_input import (
     NumberEntry,
@@ -16,7 +17,6 @@ from lispac.gui.widgets.number_input import (
     parse_number,
 )
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
 BASE_OF_SUFFIX: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}

@@ -14,7 +14,7 @@ from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QToolTip, QWidget
 
 from lispac.errors import InputError
-from lispac.message_texts import message_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.messages import Message
 
 _SPACES = dict.fromkeys(map(ord, "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}\N{THIN SPACE}"), " ")

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLineEdit
 
 from lispac.errors import InputError
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_input import (
     NumberEntry,
@@ -14,7 +15,6 @@ from lispac.gui.widgets.number_input import (
     parse_number,
 )
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
 BASE_OF_SIGN: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}

@@ -7,6 +7,7 @@ from lispac.gui.app.docks import DockLayout
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.features.validate.validation import VALIDATION_KEY
 from lispac.gui.project.computations import Computations, PointCount
@@ -26,7 +27,6 @@ from lispac.gui.project.status import (
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels, filled_docks
-from lispac.message_texts import message_text
 from lispac.messages import Message
 
 MIN_TARGET_COUNT = 2
@@ -76,6 +76,7 @@ class PanelRefresh(QObject):
         runner.progress_changed.connect(self._show_progress)
         controller.candidate_changed.connect(self._show_candidate)
         panels.targets.candidate.grown.connect(self._scroll_to_candidate)
+        panels.targets.candidate.rated.connect(self._enable_candidate)
         computations.counted.connect(self._show_count)
         scene.which_changed.connect(self._show_before_after)
 
@@ -173,8 +174,10 @@ class PanelRefresh(QObject):
 
     def _enable_candidate(self) -> None:
         waits = self._controller.candidate is not None
-        for name in ("accept", "reject"):
-            self._actions.set_reason(name, first_reason((not waits, Unavailable.NO_CANDIDATE)))
+        none = (not waits, Unavailable.NO_CANDIDATE)
+        poor = (self._panels.targets.candidate.is_poor, Unavailable.POOR_CANDIDATE)
+        self._actions.set_reason("accept", first_reason(none, poor))
+        self._actions.set_reason("reject", first_reason(none))
 
     def _show_progress(self) -> None:
         task = self._runner.current

@@ -71,9 +71,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     gc.disable()  # replaced by `GuiThreadGarbageCollector`
     from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.app.log_file import LogFile
+    from lispac.gui.appearance.message_texts import message_text
     from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.gui.window.session import Session
-    from lispac.message_texts import message_text
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))

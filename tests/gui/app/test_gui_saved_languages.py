@@ -12,8 +12,8 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.workflow.project.projects import save_project
 from tests.gui.french_support import english, pieces, texts

@@ -6,8 +6,8 @@ from html import unescape
 from pathlib import Path
 
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.report.report_export import ReportExport
-from lispac.message_texts import message_text
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
 

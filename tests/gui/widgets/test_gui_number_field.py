@@ -10,9 +10,9 @@ from pytestqt.qtbot import QtBot
 from lispac.gui import widgets
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.number_input import parse_number
-from lispac.message_texts import message_text
 from tests.gui.support import in_front
 from tests.support.message_codes import is_shown
 

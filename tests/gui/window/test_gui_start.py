@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.app.language import set_language
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.help.tour import SAME_ORIENTATION_TEXT, TOUR_STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
@@ -186,3 +187,15 @@ def test_a_cancelled_tour_does_not_affect_the_next_project(
     assert driver.project.targets
     assert not window.isWindowModified()
     assert not window.tour.is_running
+
+
+def test_the_status_bar_separates_the_tip_of_an_action_from_its_reason(driver: Driver) -> None:
+    actions = driver.window.actions_
+    assert actions["seed_target"].statusTip() == (
+        "The next Ctrl+click in the view picks an adjustment target. No project is open."
+    )
+    for action in actions.all:
+        tip, reason = action.statusTip(), Unavailable.NO_PROJECT.text
+        if tip.endswith(reason) and tip != reason:
+            assert tip.removesuffix(reason).endswith(". ")
+            assert ".." not in tip

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
 from lispac.errors import PlaneNotFound, ProjectError
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.planes_table import RMS
 from lispac.gui.viewport.base import PickedPoint
-from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 from tests.gui.support import (

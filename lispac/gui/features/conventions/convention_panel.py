@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.conventions.convention_inputs import (
     BoresightInputs,
     CurrentSettingsInputs,
@@ -34,7 +35,6 @@ from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext, in_english
-from lispac.message_texts import message_text
 from lispac.present.conventions import (
     SUM_ERROR_MILLIMETRES,
     SUM_ERROR_RANGE_M,

@@ -18,11 +18,11 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
 from lispac.gui.widgets.number_input import NumberEntry, PendingInput, parse_number
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
 

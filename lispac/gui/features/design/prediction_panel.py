@@ -16,13 +16,13 @@ from lispac.design.prediction import predict
 from lispac.gui import widgets
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
 from lispac.gui.widgets.result_tables import html_table, local_number, window_columns, window_rows
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, Plural, current_language, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.present import planning
 from lispac.present.planning import NOTHING_PREDICTED, PredictionValues

@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import AdjustmentResult
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
 from lispac.present.parameters import WINDOW_PARAMETERS_TABLE, angle_parameters, parameter_values
 from lispac.present.sightings import (

@@ -9,12 +9,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.controller import ESTIMATE_KEY, Controller
 from lispac.gui.project.document import Document, data_key
 from lispac.gui.project.scene import Scene
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext, gettext_lazy
-from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.present.tables import MILLIMETRES
 from lispac.progress import Progress, sub_progress

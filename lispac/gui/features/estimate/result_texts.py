@@ -6,10 +6,10 @@ from html import escape
 from lispac.adjustment.diagnostics.warnings import has_form_errors, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.adjustment import (
     agreement_template,

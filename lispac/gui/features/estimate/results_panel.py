@@ -27,13 +27,13 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.column_flow import ColumnFlow
 from lispac.gui.widgets.mounting_texts import SIGNS_TEXT, boresight_sentence, convention_html
 from lispac.gui.widgets.result_tables import fact_text, local_cell_text, local_number
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
 from lispac.present.adjustment import (
     ERROR_FORMAT,

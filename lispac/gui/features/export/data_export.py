@@ -7,13 +7,13 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.export.dialogs import ExportDialogs
 from lispac.gui.project.availability import data_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import Progress
 from lispac.workflow.output.export_request import ExportContent, ExportRequest

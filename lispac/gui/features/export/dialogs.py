@@ -11,9 +11,9 @@ from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.project import Project
 
 if TYPE_CHECKING:

@@ -21,6 +21,7 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.number_input import parse_number
@@ -33,7 +34,6 @@ from lispac.gui.widgets.system_choice import (
 )
 from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.project import BoresightChoice, Project
 from lispac.survey.trajectory import LocalTrajectory

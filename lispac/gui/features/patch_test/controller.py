@@ -11,6 +11,7 @@ from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.app.unavailable import Unavailable, first_reason
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, NO_DATA_TEXT, PatchTestPanel
@@ -22,7 +23,6 @@ from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
 from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.mismatch_minimisation import MismatchMinimum

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Reason, Unavailable, first_reason, reason_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.patch_test.angles import PatchAngles
 from lispac.gui.features.patch_test.pictures import CurvePicture, LinesPicture
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.patchtest.line_pairs import Kind, LinePair
 

@@ -2,18 +2,19 @@
 
 from collections.abc import Iterator, Mapping
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.duplicate_targets import overlap_warning
 from lispac.gui import widgets
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.pick_targets.sightings_table import RATING_TEXTS, quality_text
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.tables import MILLIMETRES
 from lispac.project import PickedSighting, Project, Role, Shape, Target
@@ -107,8 +108,12 @@ class LineQualityIndicators(QWidget):
 
 
 MAX_REASONS = 2
-"""Largest number of reasons shown for lines without the target, and for lines of doubtful or poor
-quality; the tooltips have all."""
+"""Largest number of lines of doubtful or poor quality that are shown with their reason; the others
+are counted, and their tooltips have the reasons."""
+MORE_LINES_TEXT = Plural(
+    "and {count:n} more line of doubtful or poor quality",
+    "and {count:n} more lines of doubtful or poor quality",
+)
 TARGET_TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
@@ -134,9 +139,13 @@ class DetectedTargetPanel(QFrame):
 
     grown = Signal()
     """Text was added, which may move the buttons out of view."""
+    rated = Signal()
+    """`is_poor` may have changed."""
 
     def __init__(self) -> None:
         super().__init__()
+        self.is_poor = False
+        """Whether every line of the detected target is rated poor."""
         self.setObjectName("candidate_box")
         self.setProperty("role", "candidate")
         layout = widgets.vertical_layout(self, 10)
@@ -150,10 +159,8 @@ class DetectedTargetPanel(QFrame):
         layout.addWidget(self.reasons)
         self.duplicate_warning = widgets.label("", "warning", wrap=True, name="candidate_double")
         layout.addWidget(self.duplicate_warning)
-        self.accept = widgets.button(
-            gettext("Accept  ⏎"), "accept_candidate", icon="check-bold", primary=True,
-            tip=gettext("Enter"),
-        )  # fmt: skip
+        self.accept = widgets.button(gettext("Accept  ⏎"), "accept_candidate", primary=True)
+        self._show_default_button()
         self.reject = widgets.button(
             gettext("Reject  Esc"), "reject_candidate", icon="close", tip=gettext("Esc")
         )
@@ -200,6 +207,8 @@ class DetectedTargetPanel(QFrame):
         )
         self.lights.show_target(candidate)
         self.reasons.hide()
+        self.is_poor = False
+        self._show_default_button()
         overlap = overlap_warning(candidate, project.targets)
         self.duplicate_warning.setText("" if overlap is None else message_text(overlap))
         self.duplicate_warning.setVisible(overlap is not None)
@@ -218,24 +227,40 @@ class DetectedTargetPanel(QFrame):
             )
             for line, each in rated[:MAX_REASONS]
         ]  # fmt: skip
+        if more := len(rated) - len(texts):
+            texts.append(gettext(MORE_LINES_TEXT, count=more))
         self.reasons.setText("\n".join(texts))
         is_new = bool(texts) and self.reasons.isHidden()
         self.reasons.setVisible(bool(texts))
+        self.is_poor = bool(qualities) and all(q.rating == "poor" for q in qualities.values())
+        self._show_default_button()
+        self.rated.emit()
         if is_new:
             self.grown.emit()
 
+    def _show_default_button(self) -> None:
+        """Show whether Enter accepts the target: not if every line is rated poor."""
+        accept = self.accept
+        accept.setText(gettext("Accept") if self.is_poor else gettext("Accept  ⏎"))
+        accept.setToolTip(Unavailable.POOR_CANDIDATE.text if self.is_poor else gettext("Enter"))
+        accept.setIcon(theme.icon("check-bold", "" if self.is_poor else theme.ON_FILL))
+        accept.setIconSize(QSize(ICON_SIZE_PX, ICON_SIZE_PX))
+        if accept.property("primary") == self.is_poor:
+            accept.setProperty("primary", not self.is_poor)
+            accept.style().unpolish(accept)
+            accept.style().polish(accept)
+        if self.is_poor:
+            accept.clearFocus()  # Enter would press the focused button
+
 
 def _missing_sentences(missing: Mapping[str, Message]) -> Iterator[str]:
-    """Lines without the target, with the most frequent reasons; lines with one reason together."""
+    """Lines without the target and the reasons, the most frequent first; equal ones together."""
     lines: dict[Message, list[str]] = {}
     for line, reason in missing.items():
         lines.setdefault(reason, []).append(line)
-    order = sorted(lines.items(), key=lambda each: -len(each[1]))
-    for reason, names in order[:MAX_REASONS]:
+    for reason, names in sorted(lines.items(), key=lambda each: -len(each[1])):
         yield gettext("Not found in {lines:names}.", lines=names)
         yield message_text(reason)
-    if others := [name for _, names in order[MAX_REASONS:] for name in names]:
-        yield gettext("Not found in {lines:names}.", lines=others)
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:

@@ -19,11 +19,11 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import ANGLES
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.picked_targets import Triple
 from lispac.present.tables import DEGREES
 

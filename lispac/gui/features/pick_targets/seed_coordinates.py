@@ -11,6 +11,7 @@ from lispac.geometry.frames import east_north_up
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.widgets.error_box import exception_text
@@ -18,7 +19,6 @@ from lispac.gui.widgets.number_input import parse_number
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.present.measured_point import AXIS_TITLES, UNIT_SIGNS, copied_point
 from lispac.project import Project, Triple, require_target_name

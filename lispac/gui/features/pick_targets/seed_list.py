@@ -22,12 +22,12 @@ from lispac.geometry.frames import east_north_up
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.present.seeds import (
     ROLE_TEXTS,
     SEED_METRES,

@@ -4,10 +4,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lispac.gui.app.questions import CandidateChoice
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.pick_targets.target_actions import SurveyDependentActions, TargetTools
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
 

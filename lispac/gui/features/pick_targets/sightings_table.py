@@ -17,10 +17,10 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import message_text
 from lispac.present.sighting_quality import EXTENT_METRES, RANGE_METRES
 from lispac.present.tables import COUNT, MILLIMETRES
 from lispac.project import PickedSighting, Project, Target

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.widgets.error_box import exception_text
@@ -30,7 +31,6 @@ from lispac.io.config.sensor_file import (
     SensorSpecification,
 )
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.workflow.planning.sensors import (
     MAX_TEXT_LENGTH,
     Sensor,

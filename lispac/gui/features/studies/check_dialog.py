@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
@@ -21,7 +22,6 @@ from lispac.gui.widgets.number_input import NumberDialog
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, system_text
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.present.absolute import LINE_CHECKS_TABLE, AbsoluteCheckValues, lines_and_all
 from lispac.present.tables import title_text
 from lispac.project import Project

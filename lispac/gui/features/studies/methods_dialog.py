@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QWidget
 from lispac.alternative_methods import Method
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult, comparison_messages
 from lispac.present.methods import METHOD_TITLES, WINDOW_METHODS_TABLE, MethodValues

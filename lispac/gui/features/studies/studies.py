@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.app.unavailable import Unavailable, first_reason
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.studies.dialogs import StudyDialogs
 from lispac.gui.project.availability import data_reason, result_reason
 from lispac.gui.project.controller import Controller
@@ -18,7 +19,6 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.method_comparison import method_results, missing_methods
 from lispac.present.absolute import AbsoluteCheckValues

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.calibrations import HISTORY_TABLE
 from lispac.present.error_budget import ErrorBudgetValues, budget_table

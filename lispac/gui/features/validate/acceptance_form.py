@@ -15,10 +15,10 @@ from lispac.acceptance import (
 )
 from lispac.errors import InputError
 from lispac.gui import widgets
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.number_input import NumberEntry, PendingInput, handle_shortcut_override
 from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project
 

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.acceptance import (
     AcceptanceCheckValues,

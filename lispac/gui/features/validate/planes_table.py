@@ -21,9 +21,9 @@ from lispac.acceptance import (
 )
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.result_tables import local_cell_text, local_number, window_columns
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
 from lispac.present.tables import MILLIMETRES, title_text
 from lispac.present.validation import WINDOW_PLANES_TABLE, ValidationPlane

@@ -4,11 +4,11 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.language import N_, Plural, Template, gettext
-from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.validation.local_models import DEFAULT_MODEL, LocalModel

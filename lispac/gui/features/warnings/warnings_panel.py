@@ -30,8 +30,9 @@ from PySide6.QtWidgets import (
 from lispac.duplicate_targets import NOISE_ACTIONS
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import action_text, message_text
+from lispac.message_texts import action_text
 from lispac.messages import Action, Level, Message
 from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE

@@ -10,9 +10,9 @@ from pytestqt.qtbot import QtBot
 from scipy.spatial.transform import Rotation
 
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.conventions.convention_panel import TITLE, ConventionPanel
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView, exaggeration_factor
-from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system

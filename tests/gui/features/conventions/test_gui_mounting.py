@@ -6,6 +6,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QScrollArea, QWidget
 
 from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.widgets.mounting_sketch import (
     SKETCH_HEIGHT_PX,
@@ -13,7 +14,6 @@ from lispac.gui.widgets.mounting_sketch import (
     MountingSketch,
     length_with_unit,
 )
-from lispac.message_texts import message_text
 from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.design.objective import PlanObjective
 from lispac.design.plan_search import information_gains
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.window import DesignWindow
-from lispac.message_texts import message_text
 from lispac.workflow.planning.plan_checks import plan_warnings
 from tests.gui.design_support import NoModifier, mouse_move, plan, predicted, shown, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left

@@ -10,11 +10,11 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
-from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.angles import Angles
 from lispac.present.planning import ANGLES_BY_ROW_TABLE, FormattedAnglesRow, SimulationValues

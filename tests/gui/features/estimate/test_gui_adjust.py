@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QLabel, QWidget
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.result import VarianceComponent
 from lispac.errors import InputError
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QPushButton, QTableWidget
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
 from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
-from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
 from lispac.present.sightings import has_undetermined_pos_errors, sighting_values
@@ -143,6 +143,12 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert f"Condition number {result.observability.condition:.1f}" in words
 
 
+def presented_w(project: Project) -> list[float]:
+    """Test values of the sightings, positive if nearer to the vessel."""
+    sides = {each.target: each.vessel_side for each in project.result.targets}
+    return [-sides[each.sighting.target] * each.w for each in project.result.reliability]
+
+
 def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
     table = turn_to(shown, "Sightings").table
@@ -150,7 +156,7 @@ def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     assert texts(table, "Incidence (°)") == [
         f"{np.degrees(s.incidence):.0f}" for s in result.sightings
     ]
-    assert texts(table, "w") == [f"{r.w:+.2f}".replace("-", "−") for r in result.reliability]
+    assert texts(table, "w") == [f"{w:+.2f}".replace("-", "−") for w in presented_w(estimated)]
     table = turn_to(shown, "Targets").table
     assert texts(table, "Target") == ["T1", "T2"]
     assert texts(table, "Noise factor") == [f"{t.noise:.2f}" for t in result.targets]
@@ -178,8 +184,8 @@ def test_a_heading_sorts_by_value(shown: Driver, estimated: Project):
     table = turn_to(shown, "Sightings").table
     head, place = table.horizontalHeader(), column(table, "w")
     at = QPoint(head.sectionViewportPosition(place) + 8, head.height() // 2)
-    values = sorted(r.w for r in estimated.result.reliability)
-    assert values != [r.w for r in estimated.result.reliability]
+    values = sorted(presented_w(estimated))
+    assert values != presented_w(estimated)
     shown.bot.mouseClick(head.viewport(), Left, pos=at)
     assert texts(table, "w") == [f"{v:+.2f}".replace("-", "−") for v in values]
 

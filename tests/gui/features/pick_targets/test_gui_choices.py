@@ -6,9 +6,9 @@ from math import radians
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
-from lispac.message_texts import message_text
-from lispac.messages import error
+from lispac.messages import error, note
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
@@ -107,6 +107,14 @@ def test_the_lines_without_the_target_are_listed_with_their_reasons(
     together = f"Not found in {names[3]} and {names[4]}. {message_text(reasons[names[3]])}"
     assert together in text
     assert f"Not found in {names[2]}. {message_text(reasons[names[2]])}" in text
-    assert f"Not found in {names[5]}." in text
+    assert f"Not found in {names[5]}. {message_text(reasons[names[5]])}" in text
     assert text.count("Not found") == 3
+    place = note("finder.seed_position", east=-7.43, north=-4.0, up=44.16)
+    renamed = {"L -1": error("finder.no_plane", place=place, threshold=0.015)}
+    opened.window.controller.set_candidate(
+        replace(target, name="T1", sightings=found, missing=renamed)
+    )
+    assert "east \N{MINUS SIGN}7.43 m; north \N{MINUS SIGN}4.00 m; up 44.16 m" in box.detail.text()
+    assert "Not found in L -1." in box.detail.text(), "a name has no minus sign"
+    reasons = renamed
     assert all(f"{line}: " in box.detail.toolTip() for line in reasons)

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from lispac.geometry.planes import fit_plane
 from lispac.gui.project.residuals import OTHER_POINTS_COLOUR, residuals, validation_distances
+from lispac.present.sightings import sighting_values
 from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -187,7 +189,11 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     for name, fit in targets.items():
         residuals_of_target = np.concatenate([found[key] for key in found if key[0] == name])
         assert np.sqrt(np.mean(residuals_of_target**2)) == pytest.approx(fit.rms_after, rel=0.25)
-    assert view.shading.title == "Residual (mm)"
+    assert view.shading.title == "Residual (mm), positive: nearer to the vessel"
+    for fit in sighting_values(adjusted.project.result):
+        # The table has the same sign; its means are those of the points used.
+        mean = found[fit.target, fit.line].mean()
+        assert mean == pytest.approx(fit.mean_after_m, abs=0.5 * fit.rms_after_m)
     assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {
         OTHER_POINTS_COLOUR
     }
@@ -217,9 +223,20 @@ def test_a_validation_plane_is_coloured_by_the_distances_between_its_lines(
     keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}
     shown = {each.key: each.shades for each in adjusted.viewport.highlights}
     assert all(shown[key] is not None for key in keys)
-    before = validation_distances(project, survey.clouds)
-    after = validation_distances(project, survey.placed(project, "estimated"))
-    assert set(before) == set(after) == keys
+    before = validation_distances(project, survey, survey.clouds)
+    after = validation_distances(project, survey, survey.placed(project, "estimated"))
+    middle = survey.trajectory.position.mean(axis=0)
+    for distances, clouds in (
+        (before, survey.clouds), (after, survey.placed(project, "estimated"))
+    ):  # fmt: skip
+        points = {
+            ("V1", each.line): clouds[each.line][each.indices]
+            for each in project.target("V1").used_sightings
+        }
+        together = np.concatenate(list(points.values()))
+        plane = fit_plane(together).facing(middle - together.mean(axis=0))
+        for key, own in points.items():
+            np.testing.assert_allclose(distances[key], plane.distances(own), rtol=0, atol=1e-9)
     spread = [np.sqrt(np.mean(np.concatenate(list(d.values())) ** 2)) for d in (before, after)]
     assert spread[1] < 0.5 * spread[0]
     colours = {key: shades.copy() for key, shades in shown.items() if key in keys}

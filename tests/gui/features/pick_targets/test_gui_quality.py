@@ -3,17 +3,34 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from lispac.message_texts import message_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.targets.sighting_quality import SightingQuality
-from tests.gui.support import Demo, Driver, Key, Left, open_step, press, seed, wait_until_idle
+from tests.gui.support import (
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    open_step,
+    press,
+    seed,
+    wait_until_idle,
+)
 from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
+
+
+RATED = SightingQuality(
+    points=500, rms=0.004, range=20.0, density=80.0, incidence=0.2, extent=np.array([2.0, 2.0]),
+    coverage=1.0, curvature=None, curved=False, roughness=None, rating="good", reasons=(),
+)  # fmt: skip
 
 
 def shown_value(driver: Driver, name: str, line: str, role: Role = Role.DisplayRole):
@@ -68,12 +85,8 @@ def test_an_effect_of_the_prior_boresight_below_a_tenth_of_a_millimetre_is_not_s
 ) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.bot.waitUntil(lambda: shown_value(picked, "T1", line, Role.DecorationRole) is not None)
-    rated = SightingQuality(
-        points=500, rms=0.004, range=20.0, density=80.0, incidence=0.2, extent=np.array([2.0, 2.0]),
-        coverage=1.0, curvature=None, curved=False, roughness=None, rating="good", reasons=(),
-    )  # fmt: skip
     for smear, is_named in ((4e-5, False), (6e-5, True)):
-        picked.window.table.sightings.show_qualities({("T1", line): replace(rated, smear=smear)})
+        picked.window.table.sightings.show_qualities({("T1", line): replace(RATED, smear=smear)})
         tip = shown_value(picked, "T1", line, Role.ToolTipRole)
         assert ("0.1\u00a0mm" in tip) == is_named
         assert "0.0\u00a0mm" not in tip
@@ -180,3 +193,51 @@ def test_quality_lights_belong_to_the_current_candidate(opened: Driver) -> None:
     for tip, count in zip(tips.values(), points, strict=True):
         assert f": {count:,} points, " in tip
     assert all("Quality: " in tip for tip in tips.values())
+
+
+@pytest.mark.parametrize(
+    ("count", "last"),
+    [
+        (2, ""),
+        (3, "and 1 more line of doubtful or poor quality"),
+        (4, "and 2 more lines of doubtful or poor quality"),
+    ],
+)
+def test_further_lines_of_doubtful_quality_are_counted(
+    opened: Driver, count: int, last: str
+) -> None:
+    open_step(opened, 1)
+    seed(opened, "T2")
+    opened.rest()
+    box = opened.window.targets.candidate
+    lines = [sighting.line for sighting in opened.window.controller.candidate.sightings]
+    box.show_qualities({line: replace(RATED, rating="doubtful") for line in lines[:count]})
+    shown = box.reasons.text().split("\n")
+    assert [text.partition(":")[0] for text in shown[:2]] == lines[:2]
+    assert shown[2:] == ([last] if last else [])
+
+
+def test_enter_does_not_accept_a_candidate_whose_lines_are_all_poor(opened: Driver) -> None:
+    open_step(opened, 1)
+    seed(opened, "T2")
+    opened.rest()
+    window, box = opened.window, opened.window.targets.candidate
+    lines = [sighting.line for sighting in window.controller.candidate.sightings]
+    poor = dict.fromkeys(lines, replace(RATED, rating="poor"))
+    box.show_qualities(poor | {lines[0]: RATED})
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept  ⏎", True)
+    assert window.actions_["accept"].isEnabled()
+    box.accept.setFocus()
+    box.show_qualities(poor)
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept", False)
+    assert "Every line of the target is rated poor" in window.actions_["accept"].toolTip()
+    press(opened, Key.Key_Return)
+    opened.rest()
+    assert window.controller.candidate is not None
+    assert opened.project.targets == ()
+    click(opened, box.accept)
+    assert [target.name for target in opened.project.targets] == ["T1"]
+    seed(opened, "T1")
+    opened.rest()
+    assert (box.accept.text(), box.accept.property("primary")) == ("Accept  ⏎", True)
+    assert window.actions_["accept"].isEnabled()

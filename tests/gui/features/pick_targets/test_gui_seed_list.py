@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
-from lispac.message_texts import message_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.messages import note
 from lispac.progress import Progress, Step
 from lispac.workflow.calibration import seed_lists

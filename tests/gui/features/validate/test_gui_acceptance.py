@@ -9,11 +9,11 @@ from PySide6.QtCore import Qt
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
 from lispac.adjustment.result import CrossCheck, CrossChecks
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.planes_table import P95
 from lispac.gui.project.document import ExportedReport
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
-from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.warnings.warnings_panel import (
     ACTION_LINE,
@@ -18,7 +19,6 @@ from lispac.gui.features.warnings.warnings_panel import (
     WAITING_TEXT,
 )
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
-from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.validation.comparison_results import LineShift

@@ -21,10 +21,10 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.open_project.import_survey.message_list import MessageList
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
-from lispac.message_texts import message_text
 from lispac.messages import Action
 from lispac.present.input_file import content_facts, option_name, option_value
 from lispac.workflow.importing.input_columns import (

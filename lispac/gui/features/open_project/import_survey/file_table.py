@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.open_project.import_survey import file_texts
 from lispac.io.format_types import Kind
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_files import InputFiles
 

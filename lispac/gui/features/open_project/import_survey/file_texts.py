@@ -3,10 +3,11 @@
 from PySide6.QtGui import QIcon
 
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.io.format_types import Kind
 from lispac.io.points.line_times import LineTimes
 from lispac.language import N_, Plural, gettext, number
-from lispac.message_texts import fact_text, message_text
+from lispac.message_texts import fact_text
 from lispac.messages import Level
 from lispac.survey.known_time_base import base_message
 from lispac.survey.time_base import TimeBase

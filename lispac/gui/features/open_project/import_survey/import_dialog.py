@@ -26,6 +26,7 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.open_project.actions import ACTIONS
 from lispac.gui.features.open_project.import_survey.drop_area import DropArea
 from lispac.gui.features.open_project.import_survey.file_page import FilePage
@@ -42,7 +43,6 @@ from lispac.identity import EMPTY_IDENTITY
 from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import Plural, gettext
-from lispac.message_texts import message_text
 from lispac.messages import Action, Message, note
 from lispac.project import LineSource, Project
 from lispac.survey.trajectory import TrajectoryAccuracy

@@ -8,8 +8,9 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLay
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.appearance.message_texts import message_text
 from lispac.language import N_, gettext
-from lispac.message_texts import action_text, action_tip, message_text
+from lispac.message_texts import action_text, action_tip
 from lispac.messages import Action, Level, Message
 
 _LEVEL_STYLES = {
