@@ -134,7 +134,7 @@ def sighting_values(
             tests.get((each.sighting.target, each.sighting.line)),
             (headings_deg or {}).get(each.sighting.line),
             critical,
-            sides[each.sighting.target],
+            sides.get(each.sighting.target),
         )
         for each in result.sightings
     )
