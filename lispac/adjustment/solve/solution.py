@@ -172,20 +172,18 @@ def _form_error_noise(
     return form_error_noise(problem.observations, state.mounting, standardised, of_interest)
 
 
-def _vessel_side(observations: Observations, target: int, shape: Array) -> int:
+def _vessel_side(vessel: Array, shape: Array, *, is_sphere: bool) -> int:
     """Side of a plane on which the vessel was: 1 if its normal points there, else -1.
 
     Spheres are seen from outside, where distances are positive.
 
     Parameters
     ----------
+    vessel : ndarray of shape (3,), metres, local frame
+        Mean position of the vessel.
     shape : ndarray of shape (4,), local frame
     """
-    if observations.is_sphere[target]:
-        return 1
-    own = observations.target_of_sighting[observations.sighting] == target
-    distance = float(observations.position[own].mean(axis=0) @ shape[:3] + shape[3])
-    return 1 if distance >= 0.0 else -1
+    return 1 if is_sphere or vessel @ shape[:3] + shape[3] >= 0.0 else -1
 
 
 def _residual_statistics(
@@ -198,6 +196,7 @@ def _residual_statistics(
     of_form: Array,
 ) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
     mean = observations.mean_by_sighting
+    vessel = mean(observations.position)
     squares = np.stack([mean(before**2), mean(after**2)], axis=1)
     means = np.stack([mean(after), mean(incidence)], axis=1)
     sightings = tuple(
@@ -216,7 +215,9 @@ def _residual_statistics(
                 name, int(counts.sum()), float(b), float(a), shapes[k],
                 bool(observations.is_sphere[k]), float(noise[k]),
                 None if np.isnan(of_form[k]) else float(of_form[k]),
-                _vessel_side(observations, k, shapes[k]),
+                _vessel_side(
+                    vessel[own].mean(axis=0), shapes[k], is_sphere=bool(observations.is_sphere[k])
+                ),
             )
         )  # fmt: skip
     both = np.sqrt(observations.counts @ squares / len(observations))
