@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
+    QCompleter,
     QDialog,
     QFormLayout,
     QHBoxLayout,
@@ -17,7 +18,6 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.appearance import theme
-from lispac.gui.widgets.completion import Completer
 from lispac.gui.widgets.error_box import exception_text
 from lispac.identity import (
     COMPANY_FIELDS,
@@ -188,7 +188,9 @@ class IdentityDialog(QDialog):
         for name, texts in {"company": self._companies, **known}.items():
             field = self.fields[name]
             assert isinstance(field, QLineEdit)
-            Completer(texts, field)
+            completer = QCompleter(list(texts), self)
+            completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+            field.setCompleter(completer)
         self.fields["company"].textChanged.connect(self._propose_details)
 
     def _propose_details(self, company: str) -> None:
@@ -244,8 +246,10 @@ def _label_text(name: str) -> str:
 
 def _offer(field: QLineEdit, texts: Sequence[str]) -> None:
     """Complete a field with any of some texts, and list them all with its arrow or Alt+Down."""
-    completer = Completer(dict.fromkeys(texts), field)
+    completer = QCompleter(list(dict.fromkeys(texts)), field)
+    completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
     completer.setFilterMode(Qt.MatchFlag.MatchContains)
+    field.setCompleter(completer)
 
     def show_all() -> None:
         completer.setCompletionPrefix("")

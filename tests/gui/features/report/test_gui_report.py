@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
@@ -675,30 +674,6 @@ def test_needed_details_are_marked_and_sensors_are_offered(adjusted: Driver) -> 
     use_next_dialog(adjusted, use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert adjusted.project.identity.scanner == titles[0]
-
-
-def test_a_click_beside_the_list_of_sensors_goes_to_the_clicked_field(adjusted: Driver) -> None:
-    open_step(adjusted, REPORT_STEP)
-
-    def use_dialog(dialog: QWidget) -> None:
-        scanner, client = field(dialog, "scanner"), field(dialog, "client")
-        adjusted.bot.waitUntil(lambda: in_front(dialog), timeout=WAIT_MS)
-        scanner.setFocus()
-        adjusted.bot.keyClicks(scanner, "r")
-        popup = scanner.completer().popup()
-        adjusted.bot.waitUntil(popup.isVisible)
-        place = popup.mapFromGlobal(client.mapToGlobal(client.rect().center()))
-        assert not popup.rect().contains(place)
-        QTest.mousePress(popup.windowHandle(), Left, pos=place)
-        adjusted.bot.waitUntil(client.hasFocus)
-        assert not popup.isVisible()
-        adjusted.bot.keyClicks(client, "Port")
-        assert (scanner.text(), client.text()) == ("r", "Port")
-        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
-
-    use_next_dialog(adjusted, use_dialog)
-    click(adjusted, adjusted.window.report.details)
-    assert adjusted.project.identity.client == "Port"
 
 
 def test_a_report_uses_the_qualities_that_the_window_knows(
