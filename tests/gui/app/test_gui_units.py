@@ -294,7 +294,11 @@ def test_the_colour_scale_is_in_feet_and_metric_in_files(
     reach = 0.0256
     in_feet, _ = residual_shading(estimated, demo.survey, clouds, colour_limit=reach)
     end = f"{reach / FOOT:.3f}"
-    assert legend_texts(in_feet) == ("Residual (ft)", f"−{end}", f"+{end}")
+    assert legend_texts(in_feet) == (
+        "Residual (ft), positive: nearer to the vessel",
+        f"−{end}",
+        f"+{end}",
+    )
     heights, seconds = point_shading("height", clouds), point_shading("time", clouds)
     assert heights is not None
     assert seconds is not None
