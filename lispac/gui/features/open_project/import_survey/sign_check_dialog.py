@@ -121,7 +121,7 @@ class SignCheckDialog(QDialog):
             gettext("Change the signs"), "change_signs",
             tip=gettext(
                 "Reads the trajectory with the other sign. The targets keep their points; the "
-                "results are out of date. Undo with Ctrl+Z."
+                "results are removed. Undo with Ctrl+Z."
             ),
         )  # fmt: skip
         self.change.setEnabled(False)
