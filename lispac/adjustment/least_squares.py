@@ -197,6 +197,7 @@ def _with_shorter_correlation_times(
                 return replace(
                     _diagnose(solution, raise_sigmas=True),
                     given_correlation_times=given,
+                    sigma_at_given_times=found.sigma,
                     radius_discrepancies=found.radius_discrepancies,
                 )
     return found

@@ -380,6 +380,9 @@ class AdjustmentResult:
     given_correlation_times : tuple of float, seconds, or None
         Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
+    sigma_at_given_times : ndarray of shape (3,), radians, or None
+        Standard deviations of the angles with ``given_correlation_times``; None without these, and
+        in results of earlier versions.
     radius_discrepancies : tuple of RadiusDiscrepancy
         Spheres whose radius differs between lines.
     excluded_targets : tuple of str
@@ -428,6 +431,7 @@ class AdjustmentResult:
     messages: tuple[Message, ...] = ()
     lidar_noise_ratio: float | None = None
     assumed_sigmas: tuple[SigmaGroup, ...] = ()
+    sigma_at_given_times: Annotated[Array, ArrayShape(3)] | None = None
 
     @property
     def surfaces(self) -> Array:

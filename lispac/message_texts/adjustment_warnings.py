@@ -126,6 +126,12 @@ TEXTS: Mapping[str, Template] = {
         "(attitude), the residuals fail the chi-square test. Angles and standard deviations are "
         "computed with {used_position:s} s and {used_attitude:s} s, with which they pass it."
     ),
+    "adjustment.shorter_times_sigmas": N_(
+        "With correlation times of the POS errors of {position:s} s (position) and {attitude:s} s "
+        "(attitude), the residuals fail the chi-square test. They pass it with {used_position:s} s "
+        "and {used_attitude:s} s, which are used and change the standard deviations: "
+        "{angles:names}."
+    ),
     "adjustment.sigmas_raised": N_(
         "Angles computed from subsets of the data scatter more than the error model predicts. The "
         "standard deviations were increased and are given with the result: {angles:names}."

@@ -251,6 +251,21 @@ def test_sigmas_agree_with_the_errors_when_the_model_is_correct(model: Stochasti
     assert ((squares > lower) & (squares < upper)).all(), squares / 60
 
 
+def test_shorter_correlation_times_come_with_the_sigmas_of_the_given_ones() -> None:
+    """The POS errors change within half a minute; the given correlation times are far longer."""
+    exact = planar_survey(mounting(0.2, -1.2, 0.15), points=400)
+    noisy = disturbed(exact, correlated=True, seed=4, correlation_times=(15.0, 30.0))
+    result = adjust(noisy, mounting(), CORRELATED)
+    given = adjust(noisy, mounting(), CORRELATED, test_model=False)
+    assert given.is_model_rejected()
+    assert not result.is_model_rejected()
+    assert result.given_correlation_times == (CORRELATED.position_time, CORRELATED.attitude_time)
+    assert result.sigma_at_given_times is not None
+    assert (result.sigma_at_given_times >= given.sigma * (1 - 1e-12)).all()
+    assert result.model.position_time < CORRELATED.position_time
+    assert adjust(exact, mounting(), CORRELATED).sigma_at_given_times is None
+
+
 def test_the_classical_model_is_over_confident_on_shared_pos_errors() -> None:
     exact = planar_survey(mounting(), points=100)
     noisy = disturbed(exact, correlated=True, seed=3)

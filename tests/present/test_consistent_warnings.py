@@ -112,6 +112,13 @@ def _shorter(project: Project) -> Project:
     )
 
 
+def _shorter_with_sigmas(project: Project) -> Project:
+    shorter = _shorter(project).result
+    assert shorter is not None
+    at_given_times = np.radians([0.0071, 0.0077, 0.0102])
+    return replace(project, result=replace(shorter, sigma_at_given_times=at_given_times))
+
+
 def _raised_conservative(project: Project) -> Project:
     raised = _raised(project).result
     assert raised is not None
@@ -247,6 +254,7 @@ CASES = [
     ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "of 300 s (position) and 600 s (attitude)"),
+    ("shorter_times_sigmas", False, _shorter_with_sigmas, "instead of 0.0102"),
     ("sigmas_raised", False, _raised, "the result: pitch from 0.0291 to 0.0728"),
     ("sigmas_raised_conservative", False, _raised_conservative, "The residuals are smaller than "
      "the standard deviations used predict, but"),

@@ -334,15 +334,27 @@ def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
 
 
 def _correlation_time_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    if result.given_correlation_times is not None:
-        position, attitude = result.given_correlation_times
-        yield note(
-            "adjustment.shorter_times",
-            position=float(position), attitude=float(attitude),
-            used_position=float(result.model.position_time),
-            used_attitude=float(result.model.attitude_time),
-            subject=Cause.of_field("position_time"),
-        )  # fmt: skip
+    if result.given_correlation_times is None:
+        return
+    position, attitude = result.given_correlation_times
+    params: dict[str, Value] = {
+        "position": float(position), "attitude": float(attitude),
+        "used_position": float(result.model.position_time),
+        "used_attitude": float(result.model.attitude_time),
+    }  # fmt: skip
+    code = "adjustment.shorter_times"
+    if result.sigma_at_given_times is not None:
+        code = "adjustment.shorter_times_sigmas"
+        params["angles"] = [
+            note(
+                "item.angle_predicted",
+                angle=mounting_value_name(angle), sigma=float(used), predicted=float(given),
+            )
+            for angle, used, given in zip(
+                ANGLES, result.sigma, result.sigma_at_given_times, strict=True
+            )
+        ]  # fmt: skip
+    yield Message(code, Level.NOTE, params, Cause.of_field("position_time"))
 
 
 def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
