@@ -176,7 +176,7 @@ HEADING_PITCH_ROLL = (2, 1, 0)
 
 LISPAC_CONVENTION = Convention(
     key="lispac",
-    name=N_("This program (iXblue)"),
+    name=N_("iXblue (this program)"),
     axes=FORWARD_PORT_UP,
     turns=(
         AxisRotation(N_("roll"), 0, 1, N_("positive port side up")),
