@@ -178,10 +178,10 @@ class Settings:
         return max(DEFAULT_THRESHOLD_M, 3 * self.used_lidar_sigma)
 
     def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
-        """Copy with the LiDAR standard deviations times ``ratio``, rounded to two digits."""
+        """Copy with the LiDAR standard deviations times ``ratio``, rounded to three digits."""
 
         def scaled(value: float) -> float:
-            return float(f"{ratio * value:.2g}")
+            return float(f"{ratio * value:.3g}")
 
         xyz, beam = self.lidar_sigma_xyz, self.lidar_beam_sigma
         return replace(

@@ -31,8 +31,14 @@ Array = NDArray[np.float64]
 
 MAX_NOISE_ROUNDS = 4
 """Largest number of times that the LiDAR noise is determined from the residuals."""
-NOISE_TOLERANCE = 0.02
+NOISE_TOLERANCE = 0.002
 """Relative change of the LiDAR noise below which it has converged."""
+MAX_TAIL_FACTOR = 1.1
+"""Largest factor on the LiDAR noise for residuals with heavier tails than a normal distribution.
+
+The noise is determined from the smaller residuals, while the chi-square test sums the squares of
+all. A larger factor shows errors that are not LiDAR noise.
+"""
 MIN_NOISE_DIFFERENCE = 0.1
 """Relative difference of the LiDAR noise from the given one below which other errors cause the
 residuals."""
@@ -156,7 +162,8 @@ def _measured_noise_ratio(
     """Ratio of the LiDAR noise in the residuals to the given one; None without a difference.
 
     With a wrong noise, the POS errors are not estimated well. The ratio is therefore determined
-    again with the noise found.
+    again with the noise found. With the noise given by the ratio, the residuals pass the chi-square
+    test, unless they contain other errors.
     """
     result, total = solution.result(), 1.0
     if result.chi_square.outcome == "passed" or any(
@@ -175,6 +182,9 @@ def _measured_noise_ratio(
             solution = solve(scaled, mounting, settings, progress)
         except (AdjustmentError, np.linalg.LinAlgError):
             break
+    tails = np.sqrt(solution.result().variance_factor)
+    if abs(np.log(tails)) < np.log(MAX_TAIL_FACTOR):
+        total *= float(tails)
     return total if abs(np.log(total)) > MIN_NOISE_DIFFERENCE else None
 
 

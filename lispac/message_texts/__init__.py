@@ -81,7 +81,7 @@ ACTIONS: Mapping[str, Template] = {
     "set_option": N_("Set {name} to {value}"),
     "exclude_line": N_("Exclude {line}"),
     "split_line": N_("Split {line} into lines by {by}"),
-    "use_lidar_noise": N_("Use LiDAR noise {measured:mm.1} mm instead of {given:mm.1} mm"),
+    "use_lidar_noise": N_("Use LiDAR noise {measured:mm.2} mm instead of {given:mm.2} mm"),
     "scale_lidar_noise": N_("Multiply the LiDAR noise by {ratio:x.2}"),
     # -- options of a file -------------------------------------------------------------------
     "use_degrees": N_("Use degrees"),

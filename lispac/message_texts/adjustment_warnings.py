@@ -142,16 +142,16 @@ TEXTS: Mapping[str, Template] = {
         "and are given with the result: {angles:names}."
     ),
     "adjustment.lidar_noise": N_(
-        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma) instead of the given "
-        "{given:mm.1} mm. Use the noise of the residuals and estimate again."
+        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the given "
+        "{given:mm.2} mm. Use the noise of the residuals and estimate again."
     ),
     "adjustment.lidar_noise_ratio": N_(
         "The residuals show a LiDAR noise of {ratio:x.2} times the given one. Use the noise of the "
         "residuals and estimate again."
     ),
     "adjustment.lidar_noise_conservative": N_(
-        "The residuals show a LiDAR noise of {measured:mm.1} mm (1 sigma), less than the given "
-        "{given:mm.1} mm with which the standard deviations of the angles are computed. Use the "
+        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the given "
+        "{given:mm.2} mm with which the standard deviations of the angles are computed. Use the "
         "noise of the residuals and estimate again."
     ),
     "adjustment.lidar_noise_ratio_conservative": N_(

@@ -45,6 +45,6 @@ TEXTS: Mapping[str, Template] = {
     ),
     "project.refused": N_("The boresight could not be estimated. {reason}"),
     "project.out_of_date": N_(
-        "The boresight is out of date because the data were edited. Run Estimate again."
+        "The boresight is out of date because data or settings were changed. Run Estimate again."
     ),
 }

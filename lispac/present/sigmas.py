@@ -9,9 +9,12 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.parameters import COMPONENT_TITLES, VarianceComponentValues, interval_text
 from lispac.present.sightings import PosErrorValues, SightingValues
-from lispac.present.tables import Fact
+from lispac.present.tables import Fact, Format
 from lispac.present.text_format import fixed_number, triple_text
 from lispac.project import Project
+
+LIDAR_NOISE = Format("mm", 2, 1e3)
+"""Format of a LiDAR noise: given with the displayed decimals, the residuals pass their test."""
 
 SigmaSource = Literal["given", "file", "assumed", "estimated"]
 """Source of standard deviations: the user, the accuracy file, a default, or the residuals."""

@@ -56,7 +56,7 @@ class SightingQuality:
         Median distance from the scanner.
     density : float or None, points per square metre
     incidence : float or None, radians
-        Median angle between beam and normal; None if the position of the scanner is unknown.
+        Mean angle between beam and normal; None if the position of the scanner is unknown.
     extent : ndarray of shape (2,) or None, metres
         Width (horizontal) and height (up the slope).
     coverage : float
@@ -176,7 +176,7 @@ def plane_quality(
     own = off
     if turns_local is not None:
         own = _without_smear(points, plane, beams, turns_local, noise, boresight_sigma)
-    incidence = None if beams is None else _median_incidence(beams, plane)
+    incidence = None if beams is None else _mean_incidence(beams, plane)
     sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
     rms = rms_distance(plane, points)
     rms_own = float(np.sqrt(np.mean(own**2)))
@@ -213,10 +213,10 @@ def _without_smear(
     return remove_smear(coordinates, off, moves, noise, boresight_sigma)
 
 
-def _median_incidence(beams: Array, plane: Plane) -> float:
-    """Median angle between beams and the normal of a plane, radians."""
+def _mean_incidence(beams: Array, plane: Plane) -> float:
+    """Mean angle between beams and the normal of a plane, radians, as in the adjustment."""
     cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
-    return float(np.median(np.arccos(np.minimum(cosines, 1.0))))
+    return float(np.mean(np.arccos(np.minimum(cosines, 1.0))))
 
 
 def _grade_view(count: int, incidence: float | None, coverage: float) -> list[GradedReason]:

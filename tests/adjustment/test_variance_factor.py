@@ -128,7 +128,11 @@ def test_the_lidar_noise_is_that_of_the_residuals(scale: float) -> None:
         assert result.lidar_noise_ratio == pytest.approx(1 / scale, rel=0.03)
         settings = Settings((0.0, 0.0, 0.0), lidar_sigma=scale * 0.004)
         scaled = settings.with_lidar_noise_scaled(result.lidar_noise_ratio)
-        assert scaled.lidar_sigma == pytest.approx(0.004, rel=0.06)
+        assert scaled.lidar_sigma == pytest.approx(0.004, rel=0.03)
+        found = replace(data, sigma_lidar=scaled.lidar_sigma / 0.004 * data.sigma_lidar)
+        again = adjust(found, coverage_of_errors.PRIOR, coverage_of_errors.MODEL)
+        assert again.chi_square.outcome == "passed"
+        assert again.lidar_noise_ratio is None
 
 
 def test_a_rough_target_is_not_taken_for_lidar_noise() -> None:
@@ -142,6 +146,6 @@ def test_a_rough_target_is_not_taken_for_lidar_noise() -> None:
 
 def test_all_given_lidar_sigmas_are_scaled() -> None:
     settings = Settings((0.0, 0.0, 0.0), lidar_sigma_xyz=(0.001, 0.002, 0.004))
-    assert settings.with_lidar_noise_scaled(2.04).lidar_sigma_xyz == (0.002, 0.0041, 0.0082)
+    assert settings.with_lidar_noise_scaled(2.04).lidar_sigma_xyz == (0.00204, 0.00408, 0.00816)
     settings = Settings((0.0, 0.0, 0.0), lidar_beam_sigma=(0.01, 0.05))
-    assert settings.with_lidar_noise_scaled(0.333).lidar_beam_sigma == (0.0033, 0.017)
+    assert settings.with_lidar_noise_scaled(0.333).lidar_beam_sigma == (0.00333, 0.0167)

@@ -149,6 +149,16 @@ def test_the_manual_is_rebuilt_only_after_changes(small: Path, tmp_path: Path) -
     assert {each.name for each in place.iterdir()} == {"made-by-lispac", second.parents[1].name}
 
 
+def test_the_manual_is_built_with_a_locale_that_is_not_installed(
+    small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("LANG", "LC_ALL", "LC_TIME"):
+        monkeypatch.setenv(name, "xx_XX.UTF-8")
+    (small / "en" / "index.md").write_text("# Café\n", encoding="utf-8")
+    page = manual.manual_page("en", sources=small, place=tmp_path / "cache")
+    assert "Café" in page.read_text("utf-8")
+
+
 def test_bundled_pages_are_not_built(small: Path, tmp_path: Path) -> None:
     (small / "html" / "en").mkdir(parents=True)
     (small / "html" / "en" / "index.html").write_text("shipped")

@@ -1,6 +1,6 @@
 """Check of assumed signs of roll and pitch by the residuals of the adjustment.
 
-The global chi-square test (Baarda 1968) must accept the assumed signs, and the residuals with each
+The residuals with the assumed signs must be about as large as predicted, and those with each
 opposite sign must be much larger.
 """
 
@@ -10,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.adjustment.diagnostics.failure_causes import (
-    REJECTION_LEVEL,
     WRONG_SIGN_CONVENTIONS,
     with_attitude_signs,
 )
@@ -33,6 +32,12 @@ SIGNS_AGREE_CODE = "adjustment.signs_agree"
 MIN_RESIDUAL_RATIO = 2.0
 """Smallest ratio of the residuals with an opposite sign to those with the assumed signs at which
 the signs can be distinguished."""
+MAX_VARIANCE_FACTOR = 2.0
+"""Largest variance factor at which the residuals confirm the signs.
+
+A test at a level of significance would fail with many points because of small errors in the given
+standard deviations, which no sign can cause.
+"""
 
 
 def is_sign_assumed(messages: Iterable[Message]) -> bool:
@@ -60,7 +65,7 @@ def sign_agreement(
     result : AdjustmentResult
         Result of the complete adjustment.
     """
-    if not result.model.correlated or result.is_model_rejected(REJECTION_LEVEL):
+    if not result.model.correlated or result.variance_factor > MAX_VARIANCE_FACTOR:
         return None
     settings = SolverSettings(
         replace(result.model, loss="none"), parameters, accept_single_orientation=True

@@ -59,7 +59,7 @@ from lispac.gui.window.tools import InspectionTools
 from lispac.language import N_, gettext
 from lispac.messages import Action, Message
 from lispac.picked_targets import Role
-from lispac.project import Project
+from lispac.project import Project, Settings
 from lispac.warning_causes import Cause
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 from lispac.workflow.project.attitude_signs import reversible_angles
@@ -336,7 +336,7 @@ class MainWindow(QMainWindow):
                 panel.enlarged.connect(other.enlarge.setChecked)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.settings_edited.connect(control.change_settings)
-        self.results.settings_edited.connect(control.change_settings)
+        self.results.estimate_requested.connect(self._estimate_with)
         self.adjust.estimate_requested.connect(self.actions_["estimate"].trigger)
         self.adjust.cancel_requested.connect(self.runner.cancel)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
@@ -448,7 +448,10 @@ class MainWindow(QMainWindow):
     def _estimate(self) -> None:
         settings = self.adjust.settings()
         if settings is not None:
-            self.estimation.request_estimate(settings, self.adjust.cross_check.isChecked())
+            self._estimate_with(settings)
+
+    def _estimate_with(self, settings: Settings) -> None:
+        self.estimation.request_estimate(settings, self.adjust.cross_check.isChecked())
 
     def _find_input_error(self) -> Message | None:
         """Reason why a value typed for a workflow step is not accepted; None if there is none."""
@@ -503,8 +506,7 @@ class MainWindow(QMainWindow):
             return
         ratio = project.result.lidar_noise_ratio
         if action.code in NOISE_ACTIONS and ratio is not None:
-            self.controller.change_settings(project.settings.with_lidar_noise_scaled(ratio))
-            self._note(gettext("The LiDAR noise was changed. Estimate the boresight again."))
+            self._estimate_with(project.settings.with_lidar_noise_scaled(ratio))
 
     def _check_signs(self) -> None:
         """Show the signs of the attitude, and correct those that the user finds reversed."""

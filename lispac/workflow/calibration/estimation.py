@@ -25,6 +25,7 @@ from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from lispac.targets.thinning import thin_points
+from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.calibration.reselection import reselect_targets
 from lispac.workflow.project.survey import Survey
 
@@ -232,6 +233,8 @@ def estimate(
 def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     """Add possible causes to the reason of an adjustment without a solution.
 
+    Warnings about the files are no causes if the targets are too few anyway.
+
     Raises
     ------
     NotConverged
@@ -245,6 +248,9 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         yield
     except (NotConverged, RankDeficient) as failure:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
+        targets = [each for each in project.targets_of_role("target") if each.used]
+        if len(targets) < 2 or have_targets_single_orientation(project, survey):
+            warnings = []
         alone = single_line_notes(project.targets)
         reason = failure.reason
         causes: list[Message | str] = [*alone, *warnings[:MAX_DATA_WARNINGS]]

@@ -10,9 +10,9 @@ from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.errors import AdjustmentError, NotComparable, ProjectError
 from lispac.io.config.plan_file import TitledPlan
-from lispac.messages import note
+from lispac.messages import note, warning
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.workflow.calibration.estimation import complete_result
+from lispac.workflow.calibration.estimation import complete_result, estimate
 from lispac.workflow.calibration.patch_test import propose_objects
 from lispac.workflow.calibration.picking import find_target, pick_target
 from lispac.workflow.calibration.proposal_acceptance import (
@@ -186,3 +186,20 @@ def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledP
     assert costs[4].params["target"] == "T2"
     assert "plan_survey.smaller_sigma" not in codes(found.messages)
     assert found.rows[1].values is None
+
+
+@pytest.mark.parametrize(
+    ("shift", "count", "code"),
+    [(0.0, 1, "adjustment.only_plane"), (40.0, None, "estimate.possible_cause")],
+)
+def test_warnings_about_files_are_no_cause_of_too_few_targets(
+    shift: float, count: int | None, code: str
+) -> None:
+    """In the second case, wrong times of a line make its points contradict the others."""
+    project, survey = picked()
+    first = survey.scans["L1"]
+    scans = {**survey.scans, "L1": replace(first, time=first.time + shift)}
+    survey = replace(survey, scans=scans, messages=(warning("sbet.zero_rates", file="a.sbet"),))
+    with pytest.raises(AdjustmentError) as refused:
+        estimate(replace(project, targets=project.targets[:count]), survey)
+    assert refused.value.code == code

@@ -33,12 +33,6 @@ ESTIMATED_AGAIN_TEXT = Plural(
     "Boresight estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
     "Boresight estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
 )
-SAME_POINTS_TEXT = Plural(
-    "Boresight estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} "
-    "→ {after}",
-    "Boresight estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} "
-    "→ {after}",
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,7 +238,7 @@ class Estimation(QObject):
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._document.unchecked_result = found.estimated.result
             self._document.complete_last_edit(found.estimated)
-            self._note(found.estimated, SAME_POINTS_TEXT if selection else ESTIMATED_AGAIN_TEXT)
+            self._note(found.estimated, ESTIMATED_AGAIN_TEXT)
 
         # A request of the user cancels a fast adjustment; a slow one is shown and can be cancelled.
         task = self._runner.run(

@@ -51,6 +51,7 @@ from lispac.present.angles import (
     angles,
     correlation_rows,
 )
+from lispac.present.sigmas import LIDAR_NOISE
 from lispac.present.tables import MILLIMETRES, Fact, cell_text, title_text
 from lispac.project import Project, Settings, Triple
 
@@ -84,8 +85,8 @@ ARRANGEMENTS = (
 class ResultsPanel(QWidget):
     """Result of the adjustment, in the order of page one of the report."""
 
-    settings_edited = Signal(object)
-    """`Settings` with the LiDAR noise found in the residuals."""
+    estimate_requested = Signal(object)
+    """The boresight is to be estimated with these `Settings`."""
     enlarged = Signal(bool)
     """The user wants a higher panel, or the initial height."""
     cross_checks_requested = Signal()
@@ -182,9 +183,9 @@ class ResultsPanel(QWidget):
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
         self.use_noise = widgets.button(
             "", "use_lidar_noise",
-            tip=gettext("Give the LiDAR the noise found in the residuals; then estimate again"),
+            tip=gettext("Estimate the boresight again with the noise found in the residuals"),
         )  # fmt: skip
-        self.use_noise.clicked.connect(lambda: self.settings_edited.emit(self._settings))
+        self.use_noise.clicked.connect(lambda: self.estimate_requested.emit(self._settings))
         self.correlation = _create_table(
             "correlation_table", gettext("Correlation of the angles"), 3
         )
@@ -346,7 +347,7 @@ class ResultsPanel(QWidget):
         self._settings = found = given.with_lidar_noise_scaled(ratio)
         if given.lidar_sigma_xyz is None and given.lidar_beam_sigma is None:
             one, other = (
-                fact_text(Fact("", each.used_lidar_sigma, MILLIMETRES)) for each in (found, given)
+                fact_text(Fact("", each.used_lidar_sigma, LIDAR_NOISE)) for each in (found, given)
             )
             text = gettext("Use LiDAR noise {found} instead of {given}", found=one, given=other)
         else:

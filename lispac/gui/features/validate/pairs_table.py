@@ -4,18 +4,14 @@ from dataclasses import replace
 
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import local_amount, window_columns, window_rows
-from lispac.language import N_, gettext
+from lispac.language import gettext
 from lispac.present.acceptance import AcceptanceCriteriaValues
 from lispac.present.tables import MILLIMETRES, title_text
 from lispac.present.validation import WINDOW_PAIRS_TABLE, PairValues
 from lispac.validation.comparison_results import PlaneComparison
 
 RMS_AFTER, OFFSET_AFTER = 2, 4
-"""Columns of the values after the calibration that have a limit."""
-LIMIT_TEXTS = {
-    RMS_AFTER: N_("RMS {value}, limit for a plane {limit}"),
-    OFFSET_AFTER: N_("Offset {value}, limit {limit}"),
-}
+"""Columns of the values after the calibration that may be highlighted."""
 LEAST_CHANGE_M = 1e-4
 """Increase of the RMS that counts as worse: one unit of the last digit in millimetres."""
 
@@ -45,18 +41,15 @@ def _marked_row(row: Row, pair: PairValues, criteria: AcceptanceCriteriaValues) 
                 before=local_amount(before, MILLIMETRES), after=local_amount(rms, MILLIMETRES),
             )
         )  # fmt: skip
-    for column, value, limit in (
-        (RMS_AFTER, rms, criteria.rms_m), (OFFSET_AFTER, pair.absolute_offset_m, criteria.offset_m)
-    ):  # fmt: skip
-        if value is not None and limit is not None and value > limit:
-            colours[column] = "error"
-            reasons.append(
-                gettext(
-                    LIMIT_TEXTS[column],
-                    value=local_amount(value, MILLIMETRES),
-                    limit=local_amount(limit, MILLIMETRES),
-                )
+    offset, limit = pair.absolute_offset_m, criteria.offset_m
+    if offset is not None and limit is not None and offset > limit:
+        colours[OFFSET_AFTER] = "error"
+        reasons.append(
+            gettext(
+                "Offset {value}, limit {limit}",
+                value=local_amount(offset, MILLIMETRES), limit=local_amount(limit, MILLIMETRES),
             )
+        )  # fmt: skip
     if not reasons:
         return row
     cells = [replace(cell, colour=colours.get(k, "")) for k, cell in enumerate(row.cells)]

@@ -471,14 +471,11 @@ def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(
     assert picked.project.result.chi_square.outcome == "conservative"
     assert "conservative" in results.findChild(QLabel, "result_chi").text()
     show_panel(window, "Results")
-    assert re.search(r"1\.[5-9].mm instead of 6\.0.mm", results.use_noise.text())
+    assert re.search(r"1\.[5-9]\d.mm instead of 6\.00.mm", results.use_noise.text())
     click(picked, results.use_noise)
     picked.rest()
     assert picked.project.settings.lidar_sigma == pytest.approx(0.0017, abs=0.0003)
     assert window.data.lidar_sigma.value() == pytest.approx(1.7, abs=0.3)
-    assert picked.project.result is None
-    press(picked, Key.Key_F9)
-    picked.rest()
     assert picked.project.result is not None
     assert picked.project.result.chi_square.outcome == "passed"
     assert not results.use_noise.isVisible()
