@@ -1,7 +1,7 @@
 """Check of assumed signs of roll and pitch by the residuals of the adjustment.
 
-The residuals with the assumed signs must be about as large as predicted, and those with each
-opposite sign must be much larger.
+The residuals with the assumed signs must be about as large as predicted by the variance factor
+(Baarda 1968), and those with each opposite sign must be much larger.
 """
 
 from collections.abc import Iterable

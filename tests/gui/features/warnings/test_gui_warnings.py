@@ -347,6 +347,7 @@ def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
     place = button.mapTo(panel.list.viewport(), button.rect().center())
     assert panel.list.visualItemRect(panel.list.item(row)).contains(place)
     click(driver, button)
+    driver.rest()
     given = noisy.settings.used_lidar_sigma
     assert driver.project.settings.lidar_sigma == pytest.approx(0.5 * given)
     press(driver, Key.Key_Z, Control)
