@@ -89,6 +89,23 @@ def test_results_of_a_former_project_keep_their_texts() -> None:
         assert part.reason == (note("project.former_text", reason=text) if text else None)
 
 
+def test_removed_messages_on_the_observability_are_omitted(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    path = project.folder / PROJECT_FILE_NAME
+    content = json.loads(path.read_text())
+    messages = content["result"]["observability"]["messages"]
+    former = {**messages[0], "code": "observability.no_main_lines", "params": {"angles": ["roll"]}}
+    messages.insert(1, former)
+    path.write_text(json.dumps(content))
+    result = read_project(project.folder).result
+    assert result is not None
+    assert project.result is not None
+    assert result.observability is not None
+    assert project.result.observability is not None
+    assert result.observability.messages == project.result.observability.messages
+
+
 def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project.with_validation(project.validation, {"V1": MISSING_REASON}))

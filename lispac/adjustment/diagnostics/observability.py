@@ -222,7 +222,7 @@ def _direction(eigenvalue: float, direction: Array, sigma: Array) -> tuple[Messa
 
 def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
     """Notes on the lines that each angle depends on most."""
-    independent: list[Message] = []
+    increases: list[Message] = []
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
@@ -236,9 +236,13 @@ def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iter
                 count=len(lines), lines=lines, angle=name, line=lines[0],
                 without=float(grown[lines[0]]) * now, sigma=now,
             )  # fmt: skip
-        elif len(grown) == len(without):
-            independent.append(name)
-    if len(independent) > 1:
-        yield note("observability.no_main_lines", angles=independent)
-    elif independent:
-        yield note("observability.no_main_line", angle=independent[0])
+        elif grown and len(grown) == len(without):
+            line = max(grown, key=lambda each: grown[each])
+            increases.append(
+                note(
+                    "item.sigma_increase",
+                    angle=name, increase=max(0.0, float(grown[line]) - 1.0), line=line,
+                )
+            )  # fmt: skip
+    if increases:
+        yield note("observability.largest_increases", angles=increases)
