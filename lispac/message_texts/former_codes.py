@@ -43,7 +43,7 @@ FORMER_CODES: Mapping[str, str] = {
 """Former code by the name in the present code (the part after the topic), if they differ."""
 
 REMOVED_CODES = {"observability.no_main_line", "observability.no_main_lines"}
-"""Codes of earlier versions in the observability of a stored result, without a present text."""
+"""Codes of earlier versions in the observability of a stored result, which another replaces."""
 
 
 def former_code(message: Message) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from lispac.adjustment.diagnostics.observability import largest_increases_note
 from lispac.errors import ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import in_language
@@ -89,7 +90,7 @@ def test_results_of_a_former_project_keep_their_texts() -> None:
         assert part.reason == (note("project.former_text", reason=text) if text else None)
 
 
-def test_removed_messages_on_the_observability_are_omitted(tmp_path: Path) -> None:
+def test_removed_messages_on_the_observability_are_replaced(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
     path = project.folder / PROJECT_FILE_NAME
@@ -103,7 +104,10 @@ def test_removed_messages_on_the_observability_are_omitted(tmp_path: Path) -> No
     assert project.result is not None
     assert result.observability is not None
     assert project.result.observability is not None
-    assert result.observability.messages == project.result.observability.messages
+    present = project.result.observability
+    expected = largest_increases_note(project.result.sigma, present.sigma_without_line)
+    first, *others = present.messages
+    assert result.observability.messages == (first, *expected, *others)
 
 
 def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:

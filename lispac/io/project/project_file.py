@@ -385,17 +385,25 @@ def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) 
         _with_paths(stored, lambda path: _absolute_path(path, folder)),
         data_messages=tuple(each for each in stored.data_messages if has_text(each)),
         reading_warnings=tuple(each for each in stored.reading_warnings if has_text(each)),
-        result=_without_removed_messages(stored.result),
+        result=_with_present_messages(stored.result),
     )
 
 
-def _without_removed_messages(result: AdjustmentResult | None) -> AdjustmentResult | None:
-    """Result without messages on the observability whose codes were removed."""
+def _with_present_messages(result: AdjustmentResult | None) -> AdjustmentResult | None:
+    """Result with the present message instead of those of `REMOVED_CODES`."""
     if result is None or result.observability is None:
         return result
     found = result.observability
-    kept = tuple(each for each in found.messages if each.code not in REMOVED_CODES)
-    return replace(result, observability=replace(found, messages=kept))
+    place = next((k for k, m in enumerate(found.messages) if m.code in REMOVED_CODES), None)
+    if place is None:
+        return result
+    from lispac.adjustment.diagnostics.observability import largest_increases_note
+
+    new = largest_increases_note(result.sigma, found.sigma_without_line)
+    later = (each for each in found.messages[place:] if each.code not in REMOVED_CODES)
+    return replace(
+        result, observability=replace(found, messages=(*found.messages[:place], *new, *later))
+    )
 
 
 def _with_paths(project: Project, convert: Callable[[Path], Path]) -> Project:
