@@ -31,9 +31,9 @@ for a single text."""
 
 TYPOGRAPHY = (
     ("'", "\u2019"),
-    ("[ \u00a0]+([:»%])", "\u00a0\\1"),
+    ("[ \u00a0\u202f]+([:»%])", "\u00a0\\1"),
     ("[ \u00a0\u202f]+([;!?])", "\u202f\\1"),
-    ("« ", "«\u00a0"),
+    ("«[ \u202f]", "«\u00a0"),
     (r"([\d}]) (mm|cm|m|km|s|ms|h|Hz)\b(?!['\u2019])", "\\1\u00a0\\2"),
 )
 """French typography: regular expressions and their replacements in a translation."""

@@ -118,7 +118,7 @@ FIELD_LABELS = {
     "datum": N_("Datum"),
     "epoch": N_("Epoch"),
     "gnss_base": N_("GNSS base"),
-    "lever_arm_origin": N_("Origin of the lever arm"),
+    "lever_arm_origin": N_("Source of the lever arm"),
     "scanner": N_("Scanner"),
     "scanner_serial": N_("Scanner serial number"),
     "pos": N_("INS/GNSS"),

@@ -7,17 +7,17 @@ numbers, lists and dates.
 Placeholders of a text are named and may have a format specification ``unit[.digits][+]``:
 
 - ``n``: a count
-- ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value, converted to that unit;
-  ``deg``: an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of
-  bytes in megabytes; ``x``: a number without a unit. Without a number of decimals, three
-  significant digits are written, or all digits before the decimal sign if there are more; ``+``
-  always writes the sign. A positive ratio that would be rounded to zero is written as less than
-  the smallest number with these decimals: ``< 0.1``. The unit itself is part of the text. The
-  window may show ``m``, ``mm`` and, with three or more decimals, ``deg`` in another unit
-  (`use_units`); the sign after the number is then replaced. Headings and inclinations have fewer
-  decimals and remain in degrees. ``|other`` at the end, as in ``{rms:mm.1|limit}``, adds decimals
-  until the number differs from this parameter, unless both are equal: a value beyond its limit is
-  never written like the limit.
+- ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value, converted to that unit; ``deg``:
+  an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of bytes in
+  megabytes; ``x``: a number without a unit. Without a number of decimals, three significant digits
+  are written, or all digits before the decimal sign if there are more; ``+`` also writes a plus
+  sign, except before a number that is rounded to zero. A positive ratio that would be rounded to
+  zero is written as less than the smallest number with these decimals: ``< 0.1``. The unit itself
+  is part of the text. The window may show ``m``, ``mm`` and, with three or more decimals, ``deg``
+  in another unit (`use_units`); the sign after the number is then replaced. Headings and
+  inclinations have fewer decimals and remain in degrees. ``|other`` at the end, as in
+  ``{rms:mm.1|limit}``, adds decimals until the number differs from this parameter, unless both are
+  equal: a value beyond its limit is never written like the limit.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
@@ -76,6 +76,7 @@ _program_language = "en"
 _block_language: ContextVar[str | None] = ContextVar("language", default=None)
 _has_degree_signs: ContextVar[bool] = ContextVar("degree_signs", default=False)
 _has_minus_signs: ContextVar[bool] = ContextVar("minus_signs", default=False)
+_has_advice: ContextVar[bool] = ContextVar("advice", default=True)
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,30 @@ class Plural:
     plural: str
 
 
-Template = str | Plural
+@dataclass(frozen=True)
+class Advised:
+    """English text of a statement, and of the action that it suggests to the user of the program.
+
+    A report for other readers omits the action of a note (`without_advice`).
+    """
+
+    statement: str | Plural
+    advice: str | Plural
+
+    @property
+    def singular(self) -> str:
+        """Both texts, in the singular."""
+        parts = (self.statement, self.advice)
+        return " ".join(each if isinstance(each, str) else each.singular for each in parts)
+
+    @property
+    def plural(self) -> str:
+        """Both texts, in the plural."""
+        parts = (self.statement, self.advice)
+        return " ".join(each if isinstance(each, str) else each.plural for each in parts)
+
+
+Template = str | Plural | Advised
 
 
 def use_language(code: str) -> None:
@@ -183,6 +207,26 @@ def minus_signs() -> Iterator[None]:
         _has_minus_signs.reset(token)
 
 
+@contextmanager
+def without_advice() -> Iterator[None]:
+    """Write only the statements of `Advised` texts in a block of code and in this thread only."""
+    token = _has_advice.set(False)
+    try:
+        yield
+    finally:
+        _has_advice.reset(token)
+
+
+@contextmanager
+def with_advice() -> Iterator[None]:
+    """Write `Advised` texts completely, in a block within one of `without_advice`."""
+    token = _has_advice.set(True)
+    try:
+        yield
+    finally:
+        _has_advice.reset(token)
+
+
 def in_english(value: object) -> str:
     """Text of a message or an error in English, independent of the current language."""
     with in_language("en"):
@@ -234,6 +278,9 @@ def gettext(template: Template, /, **params: Any) -> str:
 
 def format_text(template: Template, params: Mapping[str, Any]) -> str:
     """Translate a text and fill its placeholders from a mapping."""
+    if isinstance(template, Advised):
+        parts = [template.statement, template.advice] if _has_advice.get() else [template.statement]
+        return " ".join(format_text(each, params) for each in parts)
     count = int(params["count"]) if isinstance(template, Plural) else 0
     text = _translated(template, count, current_language(), _has_degree_signs.get())
     if not params:
@@ -244,7 +291,7 @@ def format_text(template: Template, params: Mapping[str, Any]) -> str:
 
 
 @lru_cache(maxsize=8192)
-def _translated(template: Template, count: int, language: str, has_degree_signs: bool) -> str:
+def _translated(template: str | Plural, count: int, language: str, has_degree_signs: bool) -> str:
     """Text of the catalogue for a number of things, with its placeholders."""
     catalogue = _catalogue(language)
     if isinstance(template, Plural):
@@ -256,7 +303,12 @@ def _translated(template: Template, count: int, language: str, has_degree_signs:
 
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
-    """Number formatted for the current language; three significant digits by default."""
+    """Number formatted for the current language; three significant digits by default.
+
+    Parameters
+    ----------
+    sign : whether positive numbers have a plus sign; a number rounded to zero has no sign
+    """
     value = value if isinstance(value, int) else float(value)
     if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
@@ -266,8 +318,8 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     if decimals is None:
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
-    pattern = f"+{places};-{places}" if sign else places
     value = without_negative_zero(value, decimals)
+    pattern = f"+{places};-{places}" if sign and value else places
     return _formatted_number(value, pattern, _LOCALES[current_language()])
 
 

@@ -87,10 +87,41 @@ def _python_value(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def sort_by_level(messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Sort messages: errors, warnings, notes; the order within a level is kept."""
+IMPORTANT_NOTES = (
+    "acceptance.", "validation.", "report.validation_", "report.noise_differs",
+    "report.chi_square_high", "adjustment.sigmas_raised", "adjustment.shorter_times",
+    "adjustment.cross_check",
+)  # fmt: skip
+"""Beginnings of the codes of notes that precede all others, the most important first."""
+ROUTINE_NOTES = (
+    "report.sightings", "project.doubtful_sighting", "report.not_found",
+    "project.not_found_on_line", "adjustment.signs_agree", "report.simulated",
+)  # fmt: skip
+"""Beginnings of the codes of notes that follow all others, the least important last."""
+
+
+def sort_by_importance(messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Sort messages: errors, warnings, then notes with the most important ones first.
+
+    The order of errors, of warnings and of notes of the same importance is kept.
+    """
     order = list(Level)
-    return tuple(sorted(messages, key=lambda message: order.index(message.level)))
+    return tuple(
+        sorted(messages, key=lambda each: (order.index(each.level), _importance_rank(each)))
+    )
+
+
+def _importance_rank(message: Message) -> int:
+    """Rank of a note by its code; 0 for errors, warnings and all other notes."""
+    if message.is_serious:
+        return 0
+    for rank, beginning in enumerate(IMPORTANT_NOTES, -len(IMPORTANT_NOTES)):
+        if message.code.startswith(beginning):
+            return rank
+    for rank, beginning in enumerate(ROUTINE_NOTES, 1):
+        if message.code.startswith(beginning):
+            return rank
+    return 0
 
 
 def shortened_list(items: Sequence[str | Message]) -> tuple[str | Message, ...]:

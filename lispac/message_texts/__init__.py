@@ -8,7 +8,7 @@ effect on the result, and the action to take. Each module contains the texts of 
 from collections.abc import Mapping
 from typing import Any
 
-from lispac.language import N_, Template, format_text, in_language, number
+from lispac.language import N_, Template, format_text, in_language, number, with_advice
 from lispac.message_texts import (
     adjustment,
     adjustment_warnings,
@@ -113,7 +113,14 @@ ACTION_TIPS: Mapping[str, Template] = {
 
 
 def message_text(message: Message) -> str:
-    """Text of a message in the language in use."""
+    """Text of a message in the language in use; in `without_advice`, notes have no advice."""
+    if message.is_serious:
+        with with_advice():
+            return _text(message)
+    return _text(message)
+
+
+def _text(message: Message) -> str:
     return _one_line(format_text(TEXTS[message.code], _params_as_text(message.params)))
 
 
@@ -157,7 +164,7 @@ def _params_as_text(params: Mapping[str, Value]) -> dict[str, Any]:
 
 def _value_as_text(value: Value) -> Any:
     if isinstance(value, Message):
-        return message_text(value)
+        return _text(value)  # with or without advice, as the message that contains it
     if isinstance(value, list | tuple):
         return [_value_as_text(each) for each in value]
     return value

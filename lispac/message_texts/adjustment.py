@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- observations ------------------------------------------------------------------------------
@@ -149,15 +149,12 @@ TEXTS: Mapping[str, Template] = {
         "{line}, the standard deviation of {angle} is {without:deg.4}° instead of {sigma:deg.4}°"
         ".",
     ),
-    "observability.no_main_line": N_(
-        "The standard deviation of {angle} does not depend on any single line."
+    "observability.largest_increases": N_(
+        "Largest increases of the standard deviations if any one line is omitted: {angles:names}."
     ),
-    "observability.no_main_lines": N_(
-        "The standard deviations of these angles do not depend on any single line: {angles:names}."
-    ),
-    "observability.one_sphere": N_(
-        "{target} is the only target, so its deformation or displacement cannot be detected. Add "
-        "another target."
+    "observability.one_sphere": Advised(
+        N_("{target} is the only target, so its deformation or displacement cannot be detected."),
+        N_("Add another target."),
     ),
     # -- values that are not estimated -------------------------------------------------------------
     "parameter.rotates_like_boresight": N_(
@@ -177,9 +174,12 @@ TEXTS: Mapping[str, Template] = {
         "The given value is used, and its uncertainty is included in the standard deviations of "
         "the angles."
     ),
-    "parameter.not_classical": N_(
-        "The {parameter} would be wrong if estimated with uncorrelated POS errors, so the given "
-        "value is used. To estimate it, choose correlated POS errors."
+    "parameter.not_classical": Advised(
+        N_(
+            "The {parameter} would be wrong if estimated with uncorrelated POS errors, so the "
+            "given value is used."
+        ),
+        N_("To estimate it, choose correlated POS errors."),
     ),
     # -- parts of the data -------------------------------------------------------------------------
     "cross_check.no_common_target": N_("None of the remaining targets is observed on two lines."),

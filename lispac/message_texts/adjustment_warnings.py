@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 _CONTRADICTED_TEXT = N_(
     "The given {parameter} disagrees with the data: the best-fitting value, {change} (± {sigma}, "
@@ -31,19 +31,28 @@ TEXTS: Mapping[str, Template] = {
         "Targets have points in common: {pairs:names}. These points count twice and make the "
         "standard deviations of the angles too small, so exclude one target of each pair.",
     ),
-    "targets.no_independent_check": Plural(
-        "A validation plane has points in common with a target: {pairs:names}. It does not check "
-        "the angles independently, so exclude one of the two.",
-        "Validation planes have points in common with targets: {pairs:names}. They do not check "
-        "the angles independently, so exclude one of each pair.",
+    "targets.no_independent_check": Advised(
+        Plural(
+            "A validation plane has points in common with a target and does not check the angles "
+            "independently: {pairs:names}.",
+            "Validation planes have points in common with targets and do not check the angles "
+            "independently: {pairs:names}.",
+        ),
+        Plural(
+            "Exclude one of the two.",
+            "Exclude one of each pair.",
+        ),
     ),
-    "targets.validation_in_plane": N_(
-        "Validation plane {plane} lies in the plane of {targets:names}. It checks the angles with "
-        "other points, but in the same orientation: add a validation plane in another orientation."
+    "targets.validation_in_plane": Advised(
+        N_(
+            "Validation plane {plane} lies in the plane of {targets:names}, so it checks the "
+            "angles with other points, but in the same orientation."
+        ),
+        N_("Add a validation plane in another orientation."),
     ),
-    "targets.single_line_targets": N_(
-        "Targets observed on one line only are excluded: {sightings:names}. Set seeds for them on "
-        "other lines, or remove these targets."
+    "targets.single_line_targets": Advised(
+        N_("Targets observed on one line only are excluded: {sightings:names}."),
+        N_("Set seeds for them on other lines, or remove these targets."),
     ),
     "targets.proposal_unchecked": N_(
         "The proposed targets are too few or too close together to detect errors in the data. Use "
@@ -67,9 +76,12 @@ TEXTS: Mapping[str, Template] = {
         "contain the noise and the form errors of the targets only. Check the residuals of the "
         "targets, or use more targets and lines."
     ),
-    "targets.sigma_above_prediction": N_(
-        "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
-        "targets were proposed: {angles:names}. For a higher precision, use more targets or lines."
+    "targets.sigma_above_prediction": Advised(
+        N_(
+            "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
+            "targets were proposed: {angles:names}."
+        ),
+        N_("For a higher precision, use more targets or lines."),
     ),
     "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
@@ -86,40 +98,59 @@ TEXTS: Mapping[str, Template] = {
         "do not determine some given values: {parameters:names}. Give smaller standard deviations "
         "for these values, or do not estimate them."
     ),
-    "adjustment.one_target": N_(
-        "{target} is the only target, so only the headings of the lines separate the angles, and "
-        "its deformation or displacement cannot be detected. Add a target with another orientation."
+    "adjustment.one_target": Advised(
+        N_(
+            "{target} is the only target, so only the headings of the lines separate the angles, "
+            "and its deformation or displacement cannot be detected."
+        ),
+        N_("Add a target with another orientation."),
     ),
-    "adjustment.one_facing": N_(
-        "All targets are nearly parallel, so the angles are separated only by the different "
-        "headings of the lines. Add a target with another orientation."
+    "adjustment.one_facing": Advised(
+        N_(
+            "All targets are nearly parallel, so the angles are separated only by the different "
+            "headings of the lines."
+        ),
+        N_("Add a target with another orientation."),
     ),
-    "adjustment.high_correlation": N_(
-        "The correlation of {first} and {second} is {correlation:x.2+}, so they can hardly be "
-        "separated. Add a target with another orientation, or lines in other directions."
+    "adjustment.high_correlation": Advised(
+        N_(
+            "The correlation of {first} and {second} is {correlation:x.2+}, so they can hardly be "
+            "separated."
+        ),
+        N_("Add a target with another orientation, or lines in other directions."),
     ),
-    "adjustment.high_correlation_parameter": N_(
-        "The correlation of {first} and {second} is {correlation:x.2+}, so they can hardly be "
-        "separated. Give the standard deviation of the prior {second}, or do not estimate it."
+    "adjustment.high_correlation_parameter": Advised(
+        N_(
+            "The correlation of {first} and {second} is {correlation:x.2+}, so they can hardly be "
+            "separated."
+        ),
+        N_("Give the standard deviation of the prior {second}, or do not estimate it."),
     ),
     "adjustment.steep_pitch": N_(
         "The boresight pitch exceeds 60°, so roll and yaw can hardly be separated; the standard "
         "deviations are those of small rotations about the body axes. Use the rotation matrix "
         "instead of the three angles."
     ),
-    "adjustment.surface_held": N_(
-        "The form error of the targets is fixed at 0, so the sightings are not tested against each "
-        "other. Estimate the form error from the data to test them."
+    "adjustment.surface_held": Advised(
+        N_(
+            "The form error of the targets is fixed at 0, so the sightings are not tested against "
+            "each other."
+        ),
+        N_("Estimate the form error from the data to test them."),
     ),
-    "adjustment.surfaces_differ": N_(
-        "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more than "
-        "the standard deviations used explain. Check for rough or bent targets, and for errors "
-        "that are not in the error model."
+    "adjustment.surfaces_differ": Advised(
+        N_(
+            "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more "
+            "than the standard deviations used explain."
+        ),
+        N_("Check for rough or bent targets, and for errors that are not in the error model."),
     ),
-    "adjustment.surfaces_displaced": N_(
-        "The targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm between lines "
-        "(1 sigma), more than the standard deviations used explain. Check whether targets moved, "
-        "and check for errors that are not in the error model."
+    "adjustment.surfaces_displaced": Advised(
+        N_(
+            "The targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm between "
+            "lines (1 sigma), more than the standard deviations used explain."
+        ),
+        N_("Check whether targets moved, and check for errors that are not in the error model."),
     ),
     "adjustment.shorter_times": N_(
         "With correlation times of the POS errors of {position:s} s (position) and {attitude:s} s "
@@ -141,32 +172,41 @@ TEXTS: Mapping[str, Template] = {
         "from subsets of the data scatter more. The standard deviations were therefore increased "
         "and are given with the result: {angles:names}."
     ),
-    "adjustment.lidar_noise": N_(
-        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the given "
-        "{given:mm.2} mm. Use the noise of the residuals and estimate again."
+    "adjustment.lidar_noise": Advised(
+        N_(
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the given "
+            "{given:mm.2} mm."
+        ),
+        N_("Use the noise of the residuals and estimate again."),
     ),
-    "adjustment.lidar_noise_ratio": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one. Use the noise of the "
-        "residuals and estimate again."
+    "adjustment.lidar_noise_ratio": Advised(
+        N_("The residuals show a LiDAR noise of {ratio:x.2} times the given one."),
+        N_("Use the noise of the residuals and estimate again."),
     ),
-    "adjustment.lidar_noise_conservative": N_(
-        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the given "
-        "{given:mm.2} mm with which the standard deviations of the angles are computed. Use the "
-        "noise of the residuals and estimate again."
+    "adjustment.lidar_noise_conservative": Advised(
+        N_(
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the given "
+            "{given:mm.2} mm with which the standard deviations of the angles are computed."
+        ),
+        N_("Use the noise of the residuals and estimate again."),
     ),
-    "adjustment.lidar_noise_ratio_conservative": N_(
-        "The residuals show a LiDAR noise of {ratio:x.2} times the given one with which the "
-        "standard deviations of the angles are computed. Use the noise of the residuals and "
-        "estimate again."
+    "adjustment.lidar_noise_ratio_conservative": Advised(
+        N_(
+            "The residuals show a LiDAR noise of {ratio:x.2} times the given one with which the "
+            "standard deviations of the angles are computed."
+        ),
+        N_("Use the noise of the residuals and estimate again."),
     ),
-    "adjustment.assumed_sigmas": N_(
-        "Standard deviations are assumed values that could not be replaced by estimates from the "
-        "data: {groups:names}. Enter the values of the data sheet or of the processing report in "
-        "step 1."
+    "adjustment.assumed_sigmas": Advised(
+        N_(
+            "Standard deviations are assumed values that could not be replaced by estimates from "
+            "the data: {groups:names}."
+        ),
+        N_("Enter the values of the data sheet or of the processing report in step 1."),
     ),
-    "adjustment.cross_check": N_(
-        "Angles computed from subsets of the data differ significantly: {parts:names}. Compare "
-        "these angles under Cross-checks."
+    "adjustment.cross_check": Advised(
+        N_("Angles computed from subsets of the data differ significantly: {parts:names}."),
+        N_("Compare these angles under Cross-checks."),
     ),
     "adjustment.cross_check_uncovered": N_(
         "Angles computed from subsets of the data differ by more than their standard deviations "
@@ -205,35 +245,55 @@ TEXTS: Mapping[str, Template] = {
         "{sightings:names}. Add targets or lines."
     ),
     # -- sightings, targets and points -------------------------------------------------------
-    "adjustment.released": Plural(
-        "A sighting disagrees with the others and was rejected: {sightings:names}. Check its "
-        "points and the trajectory at that time, or exclude the sighting if it is on another "
-        "surface.",
-        "Some sightings disagree with the others and were rejected: {sightings:names}. Check their "
-        "points and the trajectory at these times, or exclude sightings on another surface.",
+    "adjustment.released": Advised(
+        Plural(
+            "A sighting disagrees with the others and was rejected: {sightings:names}.",
+            "Some sightings disagree with the others and were rejected: {sightings:names}.",
+        ),
+        Plural(
+            "Check its points and the trajectory at that time, or exclude the sighting if it is on "
+            "another surface.",
+            "Check their points and the trajectory at these times, or exclude sightings on another "
+            "surface.",
+        ),
     ),
-    "adjustment.sighting_disagrees": Plural(
-        "A sighting disagrees with the others but is used: {sightings:names}. Check its points "
-        "and the trajectory at that time.",
-        "Some sightings disagree with the others but are used: {sightings:names}. Check their "
-        "points and the trajectory at these times.",
+    "adjustment.sighting_disagrees": Advised(
+        Plural(
+            "A sighting disagrees with the others but is used: {sightings:names}.",
+            "Some sightings disagree with the others but are used: {sightings:names}.",
+        ),
+        Plural(
+            "Check its points and the trajectory at that time.",
+            "Check their points and the trajectory at these times.",
+        ),
     ),
-    "adjustment.target_excluded": N_(
-        "Targets were excluded because none of their points agrees with the other targets and "
-        "lines: {targets:names}. Pick these targets again, or remove them."
+    "adjustment.target_excluded": Advised(
+        N_(
+            "Targets were excluded because none of their points agrees with the other targets and "
+            "lines: {targets:names}."
+        ),
+        N_("Pick these targets again, or remove them."),
     ),
-    "adjustment.target_cut": N_(
-        "The lines cover different areas of these targets, which may not be flat, so only the "
-        "common area is used: {targets:names}. Pick smaller targets."
+    "adjustment.target_cut": Advised(
+        N_(
+            "The lines cover different areas of these targets, which may not be flat, so only the "
+            "common area is used: {targets:names}."
+        ),
+        N_("Pick smaller targets."),
     ),
-    "adjustment.target_parts": N_(
-        "Targets were excluded because the lines cover different areas of them, and they may not "
-        "be flat: {targets:names}. Pick an area that two lines cover."
+    "adjustment.target_parts": Advised(
+        N_(
+            "Targets were excluded because the lines cover different areas of them, and they may "
+            "not be flat: {targets:names}."
+        ),
+        N_("Pick an area that two lines cover."),
     ),
-    "adjustment.strays_full_weight": N_(
-        "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most of "
-        "them on {target}, line {line} ({here:n} of {sighting_points:n}), with full weight. Choose "
-        "a robust loss function."
+    "adjustment.strays_full_weight": Advised(
+        N_(
+            "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most "
+            "of them on {target}, line {line} ({here:n} of {sighting_points:n}), with full weight."
+        ),
+        N_("Choose a robust loss function."),
     ),
     "adjustment.strays_reduced_weight": N_(
         "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most of "
@@ -245,13 +305,17 @@ TEXTS: Mapping[str, Template] = {
         "them on {target}, line {line} ({here:n} of {sighting_points:n}). They have little or no "
         "weight."
     ),
-    "adjustment.another_surface": Plural(
-        "The points of target {targets:names} deviate from its surface by {factor:x.1} times the "
-        "LiDAR noise and have little weight. Check whether the target is the same surface on all "
-        "lines.",
-        "The points of targets {targets:names} deviate from their surfaces by up to {factor:x.1} "
-        "times the LiDAR noise and have little weight. Check whether each target is the same "
-        "surface on all lines.",
+    "adjustment.another_surface": Advised(
+        Plural(
+            "The points of target {targets:names} deviate from its surface by {factor:x.1} times "
+            "the LiDAR noise and have little weight.",
+            "The points of targets {targets:names} deviate from their surfaces by up to "
+            "{factor:x.1} times the LiDAR noise and have little weight.",
+        ),
+        Plural(
+            "Check whether the target is the same surface on all lines.",
+            "Check whether each target is the same surface on all lines.",
+        ),
     ),
     "adjustment.noise": Plural(
         "The residuals on {targets:names} indicate {factor:x.1} times the LiDAR noise used: the "
@@ -299,22 +363,33 @@ TEXTS: Mapping[str, Template] = {
         "{largest:mm.1} mm, but agrees with one changed mounting parameter ({cause}). Measure this "
         "parameter again."
     ),
-    "cause.wrong_roll_sign": N_(
-        "Roll has the wrong sign: with the opposite sign the adjustment converges, and the "
-        "residuals agree with the error model. Check the sign convention of the trajectory file."
+    "cause.wrong_roll_sign": Advised(
+        N_(
+            "Roll has the wrong sign: with the opposite sign the adjustment converges, and the "
+            "residuals agree with the error model."
+        ),
+        N_("Check the sign convention of the trajectory file."),
     ),
-    "cause.wrong_pitch_sign": N_(
-        "Pitch has the wrong sign: with the opposite sign the adjustment converges, and the "
-        "residuals agree with the error model. Check the sign convention of the trajectory file."
+    "cause.wrong_pitch_sign": Advised(
+        N_(
+            "Pitch has the wrong sign: with the opposite sign the adjustment converges, and the "
+            "residuals agree with the error model."
+        ),
+        N_("Check the sign convention of the trajectory file."),
     ),
-    "cause.wrong_roll_pitch_signs": N_(
-        "Roll and pitch have the wrong signs: with the opposite signs the adjustment converges, "
-        "and the residuals agree with the error model. Check the sign convention of the trajectory "
-        "file."
+    "cause.wrong_roll_pitch_signs": Advised(
+        N_(
+            "Roll and pitch have the wrong signs: with the opposite signs the adjustment "
+            "converges, and the residuals agree with the error model."
+        ),
+        N_("Check the sign convention of the trajectory file."),
     ),
-    "cause.wrong_value": N_(
-        "{change}, with which the adjustment converges and the residuals agree with the error "
-        "model. Measure this parameter again."
+    "cause.wrong_value": Advised(
+        N_(
+            "{change}, with which the adjustment converges and the residuals agree with the error "
+            "model."
+        ),
+        N_("Measure this parameter again."),
     ),
     # -- causes of the residuals -------------------------------------------------------------
     **{f"adjustment.contradicted_{name}": _CONTRADICTED_TEXT for name in _MOUNTING_PARAMETERS},
@@ -324,55 +399,77 @@ TEXTS: Mapping[str, Template] = {
     },
     "change.larger": N_("larger by {amount}"),
     "change.smaller": N_("smaller by {amount}"),
-    "adjustment.cause_not_located": N_(
-        "The residuals do not agree with the error model, and the lines are too few to separate "
-        "these possible causes: {causes:names}. Add lines."
+    "adjustment.cause_not_located": Advised(
+        N_(
+            "The residuals do not agree with the error model, and the lines are too few to "
+            "separate these possible causes: {causes:names}."
+        ),
+        N_("Add lines."),
     ),
-    "adjustment.cause_not_identified": N_(
-        "The residuals do not agree with the error model, and the lines are too few to identify "
-        "the cause. Add lines."
+    "adjustment.cause_not_identified": Advised(
+        N_(
+            "The residuals do not agree with the error model, and the lines are too few to "
+            "identify the cause."
+        ),
+        N_("Add lines."),
     ),
-    "adjustment.several_causes": N_(
-        "Several causes explain almost equally well why the residuals do not agree with the error "
-        "model, the most likely first: {causes:names}. Check each of them."
+    "adjustment.several_causes": Advised(
+        N_(
+            "Several causes explain almost equally well why the residuals do not agree with the "
+            "error model, the most likely first: {causes:names}."
+        ),
+        N_("Check each of them."),
     ),
-    "adjustment.known_cause": N_(
-        "The residuals do not agree with the error model because of the imported data: {cause} "
-        "(see the warning about it). Correct the data first."
+    "adjustment.known_cause": Advised(
+        N_(
+            "The residuals do not agree with the error model because of the imported data: {cause} "
+            "(see the warning about it)."
+        ),
+        N_("Correct the data first."),
     ),
-    "adjustment.known_cause_or_others": N_(
-        "The residuals do not agree with the error model because of the imported data: {cause} "
-        "(see the warning about it). Correct the data first; other possible causes: {causes:names}."
+    "adjustment.known_cause_or_others": Advised(
+        N_(
+            "The residuals do not agree with the error model because of the imported data: {cause} "
+            "(see the warning about it); other possible causes: {causes:names}."
+        ),
+        N_("Correct the data first."),
     ),
     "adjustment.line_boresight": N_(
         "The boresight angles of line {line} differ from those of the other lines "
         "({differences:names}); it may come from a second scanner, or the mounting moved. "
         "Calibrate the line separately, or exclude it."
     ),
-    "adjustment.line_position": N_(
-        "The positions on line {line} are in error by {shift:mm.1} mm. Check the trajectory during "
-        "this line, or exclude the line."
+    "adjustment.line_position": Advised(
+        N_("The positions on line {line} are in error by {shift:mm.1} mm."),
+        N_("Check the trajectory during this line, or exclude the line."),
     ),
-    "adjustment.line_jumped": Plural(
-        "All targets are displaced on line {lines:names}. Check first for a jump in the position, "
-        "confused targets or a wrong mounting parameter.",
-        "All targets are displaced on lines {lines:names}. Check first for a jump in the position, "
-        "confused targets or a wrong mounting parameter.",
+    "adjustment.line_jumped": Advised(
+        Plural(
+            "All targets are displaced on line {lines:names}.",
+            "All targets are displaced on lines {lines:names}.",
+        ),
+        N_(
+            "Check first for a jump in the position, confused targets or a wrong mounting "
+            "parameter."
+        ),
     ),
-    "adjustment.line_times_early": N_(
-        "The point times of line {line} are {offset:ms.2} ms early. Check the time base and the "
-        "time shift of the line, or exclude the line."
+    "adjustment.line_times_early": Advised(
+        N_("The point times of line {line} are {offset:ms.2} ms early."),
+        N_("Check the time base and the time shift of the line, or exclude the line."),
     ),
-    "adjustment.line_times_late": N_(
-        "The point times of line {line} are {offset:ms.2} ms late. Check the time base and the "
-        "time shift of the line, or exclude the line."
+    "adjustment.line_times_late": Advised(
+        N_("The point times of line {line} are {offset:ms.2} ms late."),
+        N_("Check the time base and the time shift of the line, or exclude the line."),
     ),
-    "adjustment.target_not_flat": N_(
-        "The residuals do not agree with the error model, most likely because target {target} is "
-        "not the same flat surface on all lines. Exclude the target, or pick a smaller area of it."
+    "adjustment.target_not_flat": Advised(
+        N_(
+            "The residuals do not agree with the error model, most likely because target {target} "
+            "is not the same flat surface on all lines."
+        ),
+        N_("Exclude the target, or pick a smaller area of it."),
     ),
-    "adjustment.sighting_cause": N_(
-        "The residuals do not agree with the error model; most likely cause: {cause}. Check the "
-        "points and the trajectory at that time."
+    "adjustment.sighting_cause": Advised(
+        N_("The residuals do not agree with the error model; most likely cause: {cause}."),
+        N_("Check the points and the trajectory at that time."),
     ),
 }

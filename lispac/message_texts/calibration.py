@@ -192,14 +192,14 @@ TEXTS: Mapping[str, Template] = {
         "sums of squares over two directions."
     ),
     "budget.pos": N_(
-        "POS errors are the median accuracies on the lines: {north:mm.1}, {east:mm.1}, {up:mm.1} "
-        "mm (north, east, up) and {roll:deg.4}, {pitch:deg.4}, {heading:deg.4}° (roll, pitch, "
+        "POS errors are the median accuracies on the lines: {north:m.3}, {east:m.3}, {up:m.3} m "
+        "(north, east, down) and {roll:deg.4}, {pitch:deg.4}, {heading:deg.4}° (roll, pitch, "
         "heading)."
     ),
     "budget.boresight": N_(
-        '"Boresight before" is the distance between points computed with the prior and with the '
-        'estimated angles, not a standard deviation. "Boresight after" is computed from the '
-        "covariance of the estimated angles."
+        '"Boresight before calibration" is the distance between points computed with the prior and '
+        'with the estimated angles, not a standard deviation. "Boresight after calibration" is '
+        "computed from the covariance of the estimated angles."
     ),
     "budget.lidar_per_axis": N_(
         "The LiDAR noise is given along x, y and z, so it does not grow with the distance. Noise "

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- cloud distances ---------------------------------------------------------------------------
@@ -295,9 +295,12 @@ TEXTS: Mapping[str, Template] = {
         "surface is used, which is the wrong one if a line is displaced by more than half the "
         "distance between the two."
     ),
-    "absolute.former_version": N_(
-        "This check was made by an earlier version, and its result is wrong where a wall stands "
-        "behind the reference. Repeat the check."
+    "absolute.former_version": Advised(
+        N_(
+            "This check was made by an earlier version, and its result is wrong where a wall "
+            "stands behind the reference."
+        ),
+        N_("Repeat the check."),
     ),
     "absolute.scan_error": N_(
         "The standard deviation of the reference is treated as one error common to all points of "

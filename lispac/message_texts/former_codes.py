@@ -42,6 +42,9 @@ FORMER_CODES: Mapping[str, str] = {
 }
 """Former code by the name in the present code (the part after the topic), if they differ."""
 
+REMOVED_CODES = {"observability.no_main_line", "observability.no_main_lines"}
+"""Codes of earlier versions in the observability of a stored result, which another replaces."""
+
 
 def former_code(message: Message) -> str:
     """Return the former code of a message, or its present code if it had none."""

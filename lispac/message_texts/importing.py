@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Template
+from lispac.language import N_, Advised, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- trajectory accuracy -----------------------------------------------------------------
@@ -60,9 +60,9 @@ TEXTS: Mapping[str, Template] = {
         "range of {limit:km.1} km, so results from them are wrong. Check the file of the line, "
         "then import the line again."
     ),
-    "audit.not_checked": N_(
-        "{line} was imported by an earlier version, which did not check its points. "
-        "Import the line again."
+    "audit.not_checked": Advised(
+        N_("{line} was imported by an earlier version, which did not check its points."),
+        N_("Import the line again."),
     ),
     "audit.noise_classes": N_(
         "{line}: {count:n} points are classified as noise (class {classes:names}) and may not be "
@@ -146,10 +146,15 @@ TEXTS: Mapping[str, Template] = {
         "boresight is estimated with the prior one ({off:mm} mm away). If both refer to the same "
         "scanner, correct the prior lever arm."
     ),
-    "recovery.boresight_used": N_(
-        "{line}: the beams recovered from the cloud lie in a plane that is rotated by {turn:deg.1}°"
-        " from the scanner axes. If the scanner measures along its axes, give the boresight of "
-        "the cloud as the prior boresight."
+    "recovery.boresight_used": Advised(
+        N_(
+            "{line}: the beams recovered from the cloud lie in a plane that is rotated by "
+            "{turn:deg.1}° from the scanner axes."
+        ),
+        N_(
+            "If the scanner measures along its axes, give the boresight of the cloud as the prior "
+            "boresight."
+        ),
     ),
     # -- several lines ---------------------------------------------------------------------
     "audit.shared_points": N_(
@@ -187,9 +192,12 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the angles are read as radians, but heading and course differ by "
         "{difference:deg.0}° and agree only in degrees. Choose degrees."
     ),
-    "trajectory.rates_not_used": N_(
-        "The velocities or angular rates of the trajectory do not agree with its {names:names}, "
-        "for which linear interpolation is used. Check the export of velocities and rates."
+    "trajectory.rates_not_used": Advised(
+        N_(
+            "The velocities or angular rates of the trajectory do not agree with its "
+            "{names:names}, for which linear interpolation is used."
+        ),
+        N_("Check the export of velocities and rates."),
     ),
     "trajectory.no_position": N_(
         "{count:n} states of the trajectory have no position (latitude and longitude 0, as before "
@@ -227,9 +235,12 @@ TEXTS: Mapping[str, Template] = {
         "requires) and {other}. If the points are in {other}, set it as the coordinate system "
         "(option crs)."
     ),
-    "file.unusable_system": N_(
-        "{file}: of the two coordinate systems in the header, the one that the WKT bit requires "
-        "cannot be used, so {system} is used. Check the coordinate system."
+    "file.unusable_system": Advised(
+        N_(
+            "{file}: of the two coordinate systems in the header, the one that the WKT bit "
+            "requires cannot be used, so {system} is used."
+        ),
+        N_("Check the coordinate system."),
     ),
     "file.invalid_points": N_(
         "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- files to be imported --------------------------------------------------------------------
@@ -187,8 +187,9 @@ TEXTS: Mapping[str, Template] = {
         "{file}: neither the line nor the trajectory specifies the date, so the current number of "
         "leap seconds ({leap:n} s) is used."
     ),
-    "import.other_shifts_fit": N_(
-        "{file}: the time shifts {shifts:choices} are also possible. Check the day of the survey."
+    "import.other_shifts_fit": Advised(
+        N_("{file}: the time shifts {shifts:choices} are also possible."),
+        N_("Check the day of the survey."),
     ),
     "import.other_bases_fit": N_(
         "{file}: according to the times, the time shifts {shifts:choices} are also possible. Check "
@@ -328,19 +329,29 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {count:n} of {total:n} points were recorded at a pitch above 80°, at which "
         "roll and heading cannot be separated. They are excluded."
     ),
-    "import.shift_possible": N_(
-        "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
-        "within the trajectory. If the points are in {points} and the trajectory in {trajectory}, "
-        "import the line again with this time shift."
+    "import.shift_possible": Advised(
+        N_(
+            "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
+            "within the trajectory."
+        ),
+        N_(
+            "If the points are in {points} and the trajectory in {trajectory}, import the line "
+            "again with this time shift."
+        ),
     ),
-    "import.restart_found": N_(
-        "{file}: the times restart from zero at {place} within the line. Import the line again "
-        "with the option {option}."
+    "import.restart_found": Advised(
+        N_("{file}: the times restart from zero at {place} within the line."),
+        N_("Import the line again with the option {option}."),
     ),
-    "import.restart_not_needed": N_(
-        "{file}: without the time rollover, {share:percent.1} % of the points lie within the "
-        "trajectory. If the times of the trajectory restart from zero too, import the line again "
-        "with the option {option}."
+    "import.restart_not_needed": Advised(
+        N_(
+            "{file}: without the time rollover, {share:percent.1} % of the points lie within the "
+            "trajectory."
+        ),
+        N_(
+            "If the times of the trajectory restart from zero too, import the line again with the "
+            "option {option}."
+        ),
     ),
     "import.file_gone": N_(
         "{file}: this file no longer exists. The imported data of line {line} are used."

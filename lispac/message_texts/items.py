@@ -61,6 +61,7 @@ TEXTS: Mapping[str, Template] = {
         "attitude {roll:deg.4}°, {pitch:deg.4}°, {heading:deg.4}° (roll, pitch, heading)"
     ),
     "item.angle_sigma": N_("{angle} {sigma:deg.2}°"),
+    "item.sigma_increase": N_("{angle} {increase:percent.0} % (without {line})"),
     "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4}°"),
     "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4}°"),
     "item.angle_difference": N_("{angle} {difference:deg.2+}°"),

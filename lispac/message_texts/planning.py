@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Template
+from lispac.language import N_, Advised, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- simulated surveys -------------------------------------------------------------------------
@@ -61,10 +61,13 @@ TEXTS: Mapping[str, Template] = {
         "{target}), with the middle of the targets {distance:m.1} m to starboard, would reduce the "
         "standard deviation of {angle} from {now:deg.4}° to {then:deg.4}°."
     ),
-    "further_line.insufficient": N_(
-        "No single further line past these targets, {distance:m.1} m from their middle, would "
-        "reduce the standard deviation of {angle} from {now:deg.4}° to less than {limit:deg.4}°. "
-        "Add targets elsewhere, or repeat the survey later, when the POS error is different."
+    "further_line.insufficient": Advised(
+        N_(
+            "No single further line past these targets, {distance:m.1} m from their middle, would "
+            "reduce the standard deviation of {angle} from {now:deg.4}° to less than "
+            "{limit:deg.4}°."
+        ),
+        N_("Add targets elsewhere, or repeat the survey later, when the POS error is different."),
     ),
     "further_line.prior": N_(
         "The standard deviation of {angle} is due mainly to the given standard deviation of "

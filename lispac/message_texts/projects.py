@@ -186,7 +186,7 @@ TEXTS: Mapping[str, Template] = {
     "identity_field.datum": N_("Datum"),
     "identity_field.epoch": N_("Epoch"),
     "identity_field.gnss_base": N_("GNSS base"),
-    "identity_field.lever_arm_origin": N_("Origin of the lever arm"),
+    "identity_field.lever_arm_origin": N_("Source of the lever arm"),
     "identity_field.scanner": N_("Scanner"),
     "identity_field.scanner_serial": N_("Scanner serial number"),
     "identity_field.pos": N_("INS/GNSS model"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 NOISE_DIFFERS_TEXT = N_(
     "The residuals of {targets:names} are up to {factor:x.2} times as large as the LiDAR noise "
@@ -28,14 +28,19 @@ TEXTS: Mapping[str, Template] = {
         "The adjustment has no redundancy (no more points than unknowns), so errors in the data "
         "cannot be detected. Add targets or lines."
     ),
-    "report.chi_square_high": N_(
-        "The chi-square test failed: the residuals are larger than the standard deviations used "
-        "allow. Correct the standard deviations, or look for outliers."
+    "report.chi_square_high": Advised(
+        N_(
+            "The chi-square test failed: the residuals are larger than the standard deviations "
+            "used allow."
+        ),
+        N_("Correct the standard deviations, or look for outliers."),
     ),
-    "report.chi_square_high_noise": N_(
-        "The chi-square test failed: the residuals are larger than the standard deviations used "
-        "allow, so those of the angles are computed with the larger noise. Correct the standard "
-        "deviations, or look for outliers."
+    "report.chi_square_high_noise": Advised(
+        N_(
+            "The chi-square test failed: the residuals are larger than the standard deviations "
+            "used allow, so those of the angles are computed with the larger noise."
+        ),
+        N_("Correct the standard deviations, or look for outliers."),
     ),
     "report.noise_differs": NOISE_DIFFERS_TEXT,
     "report.chi_square_high_classical": N_(
@@ -43,9 +48,12 @@ TEXTS: Mapping[str, Template] = {
         "allow, so the standard deviations of the angles are too small. Correct the given standard "
         "deviations, or look for outliers."
     ),
-    "report.chi_square_high_assumed": N_(
-        "The residuals are larger than the assumed standard deviations allow. Enter the standard "
-        "deviations of the data sheet or of the processing report, or look for outliers."
+    "report.chi_square_high_assumed": Advised(
+        N_("The residuals are larger than the assumed standard deviations allow."),
+        N_(
+            "Enter the standard deviations of the data sheet or of the processing report, or look "
+            "for outliers."
+        ),
     ),
     "report.chi_square_low": N_(
         "The residuals are smaller than the standard deviations used predict, so the tests detect "
@@ -55,13 +63,14 @@ TEXTS: Mapping[str, Template] = {
         "The LiDAR noise was estimated from all targets and then increased for targets with a "
         "noise factor above 1, so the residuals are smaller than predicted."
     ),
-    "report.parameter_not_seen": N_(
-        "The {parameter} was not estimated: {reason} Turn off its estimation."
+    "report.parameter_not_seen": Advised(
+        N_("The {parameter} was not estimated: {reason}"),
+        N_("Turn off its estimation."),
     ),
     "report.parameter_not_seen_uncertain": N_("The {parameter} was not estimated. {reason}"),
-    "report.parameter_not_significant": N_(
-        "The estimated change of the {parameter} ({change}) is not significant. Use the given "
-        "value and do not estimate it."
+    "report.parameter_not_significant": Advised(
+        N_("The estimated change of the {parameter} ({change}) is not significant."),
+        N_("Use the given value and do not estimate it."),
     ),
     # -- targets and sightings ---------------------------------------------------------------
     "report.left_out_target": N_("Target {target} is excluded."),
@@ -91,7 +100,7 @@ TEXTS: Mapping[str, Template] = {
     "report.not_found": N_("Targets that were not found on some lines: {items:names}. {reason}"),
     "report.not_found_on": N_("{target} on {lines:names}"),
     "report.sightings": N_(
-        "Quality of {sightings:names}: {ratings:names}. The worst is {target} on {line}: "
+        "Quality of {sightings:names}: {ratings:names}; the worst is {target} on {line}. "
         "{reasons:sentences}"
     ),
     # -- validation --------------------------------------------------------------------------
@@ -102,8 +111,16 @@ TEXTS: Mapping[str, Template] = {
     "report.not_compared": N_("The lines were not compared on a validation plane. {reason}"),
     "report.validation_worse": N_(
         "On validation plane {target} the distances between the lines are larger after the "
-        "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm). Check the targets and "
-        "the lever arm."
+        "calibration (RMS {after:mm.1|before} mm) than before ({before:mm.1|after} mm). Check the "
+        "targets and the lever arm."
+    ),
+    "report.validation_worse_explained": N_(
+        "The distances between the lines are larger after the calibration than before on "
+        "{items:names}. The uncertainties of POS and boresight explain it: no shift of lines there "
+        "exceeds {ratio:x.1|limit} times its standard deviation (limit {limit:x.1|ratio})."
+    ),
+    "report.validation_on_plane": N_(
+        "{target} (RMS {before:mm.1|after} mm before, {after:mm.1|before} mm after)"
     ),
     "validation.directions_shifted": N_(
         "On validation plane {target}, {lines:names} and the opposite direction ({others:names}) "
@@ -133,10 +150,12 @@ TEXTS: Mapping[str, Template] = {
         "shifted by {ratio:x.1|limit} times the standard deviation of the shift (limit "
         "{limit:x.1|ratio})."
     ),
-    "validation.offset_not_smaller_unknown": N_(
-        "The two lines with the largest offset are not closer to each other than before on "
-        "{items:names}. Validate again to compare the offset with the uncertainties of POS and "
-        "boresight."
+    "validation.offset_not_smaller_unknown": Advised(
+        N_(
+            "The two lines with the largest offset are not closer to each other than before on "
+            "{items:names}."
+        ),
+        N_("Validate again to compare the offset with the uncertainties of POS and boresight."),
     ),
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"
@@ -172,43 +191,66 @@ TEXTS: Mapping[str, Template] = {
         "{other} after the calibration is {offset:mm.1|limit} mm, the limit is {limit:mm.1|offset} "
         "mm."
     ),
-    "acceptance.cause_geometry": N_(
-        "Probable cause: the targets and lines do not determine {angles:names} precisely enough. "
-        "Add targets in another orientation or farther away, or more lines."
+    "acceptance.cause_geometry": Advised(
+        N_(
+            "Probable cause: the targets and lines do not determine {angles:names} precisely "
+            "enough."
+        ),
+        N_("Add targets in another orientation or farther away, or more lines."),
     ),
-    "acceptance.cause_pos": N_(
-        "Probable cause on {planes:names}: the POS, because the given uncertainties explain all "
-        "shifts of lines there (largest: {lines:names} on {plane}, {offset:mm.1} mm from the mean "
-        "of {others:names}, {ratio:x.1|limit} times its standard deviation, limit "
-        "{limit:x.1|ratio}). Process the trajectory again with a more accurate solution, or check "
-        "the given POS accuracy."
+    "acceptance.cause_pos": Advised(
+        N_(
+            "Probable cause on {planes:names}: errors of POS and boresight, because their "
+            "uncertainties explain all shifts of lines there and any second peak of the histograms "
+            "(most significant shift: {lines:names} on {plane}, {ratio:x.1|limit} times its "
+            "standard deviation, limit {limit:x.1|ratio})."
+        ),
+        N_(
+            "Process the trajectory again with a more accurate solution, or check the given POS "
+            "accuracy."
+        ),
     ),
-    "acceptance.cause_scatter": N_(
-        "Probable cause on {target}: the scatter of the points, because the offset of two lines "
-        "is at most {offset:mm.1} mm, but the RMS is {rms:mm.1} mm. The surface may be rough or "
-        "curved: pick a plane on a smooth surface."
+    "acceptance.cause_scatter": Advised(
+        N_(
+            "Probable cause on {target}: the scatter of the points, because the offset of two "
+            "lines is at most {offset:mm.1} mm, but the RMS is {rms:mm.1} mm; the surface may be "
+            "rough or curved."
+        ),
+        N_("Pick a plane on a smooth surface."),
     ),
-    "acceptance.cause_unknown": N_(
-        "The cause on {planes:names} is not known, because an earlier version of LISPAC has "
-        "compared the lines. Validate again."
+    "acceptance.cause_unknown": Advised(
+        N_(
+            "The cause on {planes:names} is not known, because an earlier version of LISPAC has "
+            "compared the lines."
+        ),
+        N_("Validate again."),
     ),
-    "acceptance.halves_differ": N_(
-        "The two halves of the survey differ by more than the criterion for the standard deviation "
-        "and by more than the 95 % interval of the difference, so that the angles may be less "
-        "certain than the verdict says: {items:names}. Check the trajectory and the targets of "
-        "both halves."
+    "acceptance.halves_differ": Advised(
+        N_(
+            "The two halves of the survey differ by more than the criterion for the standard "
+            "deviation and by more than {ratio:x.1} standard deviations of the difference (95 % "
+            "for three angles), so that the angles may be less certain than their standard "
+            "deviations say: {items:names}."
+        ),
+        N_("Check the trajectory and the targets of both halves."),
     ),
-    "acceptance.not_judged": N_(
-        "The acceptance criteria for validation planes could not be judged, because no plane has "
-        "been compared. Validate on at least one plane."
+    "acceptance.not_judged": Advised(
+        N_(
+            "The acceptance criteria for validation planes could not be judged, because no plane "
+            "has been compared."
+        ),
+        N_("Validate on at least one plane."),
     ),
     "acceptance.planes_not_judged": N_(
         "Acceptance criteria could not be judged on {planes:names}, because the lines could not be "
         "compared there. The calibration is not accepted without them."
     ),
-    "acceptance.criteria_missing": N_(
-        "The verdict does not include these values, because no criterion is given for them: "
-        "{criteria:names}. Enter the criteria if the contract or standard has them."
+    "acceptance.criteria_missing": Advised(
+        N_(
+            "The verdict does not include these values, because no criterion is given for them: "
+            "{criteria:names}."
+        ),
+        N_("Enter the criteria if the contract or standard has them."),
     ),
     "acceptance_value.roll_sigma": N_("standard deviation of roll"),
     "acceptance_value.pitch_sigma": N_("standard deviation of pitch"),
@@ -236,18 +278,21 @@ TEXTS: Mapping[str, Template] = {
         "boresight do not explain this difference: check the coordinates of the reference, the "
         "lever arm and the range offset."
     ),
-    "report.absolute_rms": N_(
-        "The distances to the reference have an RMS of {rms:mm.1} mm after the calibration, "
-        "{factor:x.1} times the {expected:mm.1} mm expected from reference, POS and boresight. "
-        "Check the reference and the trajectory."
+    "report.absolute_rms": Advised(
+        N_(
+            "The distances to the reference have an RMS of {rms:mm.1} mm after the calibration, "
+            "{factor:x.1} times the {expected:mm.1} mm expected from reference, POS and boresight."
+        ),
+        N_("Check the reference and the trajectory."),
     ),
-    "report.absolute_line_off": Plural(
-        "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
-        "than its uncertainty explains (positive towards the vessel): {lines:names}. Check the "
-        "trajectory.",
-        "After the calibration {count:n} of {total:n} lines deviate from the reference by more "
-        "than their uncertainty explains (positive towards the vessel): {lines:names}. Check the "
-        "trajectory.",
+    "report.absolute_line_off": Advised(
+        Plural(
+            "After the calibration {count:n} of {total:n} lines deviates from the reference by "
+            "more than its uncertainty explains (positive towards the vessel): {lines:names}.",
+            "After the calibration {count:n} of {total:n} lines deviate from the reference by more "
+            "than their uncertainty explains (positive towards the vessel): {lines:names}.",
+        ),
+        N_("Check the trajectory."),
     ),
     "report.absolute_line_off_by_chance": Plural(
         "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
@@ -257,10 +302,13 @@ TEXTS: Mapping[str, Template] = {
         "than their uncertainty explains (positive towards the vessel): {lines:names}. One line "
         "in twenty is expected to do so by chance.",
     ),
-    "report.absolute_point_off": N_(
-        "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "
-        "points or planes by more than the uncertainties of reference, POS and boresight explain "
-        "(positive towards the vessel): {points:names}. Check the coordinates of these points."
+    "report.absolute_point_off": Advised(
+        N_(
+            "After the calibration the lines deviate on average from {count:n} of {total:n} "
+            "surveyed points or planes by more than the uncertainties of reference, POS and "
+            "boresight explain (positive towards the vessel): {points:names}."
+        ),
+        N_("Check the coordinates of these points."),
     ),
     "report.absolute_point_off_by_chance": N_(
         "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "

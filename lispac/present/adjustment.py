@@ -22,7 +22,15 @@ from lispac.adjustment.result import (
     VarianceComponent,
 )
 from lispac.adjustment.solve.determinability import have_one_orientation
-from lispac.language import N_, LazyText, gettext, gettext_lazy, join_sentences
+from lispac.language import (
+    N_,
+    Advised,
+    LazyText,
+    Template,
+    gettext,
+    gettext_lazy,
+    join_sentences,
+)
 from lispac.message_texts.report_warnings import NOISE_DIFFERS_TEXT
 from lispac.messages import Message
 from lispac.present.angles import (
@@ -115,22 +123,24 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
     "angles are then too small as well."
 )
-TOO_LARGE_ASSUMED_TEXT = N_(
-    "The residuals are larger than the assumed sigmas allow. Give the sigmas of the data sheet or "
-    "of the processing report."
+TOO_LARGE_ASSUMED_TEXT = Advised(
+    N_("The residuals are larger than the assumed sigmas allow."),
+    N_("Give the sigmas of the data sheet or of the processing report."),
 )
-TOO_SMALL_TEXT = N_(
+_TOO_SMALL_STATEMENT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict, so the "
-    "tests detect errors less well. Nothing has to be changed."
+    "tests detect errors less well."
 )
-TOO_SMALL_NOISE_TEXT = N_(
-    "Conservative: the residuals are smaller than the standard deviations used predict, so the "
-    "tests detect errors less well. Use the LiDAR noise of the residuals and estimate again."
+TOO_SMALL_TEXT = Advised(_TOO_SMALL_STATEMENT, N_("Nothing has to be changed."))
+TOO_SMALL_NOISE_TEXT = Advised(
+    _TOO_SMALL_STATEMENT, N_("Use the LiDAR noise of the residuals and estimate again.")
 )
-TOO_SMALL_ESTIMATED_TEXT = N_(
-    "Conservative: the LiDAR noise was estimated from all targets and then increased for targets "
-    "with a noise factor above 1. The residuals are therefore smaller than predicted; nothing has "
-    "to be changed."
+TOO_SMALL_ESTIMATED_TEXT = Advised(
+    N_(
+        "Conservative: the LiDAR noise was estimated from all targets and then increased for "
+        "targets with a noise factor above 1. The residuals are therefore smaller than predicted."
+    ),
+    N_("Nothing has to be changed."),
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "
@@ -162,12 +172,12 @@ def agrees_by_construction(result: AdjustmentResult) -> bool:
     return any(c.applied for c in result.components) or has_form_errors(result)
 
 
-def agreement_template(result: AdjustmentResult) -> str:
+def agreement_template(result: AdjustmentResult) -> Template:
     """Text of a passed chi-square test."""
     return AGREE_ESTIMATED_TEXT if agrees_by_construction(result) else AGREE_TEXT
 
 
-def small_residuals_template(result: AdjustmentResult) -> str:
+def small_residuals_template(result: AdjustmentResult) -> Template:
     """Text of residuals that are smaller than predicted.
 
     The points determine the variance factor, and POS errors contribute little to it. A LiDAR noise

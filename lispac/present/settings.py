@@ -3,7 +3,7 @@
 Field names of `SettingsUsed` are the keys of ``settings`` in JSON.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from lispac.adjustment.model.stochastic_model import PosErrors
@@ -165,10 +165,12 @@ def settings_used(project: Project, origin_deg_m: tuple[float, ...] | None = Non
 
 
 def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
-    """Mounting, local frame, estimated parameters and point spacing, in the language in use."""
+    """Lever arm first, local frame, estimated parameters and point spacing, as texts."""
     names = [p.name for p in adjustment.parameters] if adjustment else []
-    lever_arm = gettext("{values} m", values=triple_text(used.lever_arm_m, 4))
-    if any(name.startswith("lever") for name in names):
+    is_estimated = any(name.startswith("lever") for name in names)
+    decimals = 4 if is_estimated else _lever_arm_decimals(used.lever_arm_m)
+    lever_arm = gettext("{values} m", values=triple_text(used.lever_arm_m, decimals))
+    if is_estimated:
         values = [Fact(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
     else:
         values = [Fact(gettext("Lever arm (forward, left, up)"), lever_arm)]
@@ -192,6 +194,11 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         values.append(Fact(gettext("Targets of a single orientation"), gettext("accepted")))
     has_spheres = adjustment is None or any(t.shape == "sphere" for t in adjustment.targets)
     return [*values, Fact(gettext("Point spacing"), _subsampling_text(used, has_spheres))]
+
+
+def _lever_arm_decimals(values: Sequence[float]) -> int:
+    """Number of decimals of a given lever arm, metres: four only if it is not in millimetres."""
+    return 3 if all(round(each, 3) == round(each, 4) for each in values) else 4
 
 
 def origin_fact(origin_deg_m: tuple[float, ...] | None, *, is_given: bool) -> Fact:
@@ -261,7 +268,8 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
 def _lever_arm_sigma_text(used: SettingsUsed) -> str:
     if used.lever_arm_sigma_m is None:
         return gettext("not given: not part of the error budget")
-    values = triple_text(used.lever_arm_sigma_m, 4)
+    sigma = used.lever_arm_sigma_m
+    values = triple_text(sigma, _lever_arm_decimals(sigma))
     return gettext("{values} m (given, for the error budget only)", values=values)
 
 

@@ -323,12 +323,16 @@ POINT_TESTS_TABLE = Table[SightingValues](
         LARGEST_W_TIME_COLUMN,
     ),
 )
+POS_ERROR_WITHIN_CAPTION = N_(
+    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
+    "sigma interval."
+)
 POS_ERROR_CAPTION = N_(
     "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
     "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
     "given, or another error was attributed to it."
 )
-"""Explanation of the figure of the POS errors."""
+"""Explanations of the figure of the POS errors: without and with red errors."""
 
 MAX_DETERMINED_SIGMA_RATIO = 0.995
 """Largest ratio of the sigma of a component after the adjustment to the prior one with which the
@@ -377,6 +381,22 @@ UNDETERMINED_POS_ERRORS_TEXT = N_(
 def has_undetermined_pos_errors(sightings: Sequence[SightingValues]) -> bool:
     """Whether the data do not determine a component of the POS error of a sighting."""
     return any(part.error_of(each) is None for each in sightings for part in POS_COMPONENTS)
+
+
+def pos_error_caption(sightings: Sequence[SightingValues]) -> str:
+    """Explanation of the figure of the POS errors, with that of red errors if there are any."""
+    errors = [
+        (each, (*each.pos_error.sigma_m, *each.pos_error.sigma_deg))
+        for each in sightings
+        if each.pos_error is not None
+    ]
+    beyond = any(
+        abs(error) > 2.0 * sigma[part.place]
+        for each, sigma in errors
+        for part in POS_COMPONENTS
+        if (error := part.error_of(each)) is not None
+    )
+    return gettext(POS_ERROR_CAPTION if beyond else POS_ERROR_WITHIN_CAPTION)
 
 
 def mean_pos_sigmas(sightings: Sequence[SightingValues]) -> tuple[float, ...]:

@@ -104,7 +104,7 @@ def planes_table(lines: int) -> Table[PickedPlane]:
         Number of lines of the survey.
     """
     return Table(
-        N_("Targets and validation planes (picked point, from the origin of the local frame)"),
+        N_("Targets and validation planes (seed, from the origin of the local frame)"),
         (
             Column("name", N_("Name")),
             Column(_plane_role_text, N_("Role")),

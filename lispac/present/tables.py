@@ -82,7 +82,7 @@ class Format:
     def plain_text(self, value: float) -> str:
         """The number as Python writes it, rounded as in `text`, without unit and plus-minus."""
         shown = without_negative_zero(self.factor * value, self.decimals)
-        sign = "+" if self.is_signed and not self.is_half_interval else ""
+        sign = "+" if self.is_signed and not self.is_half_interval and shown else ""
         return f"{shown:{sign}.{self.decimals}f}"
 
 

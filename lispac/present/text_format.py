@@ -43,13 +43,13 @@ def grouped_number(value: float, decimals: int = 0) -> str:
 
 
 def fixed_number(value: float, decimals: int, *, sign: bool = False) -> str:
-    """A number without separators between groups of three digits."""
+    """A number without separators between groups of three digits; zero has no sign."""
     shown = without_negative_zero(value, decimals)
-    return localised_number(f"{shown:{'+' if sign else ''}.{decimals}f}")
+    return localised_number(f"{shown:{'+' if sign and shown else ''}.{decimals}f}")
 
 
 def signed_number(value: float, decimals: int) -> str:
-    """A number that always shows its sign."""
+    """A number with its sign; a number rounded to zero has none."""
     return fixed_number(value, decimals, sign=True)
 
 

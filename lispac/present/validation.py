@@ -452,8 +452,8 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
         Column("largest_offset_lines", N_("Largest\noffset\nbetween")),
-        Column("former_offset_m", N_("Their\noffset\nbefore"), PLAIN_MILLIMETRES),
-        Column("largest_offset_m", N_("Their\noffset\nafter"), PLAIN_MILLIMETRES),
+        Column("former_offset_m", N_("Absolute\noffset\nbefore"), PLAIN_MILLIMETRES),
+        Column("largest_offset_m", N_("Absolute\noffset\nafter"), PLAIN_MILLIMETRES),
     ),
 )
 WINDOW_PLANES_TABLE = Table[ValidationPlane](

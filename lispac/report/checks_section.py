@@ -9,13 +9,13 @@ from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_d
 from lispac.present.sightings import (
     MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
-    POS_ERROR_CAPTION,
     POS_ERRORS_TABLE,
     SIGHTING_TESTS_TABLE,
     UNDETERMINED_POS_ERRORS_TEXT,
     SightingValues,
     has_undetermined_pos_errors,
     mean_pos_sigmas,
+    pos_error_caption,
 )
 from lispac.present.text_format import fixed_number, sentence_text
 from lispac.report.document_blocks import (
@@ -41,8 +41,8 @@ POINT_TEST_TEXT = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "
     "data, from 0 (none) to 1. Outliers: points farther from the surface than {limit} sigma; by "
     "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
-    "the farthest point divided by its sigma, with its time on the line; averaged points have the "
-    "mean of their times."
+    "the farthest point divided by its sigma. Time: that of this point, in seconds as in the "
+    "trajectory file; averaged points have the mean of their times."
 )
 CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
@@ -133,7 +133,9 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     ]
     if has_undetermined_pos_errors(sightings):
         blocks.append(Paragraph(gettext(UNDETERMINED_POS_ERRORS_TEXT)))
-    figures = UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),))
+    figures = UndrawnPictures(
+        pos_error_caption(sightings), pos_error_figures_of, (tuple(sightings),)
+    )
     return [*blocks, figures]
 
 

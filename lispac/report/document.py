@@ -6,7 +6,7 @@ from pathlib import Path
 
 from lispac.errors import InputError, system_reason
 from lispac.identity import FIELD_LABELS, TITLE_FIELDS
-from lispac.language import LazyText, gettext, in_language
+from lispac.language import LazyText, gettext, in_language, without_advice
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.present.acceptance import verdict_scope_text
@@ -60,6 +60,7 @@ def report_document(
         return drawn_document(undrawn_document(content, pictures, options))
 
 
+@without_advice()
 def undrawn_document(
     content: ReportContent,
     pictures: Mapping[str | LazyText, Path],

@@ -15,7 +15,7 @@ from lispac.adjustment.model.parameters import (
     signed_change,
 )
 from lispac.message_texts import english_text
-from lispac.messages import Message, Value, note, sort_by_level, warning
+from lispac.messages import Message, Value, note, sort_by_importance, warning
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
 from lispac.present.parameters import ParameterValues
@@ -25,6 +25,7 @@ from lispac.report.report_values import ReportContent
 from lispac.report.validation_warnings import (
     acceptance_warnings,
     distribution_warnings,
+    larger_distances_messages,
     offset_notes,
     surface_model_warnings,
 )
@@ -52,7 +53,7 @@ to the lines make the RMS vary about as much as a single error."""
 def report_warnings(
     content: ReportContent, warnings_found: Sequence[Message]
 ) -> tuple[Message, ...]:
-    """All warnings, then notes: about the result, and those of the report only.
+    """All warnings, then notes by importance: about the result, and those of the report only.
 
     Parameters
     ----------
@@ -61,7 +62,7 @@ def report_warnings(
     has_small_residuals_explained = any(
         each.code in SMALL_RESIDUAL_CODES | LARGE_RESIDUAL_CODES for each in warnings_found
     )
-    return sort_by_level(
+    return sort_by_importance(
         [
             *_calibration_warnings(content),
             *(
@@ -280,13 +281,7 @@ def _validation_warnings(content: ReportContent) -> Iterator[Message]:
         yield note("report.not_validated", subject=VALIDATE_STEP)
     for reason in content.not_compared:
         yield note("report.not_compared", reason=reason, subject=VALIDATE_STEP)
-    for plane in content.validation:
-        if plane.after.rms_m > plane.before.rms_m:
-            yield warning(
-                "report.validation_worse",
-                target=plane.name, after=plane.after.rms_m, before=plane.before.rms_m,
-                subject=Cause.of_target(plane.name),
-            )  # fmt: skip
+    yield from larger_distances_messages(content.validation)
 
 
 def _method_warnings(content: ReportContent) -> Iterator[Message]:

@@ -9,7 +9,11 @@ from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS, TITLE_F
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
-from lispac.present.adjustment import AdjustmentValues, boresight_table
+from lispac.present.adjustment import (
+    MIN_REPORTED_NOISE_FACTOR,
+    AdjustmentValues,
+    boresight_table,
+)
 from lispac.present.adjustment_fit import points_used_text
 from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
 from lispac.present.settings import model_facts, system_facts
@@ -19,6 +23,7 @@ from lispac.present.survey_data import FILES_TABLE, LINES_TABLE, TRAJECTORY_TABL
 from lispac.present.tables import Fact
 from lispac.present.targets import TARGETS_TABLE, target_finding
 from lispac.present.text_format import (
+    fixed_number,
     parameter_name,
     quantity_text,
     sentence_text,
@@ -54,7 +59,8 @@ COMMON_SURFACE_TEXT = N_(
 NOISE_FACTOR_TEXT = N_(
     "Noise factor: LiDAR noise of a target, estimated from the residuals without POS errors, "
     "divided by the LiDAR noise of all targets, which is given or a variance component. If it is "
-    "above 1, the sigmas of the angles are computed with the noise of the target."
+    "above 1, the sigmas of the angles are computed with the noise of the target. Notes and "
+    "settings name targets with a factor of {limit} or more."
 )
 LARGEST_W_TEXT = N_(
     "Largest w: largest shift of a sighting divided by its sigma; see the section on reliability."
@@ -66,11 +72,13 @@ TRAJECTORY_COLUMNS_TEXT = N_(
 COLUMNS_TEXT = N_(
     "Points: all points of the sighting, before averaging or thinning. RMS: distance of the points "
     "from the surface fitted to this sighting alone. Incidence: angle between the beams and the "
-    "normal of the surface."
+    "normal of the surface. Coverage: share of the cells within the outline of the sighting that "
+    "contain points; on a sphere, share of the surface."
 )
 EXTENT_TEXT = N_(
     "Extent observed: size of the sighting, in percent of the size observed on all other lines "
-    "together."
+    "together. A dash means that it cannot be compared, for instance because the search radius "
+    "cuts the surface."
 )
 BEFORE_CALIBRATION_TEXT = N_(
     "Before the calibration, the boresight error distorts the points measured from a moving "
@@ -236,7 +244,9 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     )
     columns: list[Block] = []
     if correlated:
-        columns = [Paragraph(gettext(each)) for each in (NOISE_FACTOR_TEXT, LARGEST_W_TEXT)]
+        limit = fixed_number(MIN_REPORTED_NOISE_FACTOR, 2)
+        noise_factor = gettext(NOISE_FACTOR_TEXT, limit=limit)
+        columns = [Paragraph(noise_factor), Paragraph(gettext(LARGEST_W_TEXT))]
     return [targets, *columns, sightings, Paragraph(gettext(COMMON_SURFACE_TEXT)), bars]
 
 
@@ -304,13 +314,20 @@ def measuring_system_table(content: ReportContent) -> Table:
             ("pos", (known.pos, known.pos_serial)),
         )
     ]
-    facts += system_facts(content.settings, content.adjustment)
+    lever_arm, *others = system_facts(content.settings, content.adjustment)
     facts += [
-        Fact(gettext(FIELD_LABELS[name]), text)
-        for name in ("lever_arm_origin", "processing_software")
-        if (text := getattr(known, name))
+        lever_arm,
+        *_given_details(content, "lever_arm_origin"),
+        *others,
+        *_given_details(content, "processing_software"),
     ]
     return facts_table(gettext("Measuring system and processing"), facts)
+
+
+def _given_details(content: ReportContent, name: str) -> list[Fact]:
+    """One of the details of the survey; none if it is empty."""
+    text = getattr(content.identity, name)
+    return [Fact(gettext(FIELD_LABELS[name]), text)] if text else []
 
 
 def _instrument_text(model: str, serial: str) -> str:

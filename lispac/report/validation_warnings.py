@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from math import radians
+from statistics import NormalDist
 
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
@@ -25,9 +26,9 @@ smallest offset, metres, for which it is checked. The RMS contains the offset an
 FALSE_WARNING_LEVEL = 0.01
 """Probability of any warning about the distances on the planes of a project without errors."""
 
-
-HALVES_CONFIDENCE_SIGMAS = 1.96
-"""Half width of the 95 % confidence interval of a difference, in its standard deviations."""
+HALVES_LIMIT = NormalDist().inv_cdf(1.0 - 0.05 / (2 * len(ANGLES)))
+"""Half width of the joint 95 % confidence intervals of the differences of the three angles between
+the halves, in their standard deviations (Bonferroni)."""
 
 
 def acceptance_warnings(
@@ -73,7 +74,7 @@ def _halves_note(values: AcceptanceValues, checks: CrossCheckValues | None) -> I
     """Note on angles by which the halves differ more than the criterion permits.
 
     A criterion limits the standard deviation of an angle. A difference that exceeds it, and its own
-    95 % confidence interval, shows that the angle may be less certain than the verdict says.
+    confidence interval, shows that the angle may be less certain than its standard deviation says.
     """
     difference, sigma = (
         (None, None)
@@ -87,13 +88,16 @@ def _halves_note(values: AcceptanceValues, checks: CrossCheckValues | None) -> I
         note(
             "item.half_difference",
             angle=mounting_value_name(angle), difference=radians(apart),
-            interval=radians(HALVES_CONFIDENCE_SIGMAS * own), limit=radians(limits[angle]),
+            interval=radians(HALVES_LIMIT * own), limit=radians(limits[angle]),
         )
         for angle, apart, own in zip(ANGLES, difference, sigma, strict=True)
-        if angle in limits and abs(apart) > max(limits[angle], HALVES_CONFIDENCE_SIGMAS * own)
+        if angle in limits and abs(apart) > max(limits[angle], HALVES_LIMIT * own)
     )  # fmt: skip
     if items:
-        yield note("acceptance.halves_differ", items=items, subject=Cause.of_page("Cross-checks"))
+        yield note(
+            "acceptance.halves_differ",
+            items=items, ratio=HALVES_LIMIT, subject=Cause.of_page("Cross-checks"),
+        )  # fmt: skip
 
 
 def probable_causes(
@@ -139,8 +143,7 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
         yield note(
             "acceptance.cause_pos",
             planes=tuple(plane.name for plane in known),
-            plane=where, lines=shift.lines, others=shift.others,
-            offset=abs(shift.offset_m), ratio=_significance(shift), limit=shift_limit(planes),
+            plane=where, lines=shift.lines, ratio=_significance(shift), limit=shift_limit(planes),
             subject=Cause.of_field("position_sigma"),
         )  # fmt: skip
     unknown = tuple(plane.name for plane in others if not plane.shifts)
@@ -251,6 +254,35 @@ def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
         else "validation.offset_not_smaller_shifted",
         items=items, ratio=ratio, limit=limit, subject=where,
     )  # fmt: skip
+
+
+def larger_distances_messages(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+    """Messages on planes on which the distances are larger after the calibration than before.
+
+    There is one note on all planes on which POS and boresight explain the shifts of the lines, and
+    a warning on each other plane.
+    """
+    limit, ratios, items = shift_limit(planes), [], []
+    for plane in planes:
+        before, after, where = plane.before.rms_m, plane.after.rms_m, Cause.of_target(plane.name)
+        if after <= before:
+            continue
+        ratio = max(map(_significance, plane.shifts), default=float("inf"))
+        if ratio > limit:
+            yield warning(
+                "report.validation_worse",
+                target=plane.name, after=after, before=before, subject=where,
+            )  # fmt: skip
+            continue
+        item = note("report.validation_on_plane", target=plane.name, before=before, after=after)
+        items.append(item)
+        ratios.append((ratio, where))
+    if items:
+        ratio, where = max(ratios, key=lambda each: each[0])
+        yield note(
+            "report.validation_worse_explained",
+            items=tuple(items), ratio=ratio, limit=limit, subject=where,
+        )  # fmt: skip
 
 
 def surface_model_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message]:

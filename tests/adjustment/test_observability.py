@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.observability import MIN_LINE_SIGMA_RATIO
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
@@ -14,7 +15,7 @@ from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
-from lispac.adjustment.result import AdjustmentResult, UncontrolledObservations
+from lispac.adjustment.result import ANGLES, AdjustmentResult, UncontrolledObservations
 from lispac.adjustment.solve.normal_equations import scaled_inverse
 from lispac.design.further_line_advice import further_line_advice, further_lines
 from lispac.errors import RankDeficient
@@ -212,6 +213,34 @@ def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:
         keep = np.array([s.line != line for s in data.sightings])
         without = adjust(data.of_sightings(keep), PRIOR, model)
         np.testing.assert_allclose(observability.sigma_without_line[line], without.sigma, rtol=0.05)
+
+
+def test_the_largest_increase_without_a_line_is_stated() -> None:
+    """All angles are named: those that depend on a line, and the increase of the others."""
+    result = adjust(survey(), PRIOR, StochasticModel())
+    assert result.observability is not None
+    without = result.observability.sigma_without_line
+    named = {
+        english_text(each.params["angle"])
+        for each in result.observability.messages
+        if each.code == "observability.main_lines"
+    }
+    items = [
+        each
+        for message in result.observability.messages
+        if message.code == "observability.largest_increases"
+        for each in message.params["angles"]
+    ]
+    assert len(items) + len(named) == len(ANGLES)
+    for k, angle in enumerate(ANGLES):
+        ratios = {line: sigma[k] / result.sigma[k] for line, sigma in without.items()}
+        largest = max(ratios, key=lambda line: ratios[line])
+        if ratios[largest] > MIN_LINE_SIGMA_RATIO:
+            assert angle in named
+            continue
+        (item,) = (each for each in items if english_text(each.params["angle"]) == angle)
+        assert item.params["line"] == largest
+        assert item.params["increase"] == pytest.approx(ratios[largest] - 1.0)
 
 
 def test_a_line_that_alone_determines_an_angle_is_named() -> None:

@@ -43,7 +43,7 @@ from lispac.gui.window.actions import MENUS as WINDOW_MENUS
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
-from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
+from lispac.language import LANGUAGES, Advised, Template, current_language, gettext
 from lispac.message_texts import TOPIC_MODULES, message_text
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
@@ -366,8 +366,10 @@ def _messages(language: str) -> str:
 
 def _shown(template: Template) -> tuple[str, ...]:
     """The text in every language; the plural form if there are several forms."""
-    english = template.plural if isinstance(template, Plural) else template
-    return tuple(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", each) for each in (english, FRENCH[english]))
+    parts = (template.statement, template.advice) if isinstance(template, Advised) else (template,)
+    english = [each if isinstance(each, str) else each.plural for each in parts]
+    texts = " ".join(english), " ".join(FRENCH[each] for each in english)
+    return tuple(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", each) for each in texts)
 
 
 def folder(language: str) -> Path:

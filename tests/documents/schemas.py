@@ -98,7 +98,7 @@ def _in_json(value: Any) -> Any:
         return {"$ref": "#/$defs/JsonMessage"}
     if value.get("$ref") == "#/$defs/LazyText":
         return {"type": "string"}
-    unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural")
+    unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural", "Advised")
     return {
         json_key(key): _in_json(
             {name: each for name, each in item.items() if name not in unused}

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from lispac.adjustment.diagnostics.observability import largest_increases_note
 from lispac.errors import ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import in_language
@@ -87,6 +88,26 @@ def test_results_of_a_former_project_keep_their_texts() -> None:
                             strict=True):  # fmt: skip
         text = before["reason"]
         assert part.reason == (note("project.former_text", reason=text) if text else None)
+
+
+def test_removed_messages_on_the_observability_are_replaced(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project)
+    path = project.folder / PROJECT_FILE_NAME
+    content = json.loads(path.read_text())
+    messages = content["result"]["observability"]["messages"]
+    former = {**messages[0], "code": "observability.no_main_lines", "params": {"angles": ["roll"]}}
+    messages.insert(1, former)
+    path.write_text(json.dumps(content))
+    result = read_project(project.folder).result
+    assert result is not None
+    assert project.result is not None
+    assert result.observability is not None
+    assert project.result.observability is not None
+    present = project.result.observability
+    expected = largest_increases_note(project.result.sigma, present.sigma_without_line)
+    first, *others = present.messages
+    assert result.observability.messages == (first, *expected, *others)
 
 
 def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:

@@ -15,12 +15,23 @@ from lispac.cli.messages import OPTION_HINTS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
-from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
+from lispac.language import (
+    LANGUAGES,
+    Advised,
+    Plural,
+    Template,
+    format_text,
+    gettext,
+    in_language,
+    without_advice,
+)
 from lispac.message_texts import ACTIONS, TEXTS, TOPIC_MODULES, message_text
 from lispac.message_texts.former_codes import FORMER_CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
+    IMPORTANT_NOTES,
     MAX_LISTED_ITEMS,
+    ROUTINE_NOTES,
     Action,
     Level,
     Message,
@@ -28,7 +39,7 @@ from lispac.messages import (
     note,
     plain_params,
     shortened_list,
-    sort_by_level,
+    sort_by_importance,
     warning,
 )
 from lispac.present.tables import PERCENT
@@ -61,7 +72,8 @@ def sample_params(template: Template) -> dict[str, object]:
         for _, name, spec, _ in Formatter().parse(text)
         if name
     }
-    return found if isinstance(template, str) else {"count": 3, **found}
+    parts = (template.statement, template.advice) if isinstance(template, Advised) else (template,)
+    return {"count": 3, **found} if any(isinstance(each, Plural) for each in parts) else found
 
 
 @pytest.mark.parametrize(
@@ -153,6 +165,34 @@ def test_a_text_has_at_most_two_sentences() -> None:
         for code, text in TEXTS.items()
     }
     assert [code for code, texts in forms.items() if max(map(len, map(sentences, texts))) > 2] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_report_omits_the_advice_of_notes_only(language: str) -> None:
+    code = "adjustment.one_facing"
+    reason = note("report.not_compared", reason=error(code))
+    with in_language(language):
+        template = TEXTS[code]
+        assert isinstance(template, Advised)
+        statement, advice = (gettext(each) for each in (template.statement, template.advice))
+        assert message_text(note(code)) == f"{statement} {advice}"
+        with without_advice():
+            assert message_text(note(code)) == statement
+            assert message_text(warning(code)) == f"{statement} {advice}"
+            assert message_text(reason).endswith(statement)
+            assert message_text(note(code)) == statement
+        assert message_text(reason).endswith(advice)
+
+
+def test_advice_belongs_to_texts_that_can_be_notes() -> None:
+    levels = message_levels()
+    advised = [code for code, text in TEXTS.items() if isinstance(text, Advised)]
+    assert [code for code in advised if "note" not in levels[code] | made_levels(code)] == []
+
+
+def made_levels(code: str) -> set[str]:
+    """Levels of codes that are made from variables."""
+    return {"note"} if made_from_parts(code) else set()
 
 
 def test_no_code_is_in_two_topics() -> None:
@@ -252,10 +292,30 @@ def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
 
 
 def test_errors_come_before_warnings_and_these_before_notes() -> None:
-    one, two = note("report.simulated"), note("report.not_validated")
+    one, two = note("report.left_out_target"), note("report.not_validated")
     bad, worse = warning("report.not_calibrated"), error("project.refused", reason="So.")
-    assert sort_by_level([one, bad, two, worse]) == (worse, bad, one, two)
+    assert sort_by_importance([one, bad, two, worse]) == (worse, bad, one, two)
     assert [each.is_serious for each in (one, bad, worse)] == [False, True, True]
+
+
+def test_important_notes_come_first_and_routine_notes_last() -> None:
+    codes = [
+        "report.simulated", "adjustment.signs_agree", "report.sightings", "report.left_out_target",
+        "validation.offset_not_smaller", "report.left_out_plane", "adjustment.sigmas_raised",
+        "report.noise_differs", "acceptance.cause_pos", "acceptance.halves_differ",
+    ]  # fmt: skip
+    found = sort_by_importance([warning("report.not_calibrated"), *map(note, codes)])
+    assert [each.code for each in found] == [
+        "report.not_calibrated", "acceptance.cause_pos", "acceptance.halves_differ",
+        "validation.offset_not_smaller", "report.noise_differs", "adjustment.sigmas_raised",
+        "report.left_out_target", "report.left_out_plane", "report.sightings",
+        "adjustment.signs_agree", "report.simulated",
+    ]  # fmt: skip
+
+
+def test_the_codes_that_order_the_notes_exist() -> None:
+    for beginning in (*IMPORTANT_NOTES, *ROUTINE_NOTES):
+        assert any(code.startswith(beginning) for code in TEXTS), beginning
 
 
 def test_parameters_are_converted_to_json() -> None:

@@ -131,6 +131,12 @@ def test_shown_texts_are_in_the_catalogues(module: str) -> None:
     assert [each for each in _literals(module) if each[1] not in UNTRANSLATED | {*FRENCH}] == []
 
 
+def test_french_texts_have_one_kind_of_space_before_a_sign() -> None:
+    """A no-break space before colons and percent signs, a narrow one before ; ! and ?."""
+    wrong = re.compile("[ \u202f][:%»]|[ \u00a0][;!?]|«[ \u202f]|[0-9]e centile")
+    assert [text for text in FRENCH.values() if wrong.search(text)] == []
+
+
 def test_the_list_of_untranslated_strings_is_complete() -> None:
     there = {text for module in MODULES for _, text in _literals(module)}
     assert there >= UNTRANSLATED

@@ -242,7 +242,6 @@ def test_the_probable_cause_of_a_failure_depends_on_the_shifts_of_the_lines(
     (cause,) = probable_causes(values, [ValidationPlane.of(judged.validation[0])])
     assert cause.params["plane"] == plane.name
     assert cause.params["lines"] == lines[:1]
-    assert cause.params["others"] == lines[1:]
     assert causes_of(project, (within, beyond), **limit) == {
         "validation.line_shifted": Cause.of_line(lines[0])
     }

@@ -145,8 +145,8 @@ def _shown_numbers(data: dict) -> list[str]:
                 numbers.append(f"{found['n']:,}")
                 numbers += _signed_numbers(state["signed"], state["planes"])
     numbers += [f"{file['size_bytes']:,}" for file in data["files"]]
-    # A zero has no minus sign.
-    return [n if float(n.replace(",", "")) else n.replace("-", "+") for n in numbers]
+    # A number that is rounded to zero has no sign.
+    return [n if float(n.replace(",", "")) else n.strip("+-") for n in numbers]
 
 
 def _signed_numbers(places: dict, planes: dict) -> list[str]:
@@ -256,7 +256,7 @@ def test_one_note_says_what_a_smaller_noise_means_for_the_sigmas(project: Projec
 def test_raised_sigmas_are_not_said_to_be_too_large(project: Project) -> None:
     raised = _small_residuals(project, angle_sigma_factors=np.array([1.0, 2.5, 1.0]))
     codes = [each.code for each in sample_content(raised).warnings]
-    assert codes == ["adjustment.lidar_noise", "adjustment.sigmas_raised_conservative"]
+    assert codes == ["adjustment.sigmas_raised_conservative", "adjustment.lidar_noise"]
     also = [each.code for each in warnings_of(raised, None)]
     assert set(codes) <= set(also)
     assert not {"report.chi_square_low", "adjustment.sigmas_raised"} & set(also)

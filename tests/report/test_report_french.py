@@ -392,7 +392,7 @@ def test_csv_has_values_and_does_not_change_texts(language: str) -> None:
         values = dict(csv.reader(table_csv_text(facts_table("", facts)).splitlines()))
     assert lines == [["1,218", "2-x.laz", "", "1234567"]]
     # The apostrophe makes a spreadsheet read a text that begins with a sign as a text.
-    assert [row[1], *row[3:5]] == ["'+0.0000 m", "'-1234.5000 m", "0.0048 m"]
+    assert [row[1], *row[3:5]] == ["0.0000 m", "'-1234.5000 m", "0.0048 m"]
     assert values == {"\ufeffpoints": "1234567", "factor": "", "serial": "1,218"}
 
 

@@ -15,8 +15,9 @@ from matplotlib.text import Text
 from PIL import Image
 
 from lispac.acceptance import NO_CRITERIA
-from lispac.language import LANGUAGES, LazyText
-from lispac.messages import note, warning
+from lispac.language import LANGUAGES, LazyText, without_advice
+from lispac.message_texts import message_text
+from lispac.messages import note, sort_by_importance, warning
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.content import ReportContent
@@ -240,8 +241,12 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     content = _survey_content(project, planes=40)
     warnings = tuple(warning("report.file_missing", files=(f"L{k}.las",)) for k in range(6))
     notes = tuple(note("report.not_compared", reason=f"reason {k}") for k in range(40))
-    content = replace(content, warnings=(*warnings, *notes))
+    cause = note("acceptance.cause_geometry", angles=("yaw",))
+    ordered = sort_by_importance((*warnings, *notes, cause))
+    content = replace(content, warnings=ordered)
     document = undrawn_document(content, {})
+    with without_advice():
+        assert document.notes[0] == message_text(cause)
     assert len(document.warnings) == len(warnings)
     assert len(document.notes) == MAX_NOTES
     tables = [block for block in document.summary if isinstance(block, Table)]

@@ -25,7 +25,13 @@ from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.targets.sighting_quality import SightingQuality
-from tests.support.report_sample import FULL_REPORT, MADE, sample_content, sample_project
+from tests.support.report_sample import (
+    FULL_REPORT,
+    LARGEST_INCREASES,
+    MADE,
+    sample_content,
+    sample_project,
+)
 from tests.targets.test_quality import board, quality_of
 
 Changed = Callable[..., ReportContent]
@@ -124,7 +130,7 @@ def test_pos_accuracies_and_the_lever_arm_have_their_sources(
     assert rows["Correlation times (position, attitude)"] == "120 s, 600 s (given)"
     known = replace(project.settings, lever_arm_sigma=(0.005, 0.006, 0.007))
     rows = _settings(sample_content(replace(project, settings=known)))
-    assert rows["Lever-arm sigma (forward, left, up)"].startswith("0.0050, 0.0060, 0.0070 m (given")
+    assert rows["Lever-arm sigma (forward, left, up)"].startswith("0.005, 0.006, 0.007 m (given")
 
 
 def test_the_interval_of_the_variance_factor_is_that_of_its_test(project: Project) -> None:
@@ -318,7 +324,7 @@ def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Chan
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
     shown = _tables(report_document(picked, {}, FULL_REPORT))[
-        "Targets and validation planes (picked point, from the origin of the local frame)"
+        "Targets and validation planes (seed, from the origin of the local frame)"
     ]
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
 
@@ -329,8 +335,7 @@ def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
     document = report_document(content, {}, FULL_REPORT)
     (reliability,) = (each for each in document.sections if each.title.startswith("Reliability"))
     assert [type(block) for block in reliability.blocks] == [Paragraph]  # no table of tests
-    roll = note("observability.no_main_line", angle=note("quantity.roll"))
-    assert message_text(roll) in _words(document, "Boresight and its uncertainty")
+    assert message_text(LARGEST_INCREASES) in _words(document, "Boresight and its uncertainty")
     data = json.loads(json_text(content))
     assert {each["status"] for each in data["adjustment"]["sightings"]} == {"not tested"}
     assert data["cross_checks"] is None

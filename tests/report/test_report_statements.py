@@ -8,9 +8,16 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.result import VarianceComponent
+from lispac.messages import Level
 from lispac.present.adjustment import TOO_SMALL_ESTIMATED_TEXT, adjustment_values
 from lispac.present.adjustment_fit import fit_facts
 from lispac.present.cross_checks import halves_sigma_deg
+from lispac.present.settings import settings_used, system_facts
+from lispac.present.sightings import (
+    POS_ERROR_CAPTION,
+    POS_ERROR_WITHIN_CAPTION,
+    pos_error_caption,
+)
 from lispac.present.survey_data import planes_table
 from lispac.present.text_format import localised_number
 from lispac.present.validation import (
@@ -26,7 +33,12 @@ from lispac.report.document_blocks import Block, Paragraph, Table, report_table
 from lispac.report.histograms import small_histograms_figure_of
 from lispac.report.options import ReportOptions
 from lispac.report.report_values import ReportContent
-from lispac.report.validation_warnings import offset_notes, shift_limit
+from lispac.report.sections import measuring_system_table
+from lispac.report.validation_warnings import (
+    larger_distances_messages,
+    offset_notes,
+    shift_limit,
+)
 from tests.support.report_sample import sample_content, sample_project, undrawn_pictures
 
 ORIGIN = (45.50172282, -73.55116054, -24.99)
@@ -152,6 +164,54 @@ def test_a_largest_offset_that_did_not_decrease_is_noted(content: ReportContent)
     assert code(-0.0392, -0.0415, 1.1 * 0.02 / limit) == ["validation.offset_not_smaller"]
     assert code(-0.0392, -0.0415, 0.9 * 0.02 / limit) == ["validation.offset_not_smaller_shifted"]
     assert code(-0.0392, -0.0415) == ["validation.offset_not_smaller_unknown"]
+
+
+def test_larger_distances_are_a_warning_only_if_their_cause_is_not_explained(
+    content: ReportContent,
+) -> None:
+    plane = content.validation[0]
+
+    def found(factor: float, *ratios: float) -> list[tuple[str, Level]]:
+        after = replace(plane.before, rms_m=factor * plane.before.rms_m)
+        shifts = tuple(LineShiftValues(("L1",), ("L2",), 0.01 * r, 0.01, False) for r in ratios)
+        changed = replace(plane, after=after, shifts=shifts)
+        return [(each.code, each.level) for each in larger_distances_messages([changed])]
+
+    limit = shift_limit([replace(plane, shifts=(LineShiftValues(("L1",), ("L2",), 0, 1, False),))])
+    assert found(0.99, 2 * limit) == found(1.0, 2 * limit) == []
+    explained = [("report.validation_worse_explained", Level.NOTE)]
+    assert found(1.01, 0.5, 0.99 * limit) == explained
+    unexplained = [("report.validation_worse", Level.WARNING)]
+    assert found(1.01, 0.5, 1.01 * limit) == found(1.01) == unexplained
+
+
+def test_a_given_lever_arm_has_the_decimals_of_its_digits(project: Project) -> None:
+    def text(*lever_arm: float) -> str:
+        settings = replace(project.settings, lever_arm=lever_arm)
+        used = settings_used(replace(project, settings=settings), None)
+        return system_facts(used, None)[0].text
+
+    assert text(-0.186, 0.038, 2.419) == "−0.186, 0.038, 2.419 m"
+    assert text(-0.1864, 0.038, 2.419) == "−0.1864, 0.0380, 2.4190 m"
+
+
+def test_the_source_of_the_lever_arm_is_below_it(content: ReportContent) -> None:
+    identity = replace(content.identity, lever_arm_origin="dock survey")
+    table = measuring_system_table(replace(content, identity=identity))
+    names = [row[0] for row in table.plain_rows]
+    (place,) = (k for k, row in enumerate(table.plain_rows) if row[1] == "dock survey")
+    assert names[place - 1].lower().endswith("lever arm (forward, left, up)")
+
+
+def test_red_pos_errors_are_explained_only_if_there_are_any(content: ReportContent) -> None:
+    assert content.adjustment is not None
+    first = next(each for each in content.adjustment.sightings if each.pos_error is not None)
+    assert first.pos_error is not None
+    within = replace(first.pos_error, error_m=(0.0, 0.0, 0.0), error_deg=(0.0, 0.0, 0.0))
+    up = 2.01 * first.pos_error.sigma_m[2]
+    beyond = replace(within, error_m=(0.0, 0.0, up))
+    assert pos_error_caption([replace(first, pos_error=within)]) == POS_ERROR_WITHIN_CAPTION
+    assert pos_error_caption([replace(first, pos_error=beyond)]) == POS_ERROR_CAPTION
 
 
 def test_a_profile_over_a_few_centimetres_is_omitted(content: ReportContent) -> None:

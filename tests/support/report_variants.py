@@ -16,7 +16,7 @@ from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.survey.georeferencing import Mounting
 from tests.present.test_consistent_warnings import CASES
-from tests.support.report_sample import sample_content
+from tests.support.report_sample import LARGEST_INCREASES, sample_content
 
 COMMENT_MARKS = (
     note(
@@ -40,7 +40,7 @@ COMMENT_MARKS = (
         without=7.0e-4,
         sigma=5.1e-4,
     ),
-    note("observability.no_main_line", angle=mounting_value_name("roll")),
+    LARGEST_INCREASES,
 )
 """Messages as made by `lispac.adjustment.diagnostics.observability`."""
 NOTES = (

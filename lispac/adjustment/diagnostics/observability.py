@@ -1,6 +1,6 @@
 """Observability of the angles: eigenvalues, weak directions, unchecked parts of the data."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -222,10 +222,8 @@ def _direction(eigenvalue: float, direction: Array, sigma: Array) -> tuple[Messa
 
 def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
     """Notes on the lines that each angle depends on most."""
-    independent: list[Message] = []
     for k, angle in enumerate(ANGLES):
-        name = note(ANGLE_CODES[angle])
-        grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
+        grown = _sigma_ratios(k, sigma, without)
         lines = sorted(
             (line for line in grown if grown[line] > MIN_LINE_SIGMA_RATIO), key=lambda x: -grown[x]
         )
@@ -233,12 +231,33 @@ def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iter
             now = float(sigma[k])
             yield note(
                 "observability.main_lines",
-                count=len(lines), lines=lines, angle=name, line=lines[0],
-                without=float(grown[lines[0]]) * now, sigma=now,
+                count=len(lines), lines=lines, angle=note(ANGLE_CODES[angle]), line=lines[0],
+                without=grown[lines[0]] * now, sigma=now,
             )  # fmt: skip
-        elif len(grown) == len(without):
-            independent.append(name)
-    if len(independent) > 1:
-        yield note("observability.no_main_lines", angles=independent)
-    elif independent:
-        yield note("observability.no_main_line", angle=independent[0])
+    yield from largest_increases_note(sigma, without)
+
+
+def largest_increases_note(sigma: Array, without: Mapping[str, Array | None]) -> Iterator[Message]:
+    """Note on the largest increase of the sigma of each angle that no line mainly determines.
+
+    Parameters
+    ----------
+    sigma : ndarray of shape (3,), radians
+    without : as in `Observability.sigma_without_line`
+    """
+    increases = []
+    for k, angle in enumerate(ANGLES):
+        grown = _sigma_ratios(k, sigma, without)
+        if not grown or len(grown) < len(without):
+            continue
+        line = max(grown, key=lambda each: grown[each])
+        if grown[line] <= MIN_LINE_SIGMA_RATIO:
+            increase, name = max(0.0, grown[line] - 1.0), note(ANGLE_CODES[angle])
+            increases.append(note("item.sigma_increase", angle=name, increase=increase, line=line))
+    if increases:
+        yield note("observability.largest_increases", angles=increases)
+
+
+def _sigma_ratios(k: int, sigma: Array, without: Mapping[str, Array | None]) -> dict[str, float]:
+    """Ratio of the sigma of angle ``k`` without each line to that with all lines."""
+    return {line: float(own[k] / sigma[k]) for line, own in without.items() if own is not None}

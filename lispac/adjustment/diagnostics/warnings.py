@@ -27,7 +27,7 @@ from lispac.adjustment.model.stochastic_model import (
 )
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks, SigmaGroup
 from lispac.adjustment.solve.determinability import have_one_orientation
-from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
+from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_importance, warning
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
 Array = NDArray[np.float64]
@@ -73,7 +73,7 @@ def result_warnings(
     all_found = (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
     if any(each.code in LARGE_RESIDUAL_CODES for each in all_found):
         all_found = tuple(each for each in all_found if each.code not in LIDAR_NOISE_CODES)
-    return sort_by_level(all_found)
+    return sort_by_importance(all_found)
 
 
 def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:

@@ -121,7 +121,9 @@ def figure(value: float, base: Base, form: str) -> str:
     if fixed is None:
         return f"{value:{form}}"
     decimals = shown_decimals(int(fixed["decimals"]), base)
-    return f"{without_negative_zero(value, decimals):{fixed['before']}.{decimals}f}"
+    value = without_negative_zero(value, decimals)
+    before = fixed["before"] if value else fixed["before"].replace("+", "")  # zero has no sign
+    return f"{value:{before}.{decimals}f}"
 
 
 def amount(value: float, base: Base, form: str) -> str:

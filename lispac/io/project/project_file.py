@@ -27,6 +27,7 @@ from typing import Any, get_type_hints
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
 from lispac.io.files import (
     atomic_write,
@@ -40,6 +41,7 @@ from lispac.io.project.project_lock import PROJECT_FILE_NAME as PROJECT_FILE_NAM
 from lispac.io.project.project_lock import content_digest, project_lock
 from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
 from lispac.message_texts import has_text
+from lispac.message_texts.former_codes import REMOVED_CODES
 from lispac.messages import Message, error
 from lispac.project import UNSAVED_FIELDS, PickedSighting, Project, Target
 from lispac.survey.store.layout import is_link, require_no_link
@@ -383,6 +385,24 @@ def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) 
         _with_paths(stored, lambda path: _absolute_path(path, folder)),
         data_messages=tuple(each for each in stored.data_messages if has_text(each)),
         reading_warnings=tuple(each for each in stored.reading_warnings if has_text(each)),
+        result=_with_present_messages(stored.result),
+    )
+
+
+def _with_present_messages(result: AdjustmentResult | None) -> AdjustmentResult | None:
+    """Result with the present message instead of those of `REMOVED_CODES`."""
+    if result is None or result.observability is None:
+        return result
+    found = result.observability
+    place = next((k for k, m in enumerate(found.messages) if m.code in REMOVED_CODES), None)
+    if place is None:
+        return result
+    from lispac.adjustment.diagnostics.observability import largest_increases_note
+
+    new = largest_increases_note(result.sigma, found.sigma_without_line)
+    later = (each for each in found.messages[place:] if each.code not in REMOVED_CODES)
+    return replace(
+        result, observability=replace(found, messages=(*found.messages[:place], *new, *later))
     )
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.duplicate_targets import all_warnings
-from lispac.messages import Level, Message, note, sort_by_level, warning
+from lispac.messages import Level, Message, note, sort_by_importance, warning
 from lispac.project import Project
 from lispac.report.content import report_content
 from lispac.report.report_warnings import report_warnings
@@ -43,7 +43,7 @@ def warnings_of(
     outdated: bool = False,
     storage: Message | None = None,
 ) -> tuple[Message, ...]:
-    """All messages by level (errors, warnings, notes), and within a level by step of the workflow.
+    """All messages by level (errors, warnings, notes), then by importance and step of the workflow.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def warnings_of(
         *_reading_notes(project, survey),
         *_targets_not_found(project),
     ]
-    return sort_by_level(found)
+    return sort_by_importance(found)
 
 
 def _storage_warning(storage: Message | None) -> Iterator[Message]:

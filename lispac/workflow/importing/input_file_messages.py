@@ -11,7 +11,7 @@ from lispac.io.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.io.points.line_times import LineTimes
 from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED_CODE
 from lispac.io.trajectory.trajectory_facts import GAPS_CODE, gap_warnings
-from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
+from lispac.messages import Action, Level, Message, Value, error, note, sort_by_importance, warning
 from lispac.project import LineSource
 from lispac.survey.known_time_base import (
     KnownTimeBase,
@@ -151,7 +151,7 @@ def file_messages(
         base = trajectory_time_base(trajectory)
         messages += time_messages(input_file, trajectory.content, longest_gap, base)
         messages += _location_messages(input_file, trajectory.content)
-    return sort_by_level(with_possible_actions(input_file, messages))
+    return sort_by_importance(with_possible_actions(input_file, messages))
 
 
 def as_note(message: Message) -> Message:

@@ -84,7 +84,7 @@ def test_halves_that_differ_are_named_beside_the_verdict(judged: Driver) -> None
     judged.rest()
     notes = window.validate.outcome.notes
     assert "halves of the survey differ" in notes.text()
-    assert "roll +0.0090° ± 0.0071° (criterion 0.0085°)" in notes.text()
+    assert "roll +0.0090° ± 0.0086° (criterion 0.0085°)" in notes.text()
     assert notes.isVisible()
     assert any(
         "halves" in window.warnings.list.item(k).text() for k in range(window.warnings.list.count())
