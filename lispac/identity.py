@@ -3,7 +3,9 @@
 All values are texts typed by the user, empty if unknown. No computation uses them.
 """
 
+import re
 from dataclasses import asdict, dataclass, fields, replace
+from datetime import date
 
 from lispac.errors import InputError
 from lispac.language import N_
@@ -57,7 +59,7 @@ class Identity:
         Raises
         ------
         InputError
-            If a text cannot be printed in a report.
+            If a text cannot be printed in a report, or contains a date that does not exist.
         """
         return replace(self, **{name: _clean_text(name, text) for name, text in texts.items()})
 
@@ -72,12 +74,17 @@ class Identity:
         Raises
         ------
         InputError
-            If a text has control characters or several lines where one is allowed, or is too long.
+            If a text has control characters or several lines where one is allowed, is too long, or
+            contains a date that does not exist.
         """
         self.changed(**asdict(self))
 
 
 EMPTY_IDENTITY = Identity()
+_DATE_PATTERN = re.compile(
+    r"(?<!\d)(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d{1,2})(?P=sign)(?P<day>\d{1,2})(?!\d)",
+    re.ASCII,
+)
 FIELD_NAMES = tuple(field.name for field in fields(Identity))
 
 FIELD_GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
@@ -96,6 +103,8 @@ SIGNATURE_FIELDS = ("surveyor", "processed_by", "checked_by")
 """Fields of the persons who sign the report."""
 REQUIRED_FIELDS = ("vessel", "site", "dates", "surveyor", "scanner", "pos")
 """Fields without which a signed report does not identify the calibrated system."""
+DATE_FIELDS = ("dates", "epoch")
+"""Fields that contain dates."""
 TITLE_FIELDS = ("vessel", "site")
 """Fields that are printed below the title of the report, not in its form."""
 COMPANY_FIELDS = (
@@ -157,7 +166,25 @@ FIELD_HINTS = {
 def _clean_text(name: str, text: str) -> str:
     longest = MAX_FIELD_LENGTH * (10 if name == "remarks" else 1)
     field = note(f"identity_field.{name}")
-    return cleaned_text(field, text, longest=longest, several_lines=name == "remarks")
+    tidy = cleaned_text(field, text, longest=longest, several_lines=name == "remarks")
+    if name in DATE_FIELDS:
+        _require_dates(field, tidy)
+    return tidy
+
+
+def _require_dates(field: Message, text: str) -> None:
+    """Refuse numbers that are written as a date, such as 2026-13-45, but are none.
+
+    Raises
+    ------
+    InputError
+        If there is such a number.
+    """
+    for found in _DATE_PATTERN.finditer(text):
+        try:
+            date(*(int(found[part]) for part in ("year", "month", "day")))
+        except ValueError:
+            raise InputError(error("identity.no_date", field=field, text=found[0])) from None
 
 
 def cleaned_text(field: Message, text: str, *, longest: int, several_lines: bool = False) -> str:

@@ -172,6 +172,7 @@ TEXTS: Mapping[str, Template] = {
         "{field}: the text has {held:n} characters, but at most {longest:n} are allowed. Shorten "
         "it."
     ),
+    "identity.no_date": N_("{field}: {text} is not a date. Enter dates as in 2026-03-04."),
     "identity_field.report_number": N_("Report number"),
     "identity_field.revision": N_("Revision"),
     "identity_field.client": N_("Client"),

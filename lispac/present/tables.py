@@ -40,6 +40,7 @@ class Format:
     is_signed : whether positive numbers have a plus sign
     is_grouped : whether groups of three digits are separated
     is_half_interval : whether a plus-minus sign precedes the number
+    title_unit : unit that is in the title of the table instead
     """
 
     unit: Unit = ""
@@ -48,6 +49,7 @@ class Format:
     is_signed: bool = False
     is_grouped: bool = True
     is_half_interval: bool = False
+    title_unit: Unit = ""
 
     @property
     def signed(self) -> "Format":
@@ -89,8 +91,8 @@ class Format:
 COUNT = Format()
 MILLIMETRES = Format("mm", 1, 1e3)
 CENTIMETRES = Format("cm", 2, 1e2, is_grouped=False)
-PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False)
-PLAIN_MILLIMETRES = Format("", 1, 1e3)
+PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False, title_unit="cm")
+PLAIN_MILLIMETRES = Format("", 1, 1e3, title_unit="mm")
 """Formats of lengths without a unit, for tables whose title contains the unit."""
 DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)

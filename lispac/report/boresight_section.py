@@ -172,7 +172,6 @@ def rule_tables(convention: ConventionValues) -> list[Block]:
 def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:
     x, y, z = matrix.body_axes
     return [
-        report_table(matrix_table(matrix.name), matrix.transform),
         Paragraph(
             gettext(
                 "Rows 1 to 3: body axes X {x}, Y {y}, Z {z}. Row 4: constant last row of a 4x4 "
@@ -180,4 +179,5 @@ def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:
                 x=x, y=y, z=z,
             )
         ),
+        report_table(matrix_table(matrix.name), matrix.transform),
     ]  # fmt: skip

@@ -128,15 +128,14 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
     from lispac.report.figures import pos_error_figures_of
 
     table = report_table(POS_ERRORS_TABLE, sightings)
-    blocks: list[Block] = [
-        with_rows_below(table, report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)]))
-    ]
+    blocks: list[Block] = []
     if has_undetermined_pos_errors(sightings):
         blocks.append(Paragraph(gettext(UNDETERMINED_POS_ERRORS_TEXT)))
-    figures = UndrawnPictures(
-        pos_error_caption(sightings), pos_error_figures_of, (tuple(sightings),)
-    )
-    return [*blocks, figures]
+    return [
+        *blocks,
+        with_rows_below(table, report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)])),
+        UndrawnPictures(pos_error_caption(sightings), pos_error_figures_of, (tuple(sightings),)),
+    ]
 
 
 def cross_check_blocks(content: ReportContent) -> list[Block]:
@@ -150,12 +149,12 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [
         *cross_check_summary(content),
         Paragraph(gettext(CROSS_CHECKS_TEXT)),
-        report_table(SUBSETS_TABLE, rows),
         Paragraph(gettext(SUBSET_DIFFERENCES_TEXT)),
     ]
     if (sigma := halves_sigma_deg(checks)) is not None:
         roll, pitch, yaw = (fixed_number(each, 4) for each in sigma)
         blocks.append(Paragraph(gettext(HALVES_TEXT, roll=roll, pitch=pitch, yaw=yaw)))
+    blocks.append(report_table(SUBSETS_TABLE, rows))
     reasons = tuple(
         gettext("{name}: {reason}", name=row.name, reason=sentence_text(row.subset.reason))
         for row in rows

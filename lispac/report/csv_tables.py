@@ -2,7 +2,7 @@
 
 The numbers are rounded as in the signed report and written with a decimal point, a hyphen as minus
 sign and no separators between groups of digits, without the plus-minus sign before half the width
-of an interval. Unknown values are empty.
+of an interval. Unknown values are empty. The title of each column contains its unit.
 """
 
 import re
@@ -84,7 +84,7 @@ def map_tables(content: ReportContent) -> list[Table]:
 
 def table_csv_text(table: Table) -> str:
     """Convert a table to CSV; the first row contains the titles of its columns, if it has any."""
-    heads = [column.title.replace("\n", " ") for column in table.columns]
+    heads = [each.plain_title or each.title.replace("\n", " ") for each in table.columns]
     # Texts typed by the user are not changed.
     rows = table.rows if table.form else [map(_plain_text, row) for row in table.plain_rows]
     return BYTE_ORDER_MARK + csv_text([*([heads] if any(heads) else []), *rows])

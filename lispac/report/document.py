@@ -21,7 +21,7 @@ from lispac.report.document_blocks import (
     PageTexts,
     Paragraph,
     Picture,
-    PictureRows,
+    PictureRow,
     Section,
     Status,
     UndrawnPictures,
@@ -215,16 +215,13 @@ def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
     for block in blocks:
         if isinstance(block, UndrawnPictures):
             made += drawn(block)
-        elif isinstance(block, PictureRows):
-            rows = tuple(
-                tuple(
-                    picture
-                    for each in row
-                    for picture in ([each] if isinstance(each, Picture) else drawn(each))
-                )
-                for row in block.rows
+        elif isinstance(block, PictureRow):
+            pictures = tuple(
+                picture
+                for each in block.pictures
+                for picture in ([each] if isinstance(each, Picture) else drawn(each))
             )
-            made.append(replace(block, rows=rows))
+            made.append(replace(block, pictures=pictures))
         else:
             made.append(block)
     return tuple(made)
@@ -255,25 +252,14 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)
 
 
-VIEW_HEIGHTS_MM = {3: 57.0, 4: 44.0, 5: 34.0}
-"""Largest height of a view by the number of rows of views that then fit on a page, millimetres."""
+VIEW_HEIGHT_MM = 57.0
+"""Largest height of a view; three rows of views fit on a page."""
 
 
 def _view_pictures(views: Sequence[Picture]) -> list[Block]:
-    """Pictures of the 3D view with their captions: before and after side by side.
-
-    The number of rows on a page is the first with which the last page is not nearly empty.
-    """
+    """Pictures of the 3D view with their captions: before and after side by side."""
     rows = [tuple(views[k : k + 2]) for k in range(0, len(views), 2)]
-    tallest = next(
-        (
-            height
-            for count, height in VIEW_HEIGHTS_MM.items()
-            if len(rows) % count == 0 or 2 * (len(rows) % count) >= count
-        ),
-        VIEW_HEIGHTS_MM[3],
-    )
-    return [PictureRows((row,), tallest=tallest) for row in rows]
+    return [PictureRow(row, tallest=VIEW_HEIGHT_MM) for row in rows]
 
 
 def _make_picture(caption: str | LazyText, path: Path) -> Picture:

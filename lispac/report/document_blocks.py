@@ -4,7 +4,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from lispac.present.tables import Fact, Row, cell_text, plain_cell_text, title_text, unit_text
+from lispac.present.tables import Column as ResultColumn
+from lispac.present.tables import (
+    Fact,
+    Format,
+    Row,
+    cell_text,
+    plain_cell_text,
+    title_text,
+    unit_text,
+)
 from lispac.present.tables import Table as ResultTable
 from lispac.present.text_format import title_with_unit
 from lispac.report.options import Extent, Page
@@ -33,12 +42,15 @@ class Column:
     """Title and alignment of a column of a `Table`.
 
     A ``wide`` column contains sentences; a ``code`` column contains digests in a fixed-width font.
+    ``plain_title`` is the title for other programs, which do not have the title of the table; it
+    always contains the unit.
     """
 
     title: str
     align: Literal["left", "right"] = "right"
     wide: bool = False
     code: bool = False
+    plain_title: str = ""
 
 
 @dataclass(frozen=True)
@@ -72,12 +84,20 @@ def report_table(table: ResultTable[Row], rows: Sequence[Row]) -> Table:
         elif each.unit:
             title = title_with_unit(title, unit_text(each.unit))
         side: Literal["left", "right"] = "left" if each.is_text else "right"
-        columns.append(Column(title, side, wide=each.is_wide, code=each.is_code))
+        bare = _plain_title(title, each)
+        columns.append(Column(title, side, wide=each.is_wide, code=each.is_code, plain_title=bare))
     cells, plain = (
         as_rows([text_of(each, row) for each in table.columns] for row in rows)
         for text_of in (cell_text, plain_cell_text)
     )
     return Table(title_text(table.title), tuple(columns), cells, plain)
+
+
+def _plain_title(title: str, column: ResultColumn[Row]) -> str:
+    """Title of a column in one line, with its unit also if only the title of the table has it."""
+    line = title.replace("\n", " ")
+    unit = unit_text(column.format.title_unit) if isinstance(column.format, Format) else ""
+    return f"{line} ({unit})" if unit and f"({unit})" not in line else line
 
 
 def with_rows_below(table: Table, other: Table) -> Table:
@@ -147,23 +167,23 @@ class UndrawnPictures:
 
 
 @dataclass(frozen=True)
-class PictureRows:
-    """Rows of pictures on one page; the pictures of a row are side by side, equally wide.
+class PictureRow:
+    """Pictures side by side, equally wide.
 
     Attributes
     ----------
-    rows
-    columns : smallest number of columns; a shorter row leaves the others empty
+    pictures
+    columns : smallest number of columns; fewer pictures leave the others empty
     tallest : largest height of a picture on the page, millimetres
     """
 
-    rows: tuple[tuple[Picture | UndrawnPictures, ...], ...]
+    pictures: tuple[Picture | UndrawnPictures, ...]
     columns: int = 1
     tallest: float = 215.0
     kind: str = "pictures"
 
 
-Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | PictureRows | SignatureLines
+Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | PictureRow | SignatureLines
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ in the global settings of matplotlib, so that several threads can draw at the sa
 """
 
 import pickle
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, lru_cache
 from io import BytesIO
 from itertools import pairwise
@@ -34,6 +34,7 @@ from lispac.present.survey_data import LineValues, PickedPlane
 from lispac.present.tables import unit_text
 from lispac.present.text_format import fixed_number, localised_number
 from lispac.present.text_format import title as value_title
+from lispac.report.label_placement import Label, Track, draw_labels
 from lispac.report.text_width import POINTS_PER_INCH, text_width
 
 Array = NDArray[np.float64]
@@ -72,10 +73,6 @@ LABELLED_SHARE = 0.7
 """Share of the width of a figure of correlations for the columns, and so for their labels."""
 HEADROOM_RATIO = 1.08
 """Ratio of the upper limit of the axes to the highest bar of a histogram."""
-
-MIN_LABEL_DISTANCE = 0.05, 0.09
-"""Distances north and west below which the names of two marks would overlap, as shares of the
-drawn extent."""
 
 
 def correlation_figure_of(
@@ -144,18 +141,22 @@ def site_figure(
     """
     figure = blank_figure(figure, size)
     axes = figure.add_subplot()
+    labels: list[Label] = []
+    drawn: list[Track] = []
     for k, (name, points) in enumerate(tracks.items()):
-        _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
-    _draw_seeds(axes, targets, "s", "#bb2222", gettext("target"))
-    _draw_seeds(axes, validation, "^", "#111111", gettext("validation plane"))
-    marks = [
-        (name, seed, colour)
-        for seeds, colour in ((targets, "#bb2222"), (validation, "#111111"))
-        for name, seed in seeds.items()
-    ]
-    _label_seeds(axes, marks, tracks.values())
+        track = _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
+        if track is not None:
+            drawn.append(track)
+            labels.append(_label(name, track.points[0], INK_COLOUR, track.offset))
+    for seeds, marker, colour, title in (
+        (targets, "s", "#bb2222", gettext("target")),
+        (validation, "^", "#111111", gettext("validation plane")),
+    ):
+        _draw_seeds(axes, seeds, marker, colour, title)
+        labels += [_label(name, (-seed[1], seed[0]), colour) for name, seed in seeds.items()]
+    draw_labels(axes, labels, drawn)
     axes.set_aspect("equal", adjustable="datalim")
-    axes.margins(0.08)
+    axes.margins(0.12)  # space for the names
     style_axes(axes, gettext("East (m)"), gettext("North (m)"))
     if tracks or targets or validation:
         figure.legend(
@@ -496,8 +497,8 @@ def _before_after_bars(
     return figure
 
 
-def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> None:
-    """Draw a track beside its true place, on the starboard side, with its name at its start."""
+def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> Track | None:
+    """Draw a track beside its true place, on the starboard side; None without a direction."""
     north, east = points[:, 0], -points[:, 1]
     course = np.array([east[-1] - east[0], north[-1] - north[0]])
     course /= max(float(np.hypot(*course)), 1e-9)
@@ -508,20 +509,30 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...])
         transform=_moved(axes, starboard),
     )  # fmt: skip
     if len(points) < 2:
-        return
+        return None
     # The arrow ends beyond the track, so that it covers no part of a line in opposite direction.
+    tip = starboard + 7 * course
     axes.annotate(
-        "", (east[-1], north[-1]), xycoords=_moved(axes, starboard + 7 * course),
+        "", (east[-1], north[-1]), xycoords=_moved(axes, tip),
         textcoords="offset points", xytext=(-9 * course[0], -9 * course[1]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.6, "mutation_scale": 9},
     )  # fmt: skip
-    # The name is before the start of the track, so that the arrow of a line that ends there does
-    # not cover it.
-    across, along = 6 * starboard - 12 * course
-    axes.annotate(
-        short_name(name), (east[0], north[0]), textcoords="offset points", xytext=(across, along),
-        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR,
-    )  # fmt: skip
+    offset, arrow = ((float(each[0]), float(each[1])) for each in (starboard, tip))
+    return Track(np.column_stack([east, north]), offset, arrow)
+
+
+def _label(
+    name: str,
+    place: Sequence[float],
+    colour: str,
+    offset: tuple[float, float] | None = None,
+) -> Label:
+    """Name of a mark, or of a track with this offset that starts at the place (east, north)."""
+    east, north = float(place[0]), float(place[1])
+    is_mark = offset is None
+    return Label(
+        short_name(name), (east, north), colour, SMALL_TEXT_SIZE, offset or (0.0, 0.0), is_mark
+    )
 
 
 def _moved(axes: Axes, offset: Array) -> Transform:
@@ -539,37 +550,3 @@ def _draw_seeds(
     axes.plot(
         -places[:, 1], places[:, 0], marker, color=colour, markersize=5, label=label, zorder=3
     )
-
-
-def _label_seeds(
-    axes: Axes, marks: Sequence[tuple[str, Sequence[float], str]], tracks: Iterable[ArrayLike]
-) -> None:
-    """Draw names beside their marks; names of close marks are stacked, with a line to each mark.
-
-    Parameters
-    ----------
-    marks : name, seed in metres (north, west), colour
-    """
-    if not marks:
-        return
-    seeds = np.array([seed[:2] for _, seed, _ in marks], dtype=float)
-    drawn = np.vstack([seeds, *(np.reshape(track, (-1, 2)) for track in tracks)])
-    near = np.array(MIN_LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
-    groups: list[list[int]] = []
-    for k in np.argsort(-seeds[:, 0], kind="stable"):  # from north to south
-        touched = [g for g in groups if (np.abs(seeds[g] - seeds[k]) < near).all(axis=1).any()]
-        groups = [g for g in groups if g not in touched]
-        groups.append(sorted({int(k)}.union(*touched), key=lambda j: (-seeds[j, 0], j)))
-    figure = axes.get_figure(root=True)
-    for group in groups:
-        alone = len(group) == 1
-        north, east = seeds[group, 0].mean(), -seeds[group, 1].min()
-        for row, k in enumerate(group):
-            name, _, colour = marks[k]
-            right, up = (5, 7) if alone else (16, 9.5 * (0.5 * (len(group) - 1) - row))
-            beside = offset_copy(axes.transData, figure, right, up, units="points")
-            axes.annotate(
-                short_name(name), (-seeds[k, 1], seeds[k, 0]), xytext=(east, north),
-                textcoords=beside, fontsize=SMALL_TEXT_SIZE, color=colour, zorder=3, va="center",
-                arrowprops=None if alone else {"arrowstyle": "-", "color": colour, "lw": 0.5},
-            )  # fmt: skip

@@ -176,7 +176,7 @@ def _draw_histogram(
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach in zip(places, (top, counted.near), strict=False):
         is_first = axes is places[0]
-        across = gettext(_FULL_VIEW_LABEL) if titled and is_first else "(mm)"
+        across = gettext(_FULL_VIEW_LABEL) if titled and is_first else gettext("Distance (mm)")
         style_axes(axes, across, amount if is_first else "")
         _HistogramBars(axes, counted, share).show(reach)
     if not titled:

@@ -152,8 +152,7 @@ def _write_template_input(document: Document, folder: Path) -> str:
     pictures = 0
     for section in values["sections"]:
         for block in section["blocks"]:
-            rows = block["rows"] if block["kind"] == "pictures" else [[block]]
-            for picture in (each for row in rows for each in row):
+            for picture in block["pictures"] if block["kind"] == "pictures" else [block]:
                 if picture["kind"] == "picture":
                     picture["file"] = f"picture-{pictures}{picture['suffix']}"
                     (folder / picture["file"]).write_bytes(picture.pop("data"))

@@ -85,6 +85,10 @@ BEFORE_CALIBRATION_TEXT = N_(
     "vessel. Therefore only the part of RMS, curvature and flatness that this error does not "
     "explain is assessed."
 )
+SITE_PLAN_CAPTION = N_(
+    "Site plan in the local frame. Arrows show the direction of the lines; the name of a line is "
+    "at its start."
+)
 SURFACE_SIGMA_TEXT = N_(
     "Form error of the targets: standard deviation of the offset of a whole sighting from the "
     "common surface of all lines."
@@ -247,7 +251,7 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
         limit = fixed_number(MIN_REPORTED_NOISE_FACTOR, 2)
         noise_factor = gettext(NOISE_FACTOR_TEXT, limit=limit)
         columns = [Paragraph(noise_factor), Paragraph(gettext(LARGEST_W_TEXT))]
-    return [targets, *columns, sightings, Paragraph(gettext(COMMON_SURFACE_TEXT)), bars]
+    return [*columns, targets, Paragraph(gettext(COMMON_SURFACE_TEXT)), sightings, bars]
 
 
 def site_blocks(content: ReportContent) -> list[Block]:
@@ -257,15 +261,13 @@ def site_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [report_table(LINES_TABLE, content.lines)]
     if content.trajectory:
         blocks += [
-            report_table(TRAJECTORY_TABLE, content.trajectory),
             Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
+            report_table(TRAJECTORY_TABLE, content.trajectory),
         ]
     # The plan is last: it is high, and tables fill the page before it.
     if any(line.track_local_m for line in content.lines) or content.planes:
         values = (content.lines, content.planes)
-        blocks.append(
-            UndrawnPictures(gettext("Site plan in the local frame."), site_figure_of, values)
-        )
+        blocks.append(UndrawnPictures(gettext(SITE_PLAN_CAPTION), site_figure_of, values))
     return blocks
 
 
@@ -361,8 +363,8 @@ def quality_blocks(content: ReportContent) -> list[Block]:
         explained.append(BEFORE_CALIBRATION_TEXT)
     return [
         *quality_summary(content),
-        report_table(QUALITY_TABLE, content.qualities),
         *(Paragraph(gettext(each)) for each in explained),
+        report_table(QUALITY_TABLE, content.qualities),
     ]
 
 
@@ -377,8 +379,8 @@ def settings_blocks(content: ReportContent) -> list[Block]:
         blocks.append(Paragraph(gettext(SURFACE_SIGMA_TEXT)))
     if adjustment is not None and adjustment.components:
         blocks += [
-            report_table(VARIANCE_COMPONENTS_TABLE, adjustment.components),
             Paragraph(gettext(VARIANCE_COMPONENTS_TEXT)),
+            report_table(VARIANCE_COMPONENTS_TABLE, adjustment.components),
         ]
     blocks.append(report_table(FILES_TABLE, content.files))
     if content.notes:

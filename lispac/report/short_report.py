@@ -24,7 +24,7 @@ from lispac.report.document_blocks import (
     Block,
     Paragraph,
     Picture,
-    PictureRows,
+    PictureRow,
     Section,
     UndrawnPictures,
     facts_table,
@@ -165,15 +165,7 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     beside = [_histogram(plane) for plane in planes] if len(small) == 2 * len(planes) else []
     blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else []
     if not whole and (row := (*_site_plan(content), *histograms)):
-        blocks.append(PictureRows((row,), columns=2, tallest=MAX_PLAN_HEIGHT_MM))
-    blocks += [
-        PictureRows(
-            ((*small[k : k + 2], *beside[k // 2 : k // 2 + 1]),),
-            columns=3 if beside else 2,
-            tallest=MAX_SMALL_PICTURE_HEIGHT_MM,
-        )
-        for k in range(0, len(small), 2)
-    ]
+        blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
     if small and len(small) < 2 * len(content.validation):
         pictured = gettext(
             "Pictures of {shown:n} of {total:n} validation planes are shown: first those that "
@@ -181,28 +173,38 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
             shown=len(small) // 2, total=len(content.validation),
         )  # fmt: skip
         blocks.append(Paragraph(pictured))
+    blocks += [
+        PictureRow(
+            (*small[k : k + 2], *beside[k // 2 : k // 2 + 1]),
+            columns=3 if beside else 2,
+            tallest=MAX_SMALL_PICTURE_HEIGHT_MM,
+        )
+        for k in range(0, len(small), 2)
+    ]
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in _planes_to_show(content, MAX_PICTURED_PLANES) if plane.maps]
     if whole and histograms and not beside:
-        blocks.append(PictureRows((tuple(histograms),), tallest=MAX_HISTOGRAM_HEIGHT_MM))
+        blocks.append(PictureRow(tuple(histograms), tallest=MAX_HISTOGRAM_HEIGHT_MM))
     if shown:
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
-    blocks += [PictureRows(((_map(plane),),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
-    if len(shown) < len(mapped):
-        omitted = gettext(
-            "Maps of {shown:n} of {total:n} validation planes are shown: first those that fail, "
-            "then those with the largest RMS after the calibration. The full report contains all.",
-            shown=len(shown), total=len(mapped),
-        )  # fmt: skip
-        blocks.append(Paragraph(omitted))
+        explained = gettext(MAP_LEGEND_TEXT)
+        if len(shown) < len(mapped):
+            omitted = gettext(
+                "Maps of {shown:n} of {total:n} validation planes are shown: first those that "
+                "fail, then those with the largest RMS after the calibration. The full report "
+                "contains all.",
+                shown=len(shown), total=len(mapped),
+            )  # fmt: skip
+            explained = f"{explained} {omitted}"
+        blocks.append(Paragraph(explained))
+    blocks += [PictureRow((_map(plane),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
     return blocks
 
 
-def _overview(pictures: tuple[Picture, ...], *, is_alone: bool) -> PictureRows:
+def _overview(pictures: tuple[Picture, ...], *, is_alone: bool) -> PictureRow:
     """Views of the whole survey, lower if pictures of planes follow."""
     if is_alone:
-        return PictureRows((pictures,))
-    return PictureRows((pictures,), tallest=MAX_OVERVIEW_HEIGHT_MM)
+        return PictureRow(pictures)
+    return PictureRow(pictures, tallest=MAX_OVERVIEW_HEIGHT_MM)
 
 
 def _site_plan(content: ReportContent) -> list[UndrawnPictures]:
@@ -212,7 +214,7 @@ def _site_plan(content: ReportContent) -> list[UndrawnPictures]:
         return []
     return [
         UndrawnPictures(
-            gettext("Site plan in the local frame."),
+            gettext(sections.SITE_PLAN_CAPTION),
             partial(site_figure_of, size=PLAN_SIZE_INCHES),
             (content.lines, content.planes),
         )

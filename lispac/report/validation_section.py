@@ -35,7 +35,7 @@ from lispac.report.document_blocks import (
     Block,
     Bullets,
     Paragraph,
-    PictureRows,
+    PictureRow,
     UndrawnPictures,
     report_table,
 )
@@ -104,6 +104,8 @@ OVERLAP_TEXT = N_(
     "POS error of each line remains. The quality levels of the specification apply to "
     "heights on the ground; the differences are not compared with them."
 )
+MAX_MAP_HEIGHT_MM = 95.0
+"""Largest height of the maps of a plane; those of two planes fit on a page."""
 LOCAL_FRAME_NAME = "the local frame"
 """Value of `AbsoluteCheckValues.system` for a reference with coordinates in the local frame."""
 
@@ -128,17 +130,14 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         *validation_summary(content),
         Paragraph(gettext(DISTANCES_TEXT)),
         Paragraph(gettext("Surface model of a line: {models:names}.", models=models)),
-        report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
         *reciprocal_pairs_note(content.validation),
         Paragraph(gettext(ROBUST_SIGMA_TEXT)),
+        report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
         *_acceptance_blocks(content.acceptance),
+        report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)),
+        *_signed_tables(content.validation),
+        *_shift_blocks(content.validation),
     ]
-    if any(plane.maps for plane in content.validation):
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
-    blocks += map(_plane_figures, content.validation)
-    blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
-    blocks += _signed_tables(content.validation)
-    blocks += _shift_blocks(content.validation)
     omitted = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
     if omitted:
         blocks += [
@@ -147,7 +146,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
             ),
             Bullets(omitted),
         ]
-    return blocks
+    return [*blocks, *_figures(content.validation)]
 
 
 def reciprocal_pairs_note(planes: Sequence[ValidationPlane]) -> list[Block]:
@@ -162,38 +161,44 @@ def _acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
     if not checks:
         return []
     return [
-        report_table(acceptance_table(acceptance.criteria.source), checks),
         Paragraph(gettext(ACCEPTANCE_TEXT)),
+        report_table(acceptance_table(acceptance.criteria.source), checks),
     ]
 
 
 def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
     """Table of the shifts of lines; none if they were not computed."""
     rows = shift_rows(planes)
-    return [report_table(SHIFTS_TABLE, rows), Paragraph(gettext(SHIFTS_TEXT))] if rows else []
+    return [Paragraph(gettext(SHIFTS_TEXT)), report_table(SHIFTS_TABLE, rows)] if rows else []
 
 
-def _plane_figures(plane: ValidationPlane) -> PictureRows:
-    """Histogram, profiles and maps of one plane."""
+def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Histograms and profiles of all planes, then their maps with the explanation."""
     from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
-    caption = gettext(
-        "{plane}: distances between lines before and after the calibration.", plane=plane.name
-    )
-    figures = [UndrawnPictures(caption, validation_figure, (plane,))]
-    by_height, by_range = is_drawn(plane.by_height), is_drawn(plane.by_range)
-    if by_height or by_range:
-        caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
-        figures.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
-    if plane.maps:
+    blocks: list[Block] = []
+    for plane in planes:
+        caption = gettext(
+            "{plane}: distances between lines before and after the calibration.", plane=plane.name
+        )
+        blocks.append(UndrawnPictures(caption, validation_figure, (plane,)))
+        by_height, by_range = is_drawn(plane.by_height), is_drawn(plane.by_range)
+        if by_height or by_range:
+            caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
+            blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
+    mapped = [plane for plane in planes if plane.maps]
+    if mapped:
+        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
+    for plane in mapped:
         caption = gettext(
             "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",
             caption=map_caption(plane),
         )
-        figures.append(UndrawnPictures(caption, map_figure_of, (plane,)))
-    return PictureRows(tuple((each,) for each in figures))
+        drawn = UndrawnPictures(caption, map_figure_of, (plane,))
+        blocks.append(PictureRow((drawn,), tallest=MAX_MAP_HEIGHT_MM))
+    return blocks
 
 
 def _profile_caption(by_height: bool, by_range: bool) -> str:
@@ -209,9 +214,9 @@ def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
     rows = pair_rows(planes)
     blocks: list[Block] = []
     if any(row.pair.after.signed is not None for row in rows):
-        blocks += [report_table(PAIR_PLACES_TABLE, rows), Paragraph(gettext(SIGNED_DISTANCES_TEXT))]
+        blocks += [Paragraph(gettext(SIGNED_DISTANCES_TEXT)), report_table(PAIR_PLACES_TABLE, rows)]
     if any(row.pair.after.planes is not None for row in rows):
-        blocks += [report_table(PAIR_PLANES_TABLE, rows), Paragraph(gettext(PLANE_OFFSETS_TEXT))]
+        blocks += [Paragraph(gettext(PLANE_OFFSETS_TEXT)), report_table(PAIR_PLANES_TABLE, rows)]
     return blocks
 
 
@@ -225,14 +230,14 @@ def standards_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = []
     if content.adjustment is not None:
         blocks += [
-            report_table(S44_TABLE, content.adjustment.s44),
             Paragraph(gettext(S44_TEXT)),
+            report_table(S44_TABLE, content.adjustment.s44),
         ]
     if content.swath_overlap:
         table = swath_overlap_table(len(content.swath_overlap) - 1)
         blocks += [
-            report_table(table, content.swath_overlap),
             Paragraph(gettext(OVERLAP_TEXT)),
+            report_table(table, content.swath_overlap),
         ]
     return blocks
 
@@ -257,8 +262,8 @@ def absolute_check_blocks(content: ReportContent) -> list[Block]:
     )
     blocks += [
         UndrawnPictures(caption, reference_distance_figure, (found,)),
-        report_table(MEAN_UNCERTAINTY_TABLE, lines_and_all(found)),
         Paragraph(gettext(UNCERTAINTY_TEXT)),
+        report_table(MEAN_UNCERTAINTY_TABLE, lines_and_all(found)),
     ]
     if found.points:
         blocks.append(report_table(SURVEYED_POINTS_TABLE, found.points))

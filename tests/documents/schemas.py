@@ -31,6 +31,95 @@ ABOUT_COMMANDS = (
     f"of its name, which `lispac COMMAND --schema` prints. {NAMES_TEXT}"
 )
 
+_EDGES = "Edges of the bins of the histogram, metres, one more than counts."
+_COUNTS = "Number of distances in each bin."
+_POSITION = (
+    "North, west, up of the local frame, metres. The table of the report gives east, north, up; "
+    "east has the opposite sign of west."
+)
+FIELD_TEXTS: dict[str, dict[str, str]] = {
+    "AbsoluteCheckValues": {
+        "bin_edges_m": _EDGES, "counts_before": _COUNTS, "counts_after": _COUNTS,
+    },
+    "AdjustmentValues": {
+        "rotation_body_lidar": "Rotation matrix, by rows, from LiDAR axes to body axes (forward, "
+        "left, up).",
+        "correlation": "Correlations of roll, pitch, yaw, by rows.",
+        "correlation_all": "Correlations of all parameters of `estimated`, by rows, in this order.",
+        "effect_distances_m": "Distances from the scanner, metres, of the displacements in "
+        "`effects`.",
+    },
+    "CauseValues": {
+        "size": "Components in `unit`, in the order given above; west is the opposite of east.",
+        "sigma": "Standard deviations of the components of `size`, in `unit`.",
+    },
+    "ConventionValues": {
+        "lever_arm_m": "Lever arm along the body axes of the other program, metres.",
+        "transform": "4x4 matrix, by rows.",
+    },
+    "DisplacementByAngle": {
+        "displacement_m": "Displacement at each of `effect_distances_m`, metres; not negative.",
+    },
+    "DistanceMapValues": {
+        "across_m": "Place of each cell, metres: east on a horizontal plane, else along the "
+        "horizontal axis of the plane, to the right as seen from the vessel.",
+        "up_m": "Place of each cell, metres: north on a horizontal plane, else up its slope.",
+        "before_m": "Distance before the calibration, metres; positive if the first line is nearer "
+        "to the vessel.",
+        "after_m": "Distance after the calibration, metres; positive if the first line is nearer "
+        "to the vessel.",
+    },
+    "DistancesBySteps": {
+        "edges_m": "Edges of the intervals of height or range, metres.",
+        "n": "Number of distances in each interval.",
+    },
+    "ErrorBudgetValues": {"distances_m": "Distances from the scanner, metres."},
+    "LineTrajectorySummary": {
+        "motion_deg": "Standard deviations of roll and of pitch during the line, degrees.",
+    },
+    "LineValues": {
+        "track_local_m": "Places of the vessel: north and west from the origin of the local frame, "
+        "metres; west is the opposite of east.",
+    },
+    "ObservabilityValues": {
+        "direction_sigma_deg": "Standard deviation along each direction, degrees, largest first.",
+    },
+    "PickedPlane": {
+        "seed_local_m": "North, west, up from the origin of the local frame, metres; the table of "
+        "the report gives east, north, up.",
+    },
+    "PosErrorValues": {
+        "error_m": _POSITION, "error_deg": "Roll, pitch, heading, degrees, as in the report.",
+        "sigma_m": "Prior sigmas of north, west, up, metres.",
+        "sigma_after_m": "Sigmas of north, west, up after the adjustment, metres.",
+        "sigma_deg": "Prior sigmas of roll, pitch, heading, degrees.",
+        "sigma_after_deg": "Sigmas of roll, pitch, heading after the adjustment, degrees.",
+    },
+    "ScannerToBodyMatrix": {
+        "rotation": "3x3 rotation matrix, by rows.",
+        "transform": "4x4 matrix, by rows; the last column is the lever arm, metres.",
+    },
+    "SettingsUsed": {
+        "lever_arm_m": "Scanner from the POS along the body axes forward, left, up, metres.",
+        "lever_arm_sigma_m": "Standard deviations forward, left, up, metres.",
+        "origin_deg_m": "Latitude and longitude, degrees, and ellipsoidal height, metres.",
+        "position_sigma_m": "Standard deviations north, east, down, metres.",
+        "attitude_sigma_deg": "Standard deviations of roll, pitch, heading, degrees.",
+        "lidar_sigma_xyz_m": "Standard deviations along the LiDAR axes x, y, z, metres.",
+    },
+    "SightingQualityValues": {
+        "extent_m": "Width (level) and height (up the slope) of the sighting, metres.",
+    },
+    "SigmaValues": {
+        "before": "Values before the estimate of variance components, in `units`.",
+        "used": "Values in the adjustment, in `units`.",
+    },
+    "ValidationPlane": {
+        "bin_edges_m": _EDGES, "counts_before": _COUNTS, "counts_after": _COUNTS,
+    },
+}  # fmt: skip
+"""Axes, units and signs of the lists of numbers, by class and field."""
+
 VERSION_SCHEMA = {
     "type": "object",
     "properties": {"schema_version": {"const": COMMANDS_VERSION}},
@@ -81,6 +170,10 @@ def _schemas(kinds: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     inputs.append(("", "serialization", TypeAdapter(JsonMessage)))
     found, whole = TypeAdapter.json_schemas(inputs)  # type: ignore[arg-type]
     made = _plain(_in_json({"$defs": whole["$defs"]}))
+    for name, texts in FIELD_TEXTS.items():
+        for field, text in texts.items():
+            if name in made["$defs"]:
+                made["$defs"][name]["properties"][field]["description"] = text
     return {
         name: _plain(_in_json(found[name, "serialization"])) for name in kinds
     }, made["$defs"]  # fmt: skip

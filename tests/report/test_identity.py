@@ -85,16 +85,35 @@ def test_details_are_saved_and_keep_the_results(tmp_path: Path) -> None:
         ({"site": "a\x07b"}, "not_printable", {}),
         ({"scanner_serial": "7" * 201}, "too_long", {"held": 201, "longest": 200}),
         ({"remarks": "7" * 2001}, "too_long", {"held": 2001, "longest": 2000}),
+        ({"dates": "2026-13-45"}, "no_date", {"text": "2026-13-45"}),
+        ({"dates": "2026-02-28 to 2026-02-30"}, "no_date", {"text": "2026-02-30"}),
+        ({"dates": "2026/3/0"}, "no_date", {"text": "2026/3/0"}),
+        ({"epoch": "2010-00-01"}, "no_date", {"text": "2010-00-01"}),
     ],
 )
 def test_texts_that_cannot_be_printed_are_refused(
-    texts: dict[str, str], code: str, params: dict[str, int]
+    texts: dict[str, str], code: str, params: dict[str, int | str]
 ) -> None:
     with pytest.raises(InputError) as refused:
         FULL.changed(**texts)
     (name,) = texts
     field = note(f"identity_field.{name}")
     assert refused.value.message == error(f"identity.{code}", field=field, **params)
+
+
+@pytest.mark.parametrize(
+    "texts",
+    [
+        {"dates": "2028-02-29"},
+        {"dates": "4 and 5 March 2026"},
+        {"dates": "2026-03-04/05"},
+        {"dates": ""},
+        {"epoch": "2010.0"},
+        {"scanner_serial": "2026-13-45"},
+    ],
+)
+def test_dates_that_exist_and_other_texts_are_accepted(texts: dict[str, str]) -> None:
+    assert texts.items() <= asdict(FULL.changed(**texts)).items()
 
 
 def test_every_field_has_a_name_in_messages() -> None:

@@ -1,4 +1,4 @@
-"""Tests that legends, titles and labels of histograms overlap nothing."""
+"""Tests that legends, titles and labels of histograms and plans overlap nothing."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from lispac.language import in_language
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.absolute_figure import reference_distance_figure
+from lispac.report.figures import site_figure
 from lispac.report.histograms import histogram_figure
+from lispac.report.short_report import PLAN_SIZE_INCHES
 from lispac.validation.comparison_results import PlaneComparison
 from tests.support.long_runs import others_long
 from tests.support.report_sample import sample_project
@@ -87,3 +90,22 @@ def test_the_texts_of_a_histogram_are_complete_and_apart(
                 values, edges, _ = patch.get_data()
                 visible = values[(edges[:-1] < high) & (edges[1:] > low)]
                 assert max(visible, default=0.0) <= axes.get_ylim()[1]
+
+
+def test_names_of_a_site_plan_cover_no_mark_and_no_other_name() -> None:
+    north_south, east_west = [(-30.0, 0.0), (30.0, 0.0)], [(0.0, -30.0), (0.0, 30.0)]
+    tracks = {
+        "L1": north_south, "L2": north_south[::-1], "L3": east_west, "L4": east_west[::-1],
+    }  # fmt: skip
+    targets = {"T1": (3.0, -8.0, 0.0), "T2": (1.0, -8.5, 0.0), "T3": (-20.0, 0.5, 0.0)}
+    planes = {"V1": (2.0, -9.0, 0.0), "V2": (2.5, -6.0, 0.0)}
+    figure = site_figure(tracks, targets, planes, size=PLAN_SIZE_INCHES)
+    FigureCanvasAgg(figure).draw()
+    (axes,) = figure.axes
+    names = [text for text in axes.texts if text.get_text()]
+    assert {name.get_text() for name in names} == {*tracks, *targets, *planes}
+    boxes = [Text.get_window_extent(name) for name in names]
+    seeds = [(-west, north) for north, west, _ in (*targets.values(), *planes.values())]
+    marks = axes.transData.transform(seeds)
+    assert not [(a, b) for k, a in enumerate(boxes) for b in boxes[k + 1 :] if a.overlaps(b)]
+    assert not [(box, mark) for box in boxes for mark in marks if box.contains(*mark)]

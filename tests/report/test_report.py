@@ -350,6 +350,14 @@ def test_tables_have_the_numbers_of_the_json(content: ReportContent, tmp_path: P
     for row, pair in zip(pairs[1:], listed, strict=True):
         assert int(row[3]) == pair["before"]["distances"]["n"]
         assert float(row[7]) == pytest.approx(1000 * pair["after"]["distances"]["rms_m"], abs=0.05)
+    lengths = {
+        title
+        for rows in tables.values()
+        for title in rows[0]
+        if title.startswith(("Median", "RMS", "Offset", "Shift (", "at 1"))
+    }
+    assert {"Median before (mm)", "RMS after (mm)", "at 100 m (cm)"} <= lengths
+    assert all(title.endswith(("(mm)", "(cm)")) for title in lengths), lengths
     again = tmp_path / "again.zip"
     write_tables(content, again)
     assert again.read_bytes() == (tmp_path / "r.zip").read_bytes()

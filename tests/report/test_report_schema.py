@@ -36,6 +36,27 @@ def test_published_schema_is_up_to_date() -> None:
     assert PATH.read_text(encoding="utf-8") == schema_text(), instruction
 
 
+def _has_numbers(schema: Any) -> bool:
+    """Whether a schema is of a list of numbers, or of lists of them."""
+    if any(map(_has_numbers, schema.get("anyOf", ()))):
+        return True
+    items = [schema.get("items", {}), *schema.get("prefixItems", ())]
+    return schema.get("type") == "array" and any(
+        item.get("type") in ("number", "integer") or _has_numbers(item) for item in items
+    )
+
+
+def test_all_lists_of_numbers_have_a_description(schema: dict[str, Any]) -> None:
+    lists = {
+        (name, field): each
+        for name, definition in schema["$defs"].items()
+        for field, each in definition.get("properties", {}).items()
+        if _has_numbers(each)
+    }
+    assert ("PickedPlane", "seed_local_m") in lists
+    assert not [place for place, each in lists.items() if not each.get("description")]
+
+
 def test_reports_of_every_kind_are_valid(project: Project) -> None:
     thesis = sample_project(project.folder.parent / "thesis", model="independent")
     samples = (

@@ -23,7 +23,7 @@ from lispac.messages import error, note
 from lispac.present.survey_data import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
-from lispac.report.document_blocks import Block, PictureRows, UndrawnPictures
+from lispac.report.document_blocks import Block, PictureRow, UndrawnPictures
 from lispac.report.options import ReportOptions
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
@@ -286,5 +286,5 @@ def with_lines_of_its_own(project: Project) -> Project:
 def undrawn_pictures(blocks: Iterable[Block]) -> Iterator[UndrawnPictures]:
     """Yield the figures of a report, also those in rows."""
     for block in blocks:
-        rows = block.rows if isinstance(block, PictureRows) else ((block,),)
-        yield from (each for row in rows for each in row if isinstance(each, UndrawnPictures))
+        pictures = block.pictures if isinstance(block, PictureRow) else (block,)
+        yield from (each for each in pictures if isinstance(each, UndrawnPictures))
