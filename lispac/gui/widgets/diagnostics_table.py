@@ -118,7 +118,6 @@ class DiagnosticsTable(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setStretchLastSection(columns[-1].is_text)
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
@@ -155,6 +154,8 @@ class DiagnosticsTable(QTableWidget):
         for column in range(1, len(self._columns)):
             texts = (self.item(number, column).text() for number in range(len(rows)))
             self.setColumnHidden(column, bool(rows) and not any(texts))
+        last = max(k for k in range(header.count()) if not header.isSectionHidden(k))
+        header.setStretchLastSection(self._columns[last].is_text)
         header.setSortIndicatorShown(False)  # the arrow does not widen the columns
         header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)
