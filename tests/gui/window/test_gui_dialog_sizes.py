@@ -10,6 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import theme
+from lispac.gui.features.design.number_table import NumberTable
+from lispac.gui.features.design.plan_tables import TARGET_FIELDS
 from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.gui.features.studies.study_dialog import StudyDialog
@@ -77,3 +79,16 @@ def test_the_study_of_visibility_stays_on_the_screen(
     assert SCREEN.contains(shown(qtbot, dialog))
     buttons = dialog.copy_numbers, dialog.copy_picture
     assert all(dialog.rect().contains(each.geometry()) for each in buttons)
+
+
+def test_the_columns_of_a_survey_plan_show_their_texts(qtbot: QtBot) -> None:
+    table = NumberTable("targets", "Targets", TARGET_FIELDS)
+    qtbot.addWidget(table)
+    table.show_rows([["T1", -0.8, 0.0, 5.0, 90.0, 270.0, 1.23, 1.22, None]], 0)
+    table.resize(985, 170)
+    table.show()
+    header = table.horizontalHeader()
+    for k in range(table.columnCount()):
+        assert header.sectionSize(k) >= header.sectionSizeHint(k)
+        assert header.sectionSize(k) > table.sizeHintForColumn(k)
+    assert header.length() == table.viewport().width()
