@@ -208,7 +208,7 @@ class BudgetDialog(StudyDialog):
         self.show_rows(
             window_rows(
                 *budget_table(self._budget, beam),
-                marked=lambda row: row in (beam.before, beam.after),
+                current=lambda row: row in (beam.before, beam.after),
                 tip=lambda row: missing if row.at_distance is None else "",
             )
         )
@@ -310,7 +310,7 @@ class SubsamplingDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows(
-            window_rows(SUBSAMPLING_TABLE, results, marked=lambda row: row.distance_m == used)
+            window_rows(SUBSAMPLING_TABLE, results, current=lambda row: row.distance_m == used)
         )
         self.message_label.setText(
             gettext(
