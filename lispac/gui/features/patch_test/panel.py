@@ -108,7 +108,7 @@ class PatchTestPanel(QWidget):
         self._middle.addWidget(self._create_pictures())
         self._pictures = middle
         self._columns.addLayout(self._create_right_column(), 0, 2)
-        self._columns.setRowStretch(0, 1)
+        self._columns.setRowStretch(0, 3)
         self._is_wide = True
         self._place_pictures(is_wide=False)
         # In a small window, the panel scrolls and does not widen the window.
@@ -144,7 +144,7 @@ class PatchTestPanel(QWidget):
             self._columns.addWidget(self._pictures, 1, 0, 1, 3)
         self._columns.setColumnStretch(1, int(is_wide))
         self._columns.setColumnStretch(2, int(not is_wide))
-        self._columns.setRowStretch(1, 0 if is_wide else 1)
+        self._columns.setRowStretch(1, 0 if is_wide else 2)
         self.angles.setMaximumWidth(MAX_ANGLES_WIDTH_PX if is_wide else QWIDGETSIZE_MAX)
 
     def _buttons(self) -> None:
