@@ -583,7 +583,9 @@ def _shorten_profile_texts(figure) -> None:
     """Leave the height of a low figure to the curves."""
     figure.suptitle("")  # the plane is selected in the table
     if figure.axes[0].get_ylabel():
-        figure.axes[0].set_ylabel("(mm)", fontsize=figure.axes[0].yaxis.label.get_fontsize())
+        figure.axes[0].set_ylabel(
+            gettext("(mm, log)"), fontsize=figure.axes[0].yaxis.label.get_fontsize()
+        )
 
 
 def _statistics_text(template: str, state: DistanceStatistics) -> str:
