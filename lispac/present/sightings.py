@@ -214,11 +214,11 @@ INCIDENCE_COLUMN = Column[SightingValues](
     N_("Mean angle between the beams and the normal of the surface"),
 )  # fmt: skip
 RMS_BEFORE_COLUMN = Column[SightingValues](
-    "rms_before_m", N_("Before"), MILLIMETRES,
+    "rms_before_m", N_("RMS\nbefore"), MILLIMETRES,
     N_("RMS distance to the surface with the prior boresight"),
 )  # fmt: skip
 RMS_AFTER_COLUMN = Column[SightingValues](
-    "rms_after_m", N_("After"), MILLIMETRES,
+    "rms_after_m", N_("RMS\nafter"), MILLIMETRES,
     N_(
         "RMS distance to the adjusted surface. It contains the POS error of the line and may be "
         "larger than before."
@@ -249,7 +249,7 @@ EFFECT_COLUMNS = (
 )
 LARGEST_EFFECT_COLUMN = Column[SightingValues](
     lambda s: None if s.effect_deg is None else max(map(abs, s.effect_deg)),
-    N_("Effect on angles"), MILLIDEGREES,
+    N_("Effect on\nangles"), MILLIDEGREES,
     N_("Largest change of an angle that an undetected shift of this size can cause"),
 )  # fmt: skip
 OUTLIERS_COLUMN = Column[SightingValues](
@@ -284,10 +284,11 @@ FINDING_COLUMN = Column[SightingValues](
 SIGHTINGS_TABLE = Table[SightingValues](
     N_("Sightings"),
     (
-        TARGET_COLUMN, LINE_COLUMN, POINTS_COLUMN, INCIDENCE_COLUMN, RMS_BEFORE_COLUMN,
-        RMS_AFTER_COLUMN, SHIFT_COLUMN, W_COLUMN, DETECTABLE_SHIFT_COLUMN, LARGEST_EFFECT_COLUMN,
-        OUTLIERS_COLUMN, LARGEST_W_COLUMN, LARGEST_W_TIME_COLUMN, REDUNDANCY_COLUMN,
-        POS_POSITION_COLUMN, POS_ATTITUDE_COLUMN, FINDING_COLUMN,
+        TARGET_COLUMN, LINE_COLUMN, FINDING_COLUMN, POINTS_COLUMN, INCIDENCE_COLUMN,
+        RMS_BEFORE_COLUMN,
+        RMS_AFTER_COLUMN, SHIFT_COLUMN, W_COLUMN,
+        DETECTABLE_SHIFT_COLUMN, LARGEST_EFFECT_COLUMN, OUTLIERS_COLUMN, LARGEST_W_COLUMN,
+        LARGEST_W_TIME_COLUMN, REDUNDANCY_COLUMN, POS_POSITION_COLUMN, POS_ATTITUDE_COLUMN,
     ),
 )  # fmt: skip
 """Table of the window with all values of a sighting; the report has the following tables."""
@@ -295,8 +296,8 @@ SIGHTING_FIT_TABLE = Table[SightingValues](
     N_("Fit of each sighting to the surface of its target"),
     (
         TARGET_COLUMN, LINE_COLUMN, HEADING_COLUMN, POINTS_COLUMN,
-        RMS_BEFORE_COLUMN.with_title(N_("RMS\nbefore")),
-        RMS_AFTER_COLUMN.with_title(N_("RMS\nafter")), MEAN_AFTER_COLUMN,
+        RMS_BEFORE_COLUMN,
+        RMS_AFTER_COLUMN, MEAN_AFTER_COLUMN,
     ),
 )  # fmt: skip
 SIGHTING_TESTS_TABLE = Table[SightingValues](

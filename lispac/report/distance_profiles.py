@@ -77,7 +77,7 @@ def _draw_profiles(
     places = figure.subplots(1, max(len(drawn), 1), sharey=True, squeeze=False)[0]
     for axes, (profile, across) in zip(places, drawn, strict=False):
         _draw_profile(axes, profile)
-        style_axes(axes, across, gettext("Distance (mm)") if axes is places[0] else "")
+        style_axes(axes, across, gettext("Distance (mm, log)") if axes is places[0] else "")
         axes.set_yscale("log")
         axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.yaxis.set_minor_locator(NullLocator())

@@ -82,7 +82,8 @@ class PanelWindow(QMainWindow):
         if stored is not None and self.restoreGeometry(stored):
             return
         screen, parent = self.screen().availableGeometry(), self.parentWidget().geometry()
-        size = self._size.boundedTo(screen.size())
+        margin = QSize(MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX)
+        size = self._size.boundedTo(screen.size() - margin)
         self.resize(size)
         corner = parent.bottomRight()
         right = max(screen.left(), min(corner.x(), screen.right()) - size.width() - MARGIN_RIGHT_PX)

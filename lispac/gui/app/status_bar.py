@@ -61,6 +61,8 @@ class TaskStatusBar(QStatusBar):
             self.text.setText(gettext("{task}: stopping…", task=task.title))
         else:
             self.text.setText(_progress_text(task))
+        # Setting the value paints at once: without the layout, the new text would be cut
+        self.layout().activate()
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
 

@@ -6,7 +6,7 @@ from textwrap import fill
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -260,6 +260,23 @@ class ChoiceBox(QComboBox):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+
+def in_lines(text: str, metrics: QFontMetrics, width: int) -> str:
+    """Text with line breaks between words, for widgets that do not wrap their text.
+
+    Parameters
+    ----------
+    width : largest width of a line of more than one word, pixels
+    """
+    lines = [""]
+    for word in text.split(" "):
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and metrics.horizontalAdvance(longer) > width:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return "\n".join(lines)
 
 
 class VerticalScrollArea(QScrollArea):

@@ -275,6 +275,13 @@ class Chart(FigureCanvasQTAgg):
         image.setDevicePixelRatio(self.devicePixelRatioF())
         return image
 
+    def shown_colour(self, colour: str) -> str:
+        """Name of the colour in which the plot shows a colour of its figure."""
+        pixel = np.array(QColor(colour).getRgb(), dtype=np.uint8)
+        if self._inverts_lightness:
+            pixel = with_inverted_lightness(pixel)
+        return QColor(*pixel.tolist()).name()
+
     def picture(self) -> QPixmap:
         """Up-to-date picture with the original colours."""
         if (self._outdated or self.is_drawing) and self.width() > 0 and self.height() > 0:

@@ -2,10 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QLocale, Qt, Signal
 from PySide6.QtGui import QBrush, QColor
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStyledItemDelegate,
+    QTableWidget,
+    QTableWidgetItem,
+)
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
@@ -52,6 +59,7 @@ class Row:
     key : target and line of the row; line "" for the whole target; None without a link
     marked : whether the row is highlighted because it should be checked
     quality : quality whose icon is shown in the first column; empty without an icon
+    current : whether the row is highlighted because it is the one in use, or the total
     """
 
     cells: Sequence[Cell]
@@ -59,6 +67,15 @@ class Row:
     marked: bool = False
     tip: str = ""
     quality: str = ""
+    current: bool = False
+
+
+class _IndentedTexts(QStyledItemDelegate):
+    """Delegate of a column of texts beside numbers aligned to the right, which it keeps apart."""
+
+    def displayText(self, value: object, locale: QLocale | QLocale.Language) -> str:
+        """Text with a space before it."""
+        return "\N{EM SPACE}" + super().displayText(value, locale)
 
 
 class _SortedItem(QTableWidgetItem):
@@ -107,6 +124,9 @@ class DiagnosticsTable(QTableWidget):
             tip = _convert_units(column.tip, column)
             head.setToolTip(widgets.wrapped_tip(f"{tip}\n{sorting}"))
             head.setTextAlignment(_ALIGNED_LEFT if column.is_text else _ALIGNED_RIGHT)
+        for k, (before, column) in enumerate(pairwise(columns), start=1):
+            if column.is_text and not before.is_text:
+                self.setItemDelegateForColumn(k, _IndentedTexts(self))
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setShowGrid(False)
@@ -118,7 +138,6 @@ class DiagnosticsTable(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setStretchLastSection(columns[-1].is_text)
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
@@ -149,12 +168,17 @@ class DiagnosticsTable(QTableWidget):
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
+                if row.current:
+                    item.setFont(theme.tabular_font(self.font(), bold=True))
+                    item.setBackground(QBrush(QColor(theme.CURRENT)))
                 if row.tip:
                     item.setToolTip(widgets.wrapped_tip(row.tip))
                 self.setItem(number, column, item)
         for column in range(1, len(self._columns)):
             texts = (self.item(number, column).text() for number in range(len(rows)))
             self.setColumnHidden(column, bool(rows) and not any(texts))
+        last = max(k for k in range(header.count()) if not header.isSectionHidden(k))
+        header.setStretchLastSection(self._columns[last].is_text)
         header.setSortIndicatorShown(False)  # the arrow does not widen the columns
         header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)

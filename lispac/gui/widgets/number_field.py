@@ -297,7 +297,8 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         return gettext("Range: {low} to {high}", low=low, high=high)
 
     def _show_tip(self, text: str) -> None:
-        if self.isVisible():  # the tip is shown after a delay
+        # The tip is shown after a delay; over another field, it would seem to be about that one
+        if not self.visibleRegion().isEmpty():
             QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), text, self)
 
     def _reformat_text(self) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QScrollArea, QTabWidget, QToolTip, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.appearance.message_texts import message_text
@@ -226,6 +226,15 @@ def require_accepted_texts(widget: QWidget) -> None:
         raise InputError(problem)
 
 
+def _scroll_to(field: QWidget) -> None:
+    """Make a field visible in the scroll areas around it."""
+    around = field.parentWidget()
+    while around is not None:
+        if isinstance(around, QScrollArea):
+            around.ensureWidgetVisible(field)
+        around = around.parentWidget()
+
+
 class NumberDialog(QDialog):
     """Dialogue that is not accepted while a text in one of its number fields is not accepted."""
 
@@ -248,6 +257,7 @@ class NumberDialog(QDialog):
                 tabs.setCurrentWidget(page)
             page = parent
         field.setFocus()
+        _scroll_to(field)
         place = field.mapToGlobal(field.rect().bottomLeft())
         QToolTip.showText(place, message_text(problem), field)
         return True

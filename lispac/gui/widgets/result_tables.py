@@ -46,12 +46,16 @@ def window_rows(
     key: Callable[[ResultRow], Key | None] = lambda row: None,
     marked: Callable[[ResultRow], bool] = lambda row: False,
     tip: Callable[[ResultRow], str] = lambda row: "",
+    current: Callable[[ResultRow], bool] = lambda row: False,
 ) -> list[Row]:
     """Rows of a table of results, with their target and line, marks and tooltips."""
     return [
-        Row([_cell(column, row) for column in table.columns], key(row), marked(row), tip(row))
+        Row(
+            [_cell(column, row) for column in table.columns], key(row), marked(row), tip(row),
+            current=current(row),
+        )
         for row in rows
-    ]
+    ]  # fmt: skip
 
 
 def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:

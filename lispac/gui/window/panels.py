@@ -130,7 +130,7 @@ class Panels:
     )
     diagnostics: DiagnosticsPanel = field(
         default_factory=DiagnosticsPanel,
-        metadata=_place(WindowPlace(DIAGNOSTICS, 1000, 620, "diagnostics")),
+        metadata=_place(WindowPlace(DIAGNOSTICS, 1280, 440, "diagnostics")),
     )
 
     def __post_init__(self) -> None:

@@ -339,6 +339,19 @@ def test_a_message_stays_alone_when_the_height_of_the_status_bar_changes(qtbot: 
     assert bar.point.isVisible()
 
 
+def test_a_longer_text_has_its_width_before_the_progress_is_painted(qtbot: QtBot) -> None:
+    bar = TaskStatusBar()
+    qtbot.addWidget(bar)
+    bar.resize(1366, 30)
+    bar.show()
+    task = Task("Import", lambda progress: None, lambda value: None)
+    for step in ("Reading", "Computing the points of all lines with the estimated boresight"):
+        task.report(task.fraction + 0.1, step)
+        bar.show_task(task)  # no event is processed afterwards
+        assert bar.text.width() >= bar.text.sizeHint().width()
+        assert not bar.text.geometry().intersects(bar.bar.geometry())
+
+
 def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:
     bar = TaskStatusBar()
     qtbot.addWidget(bar)

@@ -19,12 +19,15 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from lispac.acceptance import AcceptanceCriteria
+from lispac.gui.app.docks import SIDE_WIDTH_PX
 from lispac.gui.app.language import set_language
 from lispac.gui.app.panel_window import PanelWindow
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.appearance import theme
-from lispac.gui.project.status import DATA, VALIDATE
+from lispac.gui.features.validate.histograms_panel import PAIRS_VIEW
+from lispac.gui.project.status import ADJUST, DATA, VALIDATE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import Button
 from lispac.gui.window.session import Session
@@ -123,6 +126,28 @@ def test_the_view_has_most_of_the_window_in_every_state(
     document.open(validated, demo.survey)
     measure("validated")
     assert shown_docks(driver) == {"Workflow", "Targets by line", "Results", "Histograms"}
+    exceeded = AcceptanceCriteria(rms=1e-6, p95=1e-6, offset=1e-6)
+    document.edit("criteria", replace(validated, acceptance=exceeded))
+    measure("criteria exceeded")
+    window.workflow.open(ADJUST)
+    for group in (window.adjust.also, window.adjust.advanced):
+        group.open()
+    measure("options unfolded")
+    assert window.docks["Workflow"].width() == SIDE_WIDTH_PX
+    show_panel(window, "Histograms")
+    histograms = window.histograms
+    choice = histograms.plot.mapToGlobal(QPoint())
+    histograms.plot.setCurrentIndex(PAIRS_VIEW)
+    measure("pairs of lines")
+    assert histograms.plot.mapToGlobal(QPoint()) == choice
+    click(driver, histograms.enlarge)
+    driver.rest()
+    above = histograms.plot.mapTo(histograms, QPoint())
+    click(driver, histograms.enlarge)
+    measure("pairs of lines, reduced again")
+    assert histograms.plot.mapTo(histograms, QPoint()) == above
+    assert shares["pairs of lines, reduced again"] == pytest.approx(shares["validated"], abs=0.002)
+    histograms.plot.setCurrentIndex(0)
     window._select("T1", "")
     press(driver, Key.Key_S)
     driver.bot.waitUntil(lambda: is_in_front(driver, "Section"), timeout=SOON_MS)

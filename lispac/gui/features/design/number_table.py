@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -120,6 +121,10 @@ class TableColumn:
         return units.localised(figure)
 
 
+CELL_MARGIN_PX = 2
+"""Width of a column beyond its longest text, for the grid, pixels."""
+
+
 class NumberTable(QTableWidget):
     """Table with one row for each line or target; emits edits without applying them."""
 
@@ -153,7 +158,7 @@ class NumberTable(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setMinimumSectionSize(48)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(
@@ -200,6 +205,23 @@ class NumberTable(QTableWidget):
         if 0 <= current < len(rows) and self.currentRow() != current:
             self.setCurrentCell(current, max(self.currentColumn(), 0))
         self._showing = False
+        self._fit_columns()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Distribute the width again."""
+        super().resizeEvent(event)
+        self._fit_columns()
+
+    def _fit_columns(self) -> None:
+        """Give each column the width of its texts, and the same share of the remaining width."""
+        header, columns = self.horizontalHeader(), range(self.columnCount())
+        needed = [
+            max(header.sectionSizeHint(k), self.sizeHintForColumn(k) + CELL_MARGIN_PX)
+            for k in columns
+        ]
+        spare, rest = divmod(max(self.viewport().width() - sum(needed), 0), len(needed))
+        for k in columns:
+            header.resizeSection(k, needed[k] + spare + (k < rest))
 
     def closeEditor(self, editor: QWidget, hint: QStyledItemDelegate.EndEditHint) -> None:
         """Close an editor; one with a wrong text is closed by Escape only."""

@@ -263,8 +263,10 @@ class PredictionPanel(QScrollArea):
             title_text(planning.GAINS_TABLE.title),
             window_columns(planning.GAINS_TABLE),
         )
+        self.gain_table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.gain_table.setMinimumHeight(170)
-        layout.addWidget(self.gain_table, 1)
+        layout.addWidget(self.gain_table)
+        layout.addStretch(1)
         self.setWidget(body)
         self.predictor.predicted.connect(self._show_sigmas)
         self.predictor.slow_results_ready.connect(self._show_messages)
@@ -359,7 +361,11 @@ class PredictionPanel(QScrollArea):
 
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
         rows = planning.gain_rows(gains, self._last.largest_deg)
-        self.gain_table.show_rows(window_rows(planning.GAINS_TABLE, rows))
+        table = self.gain_table
+        table.show_rows(window_rows(planning.GAINS_TABLE, rows))
+        # The panel scrolls; a second scroll bar in it would be in the way
+        heads = table.horizontalHeader().sizeHint().height()
+        table.setFixedHeight(heads + table.verticalHeader().length() + 2 * table.frameWidth())
 
     def stop(self) -> None:
         """Stop all computations."""

@@ -88,7 +88,7 @@ class ModelSettings(QWidget):
         form.setContentsMargins(18, 0, 0, 4)
         form.setHorizontalSpacing(8)
         form.setVerticalSpacing(5)
-        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.DontWrapRows)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         self.position_time = self._time_field(
             "position_time", gettext("Correlation time of the position error of the POS")
         )

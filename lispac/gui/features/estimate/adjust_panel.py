@@ -92,14 +92,6 @@ class AdjustPanel(QWidget):
         sentences = [gettext(sentence) for _model, _title, sentence in POS_ERROR_MODELS]
         self.model_sentence = ReservedLabel("muted", "model_sentence", texts=sentences)
         layout.addWidget(self.model_sentence)
-        self.parameters = ParameterSwitches()
-        self.also = FoldableGroup(
-            gettext("Additional parameters"), "fold_parameters", self.parameters
-        )
-        layout.addWidget(self.also)
-        self.model = ModelSettings()
-        self.advanced = FoldableGroup(gettext("Advanced"), "fold_advanced", self.model)
-        layout.addWidget(self.advanced)
         self.cross_check = QCheckBox(gettext("Cross-check with subsets of the data"))
         self.cross_check.setObjectName("cross_check")
         self.cross_check.setChecked(True)
@@ -123,6 +115,15 @@ class AdjustPanel(QWidget):
         layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)
+        # Below the button, which stays in its place when they are unfolded
+        self.parameters = ParameterSwitches()
+        self.also = FoldableGroup(
+            gettext("Additional parameters"), "fold_parameters", self.parameters
+        )
+        layout.addWidget(self.also)
+        self.model = ModelSettings()
+        self.advanced = FoldableGroup(gettext("Advanced"), "fold_advanced", self.model)
+        layout.addWidget(self.advanced)
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
         self._debounce.setInterval(DEBOUNCE_MS)

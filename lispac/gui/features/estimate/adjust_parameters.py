@@ -96,6 +96,8 @@ MOUNTING_PARAMETERS: dict[str, MountingParameter] = {
     )
     for name, each in PARAMETER_DISPLAYS.items()
 }  # fmt: skip
+SWITCH_TEXT_WIDTH_PX = 112
+"""Width beyond which the text of a switch is wrapped, so that the panel keeps its width, pixels."""
 LEVER_ARM_NAMES = ("lever_x", "lever_y", "lever_z")
 SCANNER_PARAMETER_NAMES = ("range_offset", "scan_angle_offset", "latency")
 
@@ -116,7 +118,7 @@ class ParameterSwitches(QWidget):
         self._lever: dict[str, QLabel] = {}
         self._shown: dict[str, float] = {}
         grid = QGridLayout(self)
-        grid.setContentsMargins(8, 0, 0, 4)
+        grid.setContentsMargins(4, 0, 0, 4)
         grid.setHorizontalSpacing(4)
         grid.setVerticalSpacing(3)
         for column, (title, tip) in enumerate(
@@ -130,7 +132,10 @@ class ParameterSwitches(QWidget):
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(head, 0, 1 + column)
         for row, kind in enumerate(MOUNTING_PARAMETERS.values(), start=1):
-            switch = QCheckBox(gettext(kind.short_title))
+            title = gettext(kind.short_title)
+            switch = QCheckBox()
+            switch.setText(widgets.in_lines(title, switch.fontMetrics(), SWITCH_TEXT_WIDTH_PX))
+            switch.setAccessibleName(title)
             switch.setObjectName(f"estimate_{kind.name}")
             switch.setToolTip(gettext(kind.tip))
             switch.toggled.connect(self._on_switched)

@@ -61,8 +61,8 @@ EMPTY_TEXT = N_(
 )
 OUTDATED_NOTE = note("project.out_of_date")
 WAITING_TEXT = N_("Estimating …")
-_ROW_HEIGHT_PX = 21
-_SIGNS_HEIGHT_PX = 38
+_ROW_HEIGHT_PX = 19
+_SIGNS_HEIGHT_PX = 36
 """Height of a header of two lines."""
 _MIN_VALUE_WIDTH_PX = 190
 """Smallest width of a value of the fit; longer texts are wrapped."""
@@ -160,7 +160,7 @@ class ResultsPanel(QWidget):
     def _create_body(self) -> QScrollArea:
         outer = widgets.WrappedBody()
         around = widgets.vertical_layout(outer)
-        around.setContentsMargins(12, 4, 12, 4)
+        around.setContentsMargins(12, 2, 12, 2)
         self._waiting = widgets.label(
             gettext("A new estimate is running. The values below are from before the change."),
             "hint", wrap=True, name="results_waiting",

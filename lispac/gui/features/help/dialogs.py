@@ -1,9 +1,10 @@
 """Dialogues about the program and about its mouse and keyboard commands."""
 
 import platform
+from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, qVersion
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QLabel, QMessageBox, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
@@ -86,6 +87,10 @@ KEYS = (
     )),
 )  # fmt: skip
 """Headings of the list of keys, and the rows below each."""
+COLUMNS = ((0, 2), (3, 4, 1))
+"""Indices in `KEYS` of the headings in each column, which are about equally high."""
+SCREEN_MARGIN_PX = 80
+"""Width of the screen that the columns of keys do not use, pixels."""
 
 
 def about_box(parent: QWidget | None) -> QMessageBox:
@@ -121,16 +126,27 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     layout = widgets.vertical_layout(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(24)
-    # The first two headings have about as many rows as the others together.
-    for parts in (KEYS[:2], KEYS[2:]):
-        column = widgets.label(rich=True)
-        column.setText("".join(map(_commands_html, parts)))
+    labels = [widgets.label(rich=True) for _ in COLUMNS]
+    for column, parts in zip(labels, COLUMNS, strict=True):
+        column.setText("".join(_commands_html(KEYS[k]) for k in parts))
         columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
+    _wrap_to_screen(labels, box.screen().availableGeometry().width() - SCREEN_MARGIN_PX)
     layout.addLayout(columns)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
     buttons.rejected.connect(box.reject)
     layout.addWidget(buttons)
     return box
+
+
+def _wrap_to_screen(columns: Sequence[QLabel], available: int) -> None:
+    """Wrap the texts of columns that together are wider than the screen."""
+    widths = [column.sizeHint().width() for column in columns]
+    for column, width in zip(columns, widths, strict=True):
+        if sum(widths) > available:
+            narrowed = width * available // sum(widths)
+            column.setWordWrap(True)
+            column.setFixedWidth(narrowed)
+            column.setMinimumHeight(column.heightForWidth(narrowed))
 
 
 def keys_text(keys: str) -> str:
@@ -141,7 +157,7 @@ def keys_text(keys: str) -> str:
 def _commands_html(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
         f"<tr><td style='white-space: nowrap'><b>{keys_text(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
-        f"<td style='white-space: nowrap'>{gettext(what)}</td></tr>"
+        f"<td>{gettext(what)}</td></tr>"
         for keys, what in part[1]
     )
     return f"<h4>{gettext(part[0])}</h4><table cellspacing='3'>{rows}</table>"

@@ -83,7 +83,7 @@ class PatchAngles(QWidget):
             grid.addWidget(slider, 2 * k, 1)
             grid.addWidget(field, 2 * k, 2)
             grid.addWidget(find, 2 * k, 3)
-            grid.addWidget(self.result_labels[k], 2 * k + 1, 1, 1, 3)
+            grid.addWidget(self.result_labels[k], 2 * k + 1, 0, 1, 4)
             slider.valueChanged.connect(lambda value, k=k: self._on_slider_moved(k, value))
             field.valueChanged.connect(lambda value, k=k: self._on_typed(k, value))
             find.clicked.connect(lambda _on, k=k: self.find_requested.emit(k))

@@ -29,7 +29,7 @@ FEATURE = Feature(
     panels=(
         PanelRecord(
             "patch_test",
-            WindowPlace(N_("Patch test"), 1120, 430, "patch_test", spares_view=True),
+            WindowPlace(N_("Patch test"), 830, 520, "patch_test", spares_view=True),
             PatchTestPanel,
             _connect,
         ),

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QScrollArea,
+    QSizePolicy,
     QStackedLayout,
     QVBoxLayout,
     QWidget,
@@ -47,6 +48,10 @@ PAIR_KIND_NAMES: dict[Kind, str] = {
 """Names of the kinds of pairs; `PAIR_SYMBOLS` are their symbols."""
 SIDE_WIDTH_PX, LIST_WIDTH_PX, PICTURE_SPACING_PX = 316, 100, 6
 """Width of both lists, width of the list of objects, and space between the pictures, pixels."""
+MIN_WIDE_PX, MAX_ANGLES_WIDTH_PX = 1160, 420
+"""Width from which the pictures are between lists and angles, and that of the angles then."""
+QWIDGETSIZE_MAX = 16777215
+"""Largest size of a widget in Qt, which PySide6 does not export."""
 
 
 class PatchTestPanel(QWidget):
@@ -91,17 +96,21 @@ class PatchTestPanel(QWidget):
         self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
         self._inside = inside = QWidget()
-        row = QHBoxLayout(inside)
-        row.setContentsMargins(8, 4, 8, 4)
+        self._columns = QGridLayout(inside)
+        self._columns.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
         left.setLayout(self._create_left_column())
         left.setFixedWidth(SIDE_WIDTH_PX)
-        row.addWidget(left)
-        self._middle = QStackedLayout()
+        self._columns.addWidget(left, 0, 0)
+        middle = QWidget()
+        self._middle = QStackedLayout(middle)
         self._middle.addWidget(self.text_label)
         self._middle.addWidget(self._create_pictures())
-        row.addLayout(self._middle, 1)
-        row.addLayout(self._create_right_column())
+        self._pictures = middle
+        self._columns.addLayout(self._create_right_column(), 0, 2)
+        self._columns.setRowStretch(0, 3)
+        self._is_wide = True
+        self._place_pictures(is_wide=False)
         # In a small window, the panel scrolls and does not widen the window.
         self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -121,14 +130,22 @@ class PatchTestPanel(QWidget):
         self.update_enabled(Unavailable.NO_PROJECT, busy=False, has_result=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the pictures side by side, or one below the other in a narrow panel."""
+        """Place the pictures between lists and angles, or below them in a narrow panel."""
         super().resizeEvent(event)
-        curve_width = (
-            max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + PICTURE_SPACING_PX
-        )
-        wide = self._inside.minimumSizeHint().width() + (0 if self._beside else curve_width)
-        width = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
-        self._place_curve(beside=wide <= width)
+        self._place_pictures(is_wide=event.size().width() >= MIN_WIDE_PX)
+
+    def _place_pictures(self, *, is_wide: bool) -> None:
+        if is_wide == self._is_wide:
+            return
+        self._is_wide = is_wide
+        if is_wide:
+            self._columns.addWidget(self._pictures, 0, 1)
+        else:
+            self._columns.addWidget(self._pictures, 1, 0, 1, 3)
+        self._columns.setColumnStretch(1, int(is_wide))
+        self._columns.setColumnStretch(2, int(not is_wide))
+        self._columns.setRowStretch(1, 0 if is_wide else 2)
+        self.angles.setMaximumWidth(MAX_ANGLES_WIDTH_PX if is_wide else QWIDGETSIZE_MAX)
 
     def _buttons(self) -> None:
         add_button = widgets.button
@@ -203,26 +220,19 @@ class PatchTestPanel(QWidget):
 
     def _create_pictures(self) -> QWidget:
         container = QWidget()
-        self._grid = grid = QGridLayout(container)
+        grid = QGridLayout(container)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(PICTURE_SPACING_PX)
         grid.addWidget(self.view, 0, 0)
         grid.addWidget(self.picture, 1, 0)
+        grid.addWidget(self.of, 0, 1)
+        grid.addWidget(self.curve, 1, 1)
         grid.setRowStretch(1, 1)
-        self._place_curve(beside=True)
         return container
-
-    def _place_curve(self, *, beside: bool) -> None:
-        self._beside = beside
-        row, column = (0, 1) if beside else (2, 0)
-        self._grid.addWidget(self.of, row, column)
-        self._grid.addWidget(self.curve, row + 1, column)
-        self._grid.setRowStretch(3, 0 if beside else 1)
 
     def _create_right_column(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(4)
-        self.angles.setMaximumWidth(420)
         column.addWidget(self.angles)
         column.addWidget(self.all)
         row = QHBoxLayout()
@@ -231,6 +241,7 @@ class PatchTestPanel(QWidget):
         column.addLayout(row)
         area = widgets.VerticalScrollArea(self.message_label, 200)
         area.setMinimumHeight(34)
+        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         column.addWidget(area, 1)
         return column
@@ -342,6 +353,8 @@ def _create_list(name: str, title: str) -> QListWidget:
     made.setAccessibleName(title)
     made.setToolTip(title)
     made.setMinimumSize(90, 60)
+    # Its preferred height would scroll the panel in a low window
+    made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
     return made
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -39,7 +39,7 @@ class PaperPicture(QWidget):
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
-        return QSize(360, 260)
+        return QSize(360, 150)
 
     def painter(self) -> QPainter:
         """Create a painter and draw the background and the border."""
@@ -152,8 +152,15 @@ class CurvePicture(PaperPicture):
 
     @property
     def _frame(self) -> QRectF:
-        top = 26
+        top = 26 + self._title_height - self.fontMetrics().lineSpacing()
         return QRectF(LEFT_PX, top, self.width() - LEFT_PX - 14, self.height() - top - BOTTOM_PX)
+
+    @property
+    def _title_height(self) -> int:
+        """Height of the title, which is wrapped in a narrow picture, pixels."""
+        place = QRect(0, 0, self.width() - 2 * MARGIN_PX, self.height())
+        wrapped = self.fontMetrics().boundingRect(place, Qt.TextFlag.TextWordWrap, self._title)
+        return max(wrapped.height(), self.fontMetrics().lineSpacing())
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose the value under the mouse."""
@@ -170,9 +177,8 @@ class CurvePicture(PaperPicture):
         painter = self.painter()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(theme.colour("text"))
-        width = self.width() - 2 * MARGIN_PX
-        title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, width)
-        painter.drawText(QPointF(MARGIN_PX, 17), title)
+        place = QRectF(MARGIN_PX, 4, self.width() - 2 * MARGIN_PX, self._title_height)
+        painter.drawText(place, Qt.TextFlag.TextWordWrap, self._title)
         if len(self._values) > 1:
             self._draw_axes(painter)
             line = QPolygonF(

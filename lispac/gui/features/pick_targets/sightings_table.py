@@ -179,7 +179,7 @@ class SightingsModel(QAbstractTableModel):
         target = self._targets[index.row()]
         if index.column() == 0:
             if role == Role.DisplayRole and (reason := self._main_reason(target)):
-                return f"{target.name}  {reason}"
+                return f"{target.name} {reason}"
             return _name_cell_value(target, role)
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
@@ -265,7 +265,7 @@ class SightingsModel(QAbstractTableModel):
             count, rms = len(sighting.indices), sighting.rms
             if quality is not None and quality.smear is None:  # as in the report
                 count, rms = quality.points, quality.rms
-            return f"{COUNT.text(count)}   {local_amount(rms, MILLIMETRES)}{light}{edited}"
+            return f"{COUNT.text(count)}\N{EN SPACE}{local_amount(rms, MILLIMETRES)}{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.quality_icon(quality.rating)
         if role == Role.CheckStateRole:

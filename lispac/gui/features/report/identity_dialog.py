@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QPlainTextEdit,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -19,6 +20,7 @@ from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.tab_order import set_tab_order
 from lispac.identity import (
     COMPANY_FIELDS,
     EMPTY_IDENTITY,
@@ -58,15 +60,13 @@ FIELD_TIPS = {
 """Tips of the fields by their names."""
 SURVEY_FIELDS = ("client", "contract", "vessel", "site")
 """Fields of a survey whose texts in other reports complete what is typed."""
-LEFT_GROUPS = 3
-"""Number of groups in the left column; the last group is below both columns."""
+COLUMNS = ((0, 1, 2, 5), (3, 4))
+"""Indices of the groups in the left and in the right column, which are about equally high."""
 NO_DATES_TEXT = N_(
     "The lines contain only the time of the day or week, no date. Type the dates in the field "
     "Survey dates, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
 )
 """Reason why the dates of the lines cannot be used."""
-MESSAGE_LINES = 2
-"""Number of lines of text reserved for a message."""
 
 
 class IdentityDialog(QDialog):
@@ -121,10 +121,16 @@ class IdentityDialog(QDialog):
                 field.setPlaceholderText(text)
         columns = QHBoxLayout()
         columns.setSpacing(24)
-        for groups in (FIELD_GROUPS[:LEFT_GROUPS], FIELD_GROUPS[LEFT_GROUPS:-1]):
-            columns.addLayout(self._form(groups), 1)
+        for groups in COLUMNS:
+            column = QVBoxLayout()
+            column.addLayout(self._form([FIELD_GROUPS[k] for k in groups]))
+            column.addStretch(1)
+            columns.addLayout(column, 1)
         layout.addLayout(columns)
-        layout.addLayout(self._form(FIELD_GROUPS[-1:]))
+        first, *others = [
+            self.fields[name] for groups in COLUMNS for k in groups for name in FIELD_GROUPS[k][1]
+        ]
+        set_tab_order(first, others)
         self._align_fields()
         self._complete_texts()
         for name, texts in (equipment or {}).items():
@@ -133,11 +139,9 @@ class IdentityDialog(QDialog):
             _offer(field, texts)
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
+        # Space for two lines is reserved, so that the buttons stay under the mouse.
+        self.message_label.setFixedHeight(2 * self.message_label.fontMetrics().lineSpacing())
         layout.addWidget(self.message_label)
-        # Space for a message is reserved, so that the buttons stay under the mouse.
-        self.message_label.setText("\n".join("X" * MESSAGE_LINES))
-        self.message_label.setFixedHeight(self.message_label.sizeHint().height())
-        self.message_label.clear()
         accept = gettext("Continue") if missing else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
@@ -156,7 +160,7 @@ class IdentityDialog(QDialog):
         self.fields[missing[0] if missing else FIELD_NAMES[0]].setFocus()
 
     def _form(self, groups: Sequence[tuple[str, Sequence[str]]]) -> QFormLayout:
-        """Fields of some groups below each other; a group of one field needs no heading."""
+        """Fields of some groups below each other; the only field of a group is below its label."""
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACING)
         form.setHorizontalSpacing(2 * theme.SPACING)
@@ -167,6 +171,10 @@ class IdentityDialog(QDialog):
             for name in names:
                 label = widgets.label(_label_text(name))
                 label.setBuddy(self.fields[name])
+                if len(names) == 1:
+                    form.addRow(label)
+                    form.addRow(self.fields[name])
+                    continue
                 self._labels.append(label)
                 form.addRow(label, self.fields[name])
                 if name == "dates":

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QPoint, QSize
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
@@ -105,12 +105,14 @@ class StudyDialog(QDialog):
         self.table.setMinimumHeight(HEADER_HEIGHT_PX + ROW_HEIGHT_PX * min(len(rows), MAX_ROWS))
         if self.isVisible():
             self._fit_width()
+            self._keep_on_screen()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Fit the dialogue to the table and to the screen."""
         super().showEvent(event)
         self._fit_width()
         self._fit_height()
+        self._keep_on_screen()
 
     def _fit_width(self) -> None:
         """Widen the dialogue to the table, but not beyond the screen."""
@@ -143,6 +145,14 @@ class StudyDialog(QDialog):
         self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), available))
         if self.height() > available:
             self.resize(self.width(), available)
+
+    def _keep_on_screen(self) -> None:
+        """Move the dialogue so that all of it is on the screen, after it became larger."""
+        screen, place = self.screen().availableGeometry(), self.geometry()
+        place.moveRight(min(place.right(), screen.right() - SCREEN_MARGIN_PX // 2))
+        place.moveBottom(min(place.bottom(), screen.bottom() - SCREEN_MARGIN_PX // 2))
+        place.moveTopLeft(QPoint(max(place.left(), screen.left()), max(place.top(), screen.top())))
+        self.move(place.topLeft() - (self.geometry().topLeft() - self.pos()))
 
     def numbers(self) -> str:
         """Table as text for a spreadsheet."""
@@ -198,7 +208,7 @@ class BudgetDialog(StudyDialog):
         self.show_rows(
             window_rows(
                 *budget_table(self._budget, beam),
-                marked=lambda row: row in (beam.before, beam.after),
+                current=lambda row: row in (beam.before, beam.after),
                 tip=lambda row: missing if row.at_distance is None else "",
             )
         )
@@ -300,7 +310,7 @@ class SubsamplingDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows(
-            window_rows(SUBSAMPLING_TABLE, results, marked=lambda row: row.distance_m == used)
+            window_rows(SUBSAMPLING_TABLE, results, current=lambda row: row.distance_m == used)
         )
         self.message_label.setText(
             gettext(

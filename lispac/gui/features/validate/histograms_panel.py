@@ -5,9 +5,10 @@ from html import escape
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
@@ -22,7 +23,7 @@ from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import units
 from lispac.gui.features.validate import pairs_table
-from lispac.gui.features.validate.planes_table import PlanesTable
+from lispac.gui.features.validate.planes_table import P95, PAIRS, PlanesTable
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
@@ -126,8 +127,8 @@ def profiles_text(comparison: PlaneComparison) -> str:
 
 LOW_PLOT_PX = 280
 """Height of the plot below which the histogram has no title and legend, pixels."""
-MIN_PLOT_PX, KEPT_PLOT_PX = 100, 130
-"""Smallest height of the plot, and the height that a plot keeps beside a failure, pixels."""
+MIN_PLOT_PX = 100
+"""Smallest height of the plot, pixels."""
 MIN_STACKED_HEIGHT_PX = 340
 """Height of the panel from which the pairs of lines are below the planes, pixels."""
 MIN_TABLE_WIDTH_PX = 250
@@ -218,10 +219,17 @@ class HistogramsPanel(QWidget):
         filled.setContentsMargins(4, 0, 4, 0)
         filled.setChildrenCollapsible(False)
         filled.addWidget(self._create_planes())
-        filled.addWidget(self._create_details())
+        filled.addWidget(self._create_views())
         filled.setStretchFactor(1, 1)
         self._parts = filled
-        self._stack.addWidget(filled)
+        # Beside all parts, so that the choice stays under the mouse when they are arranged
+        whole = QWidget()
+        row = QHBoxLayout(whole)
+        row.setContentsMargins(0, 0, 4, 0)
+        row.setSpacing(4)
+        row.addWidget(filled, 1)
+        row.addLayout(self._create_tools())
+        self._stack.addWidget(whole)
         self._plot_form = True, False
         """Whether the plot is too low for a legend, and whether it is wide."""
 
@@ -241,8 +249,8 @@ class HistogramsPanel(QWidget):
         planes.setMinimumWidth(MIN_TABLE_WIDTH_PX)
         return planes
 
-    def _create_details(self) -> QWidget:
-        """Plot or pairs of lines of the selected plane, beside their choice and buttons."""
+    def _create_views(self) -> QWidget:
+        """Plot or pairs of lines of the selected plane."""
         self.pairs = pairs_table.create_pairs_table()
         self._views = QStackedWidget()
         plots = QWidget()
@@ -250,20 +258,7 @@ class HistogramsPanel(QWidget):
         self._plots.setContentsMargins(0, 0, 0, 0)
         self._views.addWidget(plots)
         self._views.addWidget(self.pairs)
-        details = QWidget()
-        # Below the plot, which is wide: the table leaves no space below it if the panel is low
-        self.failures = widgets.label("", "error", wrap=True, name="comparison_failures")
-        self.failures.hide()
-        column = QVBoxLayout()
-        column.setSpacing(0)
-        column.addWidget(self._views, 1)
-        column.addWidget(self.failures)
-        row = QHBoxLayout(details)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        row.addLayout(column, 1)
-        row.addLayout(self._create_tools())
-        return details
+        return self._views
 
     def _create_tools(self) -> QVBoxLayout:
         """Choice and buttons: beside the plots and the table because the panel is low."""
@@ -293,7 +288,7 @@ class HistogramsPanel(QWidget):
         policy.setRetainSizeWhenHidden(True)
         self._colours.setSizePolicy(policy)
         self.enlarge = widgets.enlarge_button("enlarge_histograms")
-        self.enlarge.toggled.connect(self.enlarged)
+        self.enlarge.toggled.connect(self._on_enlarged)
         last = QHBoxLayout()
         last.addWidget(self._colours, 1)
         last.addWidget(self.enlarge)
@@ -323,8 +318,12 @@ class HistogramsPanel(QWidget):
         form = is_low, is_wide(self.canvas.figure)
         if form != self._plot_form:
             self._plot_form = form
-            self._colours.setVisible(is_low)
+            self._show_colours()
             self._drawing.start()
+
+    def _show_colours(self) -> None:
+        """Show the colours beside a low plot, which has no legend."""
+        self._colours.setVisible(self._plot_form[0] and self.plot.currentIndex() != PAIRS_VIEW)
 
     def show_state(self, state: ProjectState) -> None:
         """Show the comparisons of the project."""
@@ -360,6 +359,13 @@ class HistogramsPanel(QWidget):
             return None
         return next((each.name for each in comparisons if each.pairs is shown.pairs), None)
 
+    def _on_enlarged(self, is_enlarged: bool) -> None:
+        """Request another height; parts beside each other first, since they need less height."""
+        if not is_enlarged:
+            self._arrange(is_high=False)
+            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+        self.enlarged.emit(is_enlarged)
+
     def _fit_table(self) -> None:
         """Give the table the width of its columns, and the rest to the plot.
 
@@ -370,13 +376,20 @@ class HistogramsPanel(QWidget):
             self._fitted_width = width
             self._arrange()
 
-    def _arrange(self) -> None:
-        """Place the many columns of the pairs below the planes if the panel is high enough."""
+    def _arrange(self, *, is_high: bool | None = None) -> None:
+        """Place the many columns of the pairs below the planes if the panel is high enough.
+
+        If it is low, the planes leave the width of their last columns to the pairs.
+        """
+        if is_high is None:
+            is_high = self.height() >= MIN_STACKED_HEIGHT_PX
         is_pairs = self.plot.currentIndex() == PAIRS_VIEW
-        is_stacked = is_pairs and self.height() >= MIN_STACKED_HEIGHT_PX
+        is_stacked = is_pairs and is_high
         orientation = Qt.Orientation.Vertical if is_stacked else Qt.Orientation.Horizontal
         self._parts.setOrientation(orientation)
-        whole, first = self._parts.width(), self._fitted_width
+        for column in (P95, PAIRS):
+            self.table.setColumnHidden(column, is_pairs and not is_stacked)
+        whole, first = self._parts.width(), self.table.sizeHint().width()
         if is_stacked:
             line = self.reading.fontMetrics().lineSpacing()
             whole, first = self._parts.height(), self.table.sizeHint().height() + 2 * line
@@ -395,20 +408,21 @@ class HistogramsPanel(QWidget):
         comparison, values = self._current_comparison, self._values
         if comparison is None or values is None:
             return
-        failures = failed_texts(values, comparison.name)
-        self.failures.setText("\n".join(failures))
-        # A low table of pairs, which marks them, needs all the place
-        is_low_table = self.plot.currentIndex() == PAIRS_VIEW and (
-            self._parts.orientation() == Qt.Orientation.Horizontal
-        )
-        if self.canvas is not None:
-            keeps = bool(failures) and self.canvas.height() >= KEPT_PLOT_PX
-            self.canvas.setMinimumHeight(KEPT_PLOT_PX if keeps else MIN_PLOT_PX)
-        self.failures.setVisible(bool(failures) and not is_low_table)
+        self._show_idle_reading()
         listed, criteria = self._listed
         if listed is not comparison or criteria != values.criteria:
             self._listed = comparison, values.criteria
             self.pairs.show_rows(pairs_table.pair_rows(comparison, values.criteria))
+
+    def _show_idle_reading(self) -> None:
+        """Show the values that exceed a limit, or what the mouse does, below the planes."""
+        comparison, values = self._current_comparison, self._values
+        failures = (
+            () if comparison is None or values is None else failed_texts(values, comparison.name)
+        )
+        hint = "" if self.plot.currentIndex() == PAIRS_VIEW else gettext(ZOOM_HINT)
+        self.reading.setText("\n".join(failures) or hint)
+        self.reading.setToolTip(widgets.wrapped_tip("\n".join(failures)))
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""
@@ -428,6 +442,7 @@ class HistogramsPanel(QWidget):
         is_table = index == PAIRS_VIEW
         if is_table != bool(self._views.currentIndex()):
             self._views.setCurrentIndex(int(is_table))
+            self._show_colours()
             self._arrange()
         no_plot = first_reason((is_table, Unavailable.NO_PLOT))
         self.copy_picture.set_reason(reason_text(no_plot))
@@ -450,18 +465,15 @@ class HistogramsPanel(QWidget):
         from lispac.report.histograms import STATE_COLOURS, histogram_figure
 
         self._show_judgement()
-        is_table = self.plot.currentIndex() == PAIRS_VIEW
-        self.reading.setText("" if is_table else gettext(ZOOM_HINT))
-        if is_table:
+        if self.plot.currentIndex() == PAIRS_VIEW:
             return
         canvas = self._plot_canvas()
         self._blank_other_picture()
+        states = gettext("before"), gettext("after")
         self._colours.setText(
             "&nbsp; ".join(
-                f"<span style='color:{colour}'>■</span> {escape(state)}"
-                for colour, state in zip(
-                    STATE_COLOURS, (gettext("before"), gettext("after")), strict=True
-                )
+                f"<span style='color:{canvas.shown_colour(colour)}'>■</span> {escape(state)}"
+                for colour, state in zip(STATE_COLOURS, states, strict=True)
             )
         )
         self._colours.setMinimumWidth(self._colours.sizeHint().width())  # rich text is cut
@@ -512,7 +524,7 @@ class HistogramsPanel(QWidget):
             self.canvas.setObjectName("histogram_canvas")
             self.canvas.setToolTip(gettext(ZOOM_HINT))
             self._zooming = PlotZoom(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
+            canvas, leave = self.canvas, lambda _event: self._show_idle_reading()
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
@@ -571,7 +583,9 @@ def _shorten_profile_texts(figure) -> None:
     """Leave the height of a low figure to the curves."""
     figure.suptitle("")  # the plane is selected in the table
     if figure.axes[0].get_ylabel():
-        figure.axes[0].set_ylabel("(mm)", fontsize=figure.axes[0].yaxis.label.get_fontsize())
+        figure.axes[0].set_ylabel(
+            gettext("(mm, log)"), fontsize=figure.axes[0].yaxis.label.get_fontsize()
+        )
 
 
 def _statistics_text(template: str, state: DistanceStatistics) -> str:

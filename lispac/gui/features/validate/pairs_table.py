@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from lispac.gui.features.validate.planes_table import ROW_HEIGHT_PX
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import local_amount, window_columns, window_rows
 from lispac.language import gettext
@@ -19,7 +20,10 @@ LEAST_CHANGE_M = 1e-4
 def create_pairs_table() -> DiagnosticsTable:
     """Create the empty table."""
     title = title_text(WINDOW_PAIRS_TABLE.title)
-    return DiagnosticsTable("pairs_table", title, window_columns(WINDOW_PAIRS_TABLE))
+    table = DiagnosticsTable("pairs_table", title, window_columns(WINDOW_PAIRS_TABLE))
+    table.verticalHeader().setMinimumSectionSize(ROW_HEIGHT_PX)
+    table.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
+    return table
 
 
 def pair_rows(comparison: PlaneComparison, criteria: AcceptanceCriteriaValues) -> list[Row]:

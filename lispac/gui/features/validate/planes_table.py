@@ -178,12 +178,15 @@ class PlanesTable(QTableWidget):
             verdict = judgement.verdict_on(each.name)
             for column in _COLUMN_QUANTITIES.values():
                 _highlight(self.item(row, column), (each.name, column) in exceeded)
+            reasons = failed_texts(values, each.name)
+            tip = widgets.wrapped_tip("\n".join([_plane_tip(each), *reasons]))
+            for column in range(NAME + 1, self.columnCount()):
+                self.item(row, column).setToolTip(tip)
             item = self.item(row, NAME)
             quality = VERDICT_QUALITIES.get(verdict)
             item.setIcon(QIcon() if quality is None else theme.quality_icon(quality))
             text = gettext("Acceptance: {verdict}", verdict=verdict_text(verdict))
-            lines = [_plane_tip(each), text, *failed_texts(values, each.name)]
-            item.setToolTip(widgets.wrapped_tip("\n".join(lines)))
+            item.setToolTip(widgets.wrapped_tip("\n".join([_plane_tip(each), text, *reasons])))
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.name}. {text}")
 
     def _show_heads(self, criteria: AcceptanceCriteria) -> None:

@@ -278,5 +278,7 @@ class WarningsButton(QPushButton):
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
         text = level_counts_text(messages) if messages else gettext("No messages")
         self.setText(text)
+        if (bar := self.parentWidget()) is not None and (layout := bar.layout()) is not None:
+            layout.activate()  # the bar may paint the text before the next layout
         self.setToolTip(gettext("Click to see them all (F12)"))
         self.setAccessibleName(text)

@@ -143,6 +143,23 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert f"Condition number {result.observability.condition:.1f}" in words
 
 
+def test_the_first_columns_of_the_tables_fit_in_the_window(shown: Driver) -> None:
+    window = shown.window.panel_windows["Diagnostics"]
+    assert window.width() <= 1366 - 24
+    assert window.height() <= 480
+    for page, title in (
+        ("Sightings", "Finding"),
+        ("Sightings", "Outliers"),
+        ("Targets", "Outliers"),
+    ):
+        table = turn_to(shown, page).table
+        header, k = table.horizontalHeader(), column(table, title)
+        end = header.sectionViewportPosition(k) + header.sectionSize(k)
+        assert end <= table.viewport().width()
+        needed = max(header.sectionSizeHint(k), table.sizeHintForColumn(k))
+        assert header.sectionSize(k) <= needed + 20, "not stretched"
+
+
 def presented_w(project: Project) -> list[float]:
     """Test values of the sightings, positive if nearer to the vessel."""
     sides = {each.target: each.vessel_side for each in project.result.targets}
@@ -152,7 +169,7 @@ def presented_w(project: Project) -> list[float]:
 def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
     table = turn_to(shown, "Sightings").table
-    assert texts(table, "After (mm)") == [f"{s.rms_after * 1000:.1f}" for s in result.sightings]
+    assert texts(table, "RMS after (mm)") == [f"{s.rms_after * 1000:.1f}" for s in result.sightings]
     assert texts(table, "Incidence (°)") == [
         f"{np.degrees(s.incidence):.0f}" for s in result.sightings
     ]

@@ -10,7 +10,12 @@ from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.open_project.import_survey.import_dialog import QUALITY, ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    MOUNTING,
+    QUALITY,
+    TIMELINE,
+    ImportDialog,
+)
 from lispac.gui.features.open_project.import_survey.quality_figures import envelope
 from lispac.gui.features.open_project.import_survey.timeline import round_ticks
 from lispac.gui.window.dialogs import Dialogs
@@ -67,6 +72,36 @@ def test_quality_figures_are_drawn_when_shown(filled: ImportDialog, qtbot: QtBot
         assert [axes.get_ylabel() for axes in figure.axes] == labels
     points = sum(len(line.get_xdata()) for axes in figure.axes for line in axes.get_lines())
     assert points < 5 * 2 * 1500 + 100
+
+
+def test_the_timeline_shows_all_lines_and_its_axis_in_a_low_dialogue(
+    filled: ImportDialog, qtbot: QtBot
+) -> None:
+    filled.resize(1326, 708)
+    filled.tabs.setCurrentIndex(TIMELINE)
+    view = filled.timeline.view
+    qtbot.waitUntil(lambda: not view.visibleRegion().isEmpty(), timeout=WAIT_MS)
+    assert len(view.bars) == 7
+    assert view.visibleRegion().boundingRect().height() == view.height()
+    assert view.row_height >= view.fontMetrics().height()
+    filled.resize(1326, 940)
+    qtbot.waitUntil(lambda: view.height() == view.sizeHint().height(), timeout=WAIT_MS)
+
+
+def test_a_refused_dialogue_scrolls_to_the_wrong_field(filled: ImportDialog) -> None:
+    filled.resize(1326, 708)
+    filled.tabs.setCurrentIndex(MOUNTING)
+    field = filled.mounting.lever_arm.fields[2]
+    field.setFocus()
+    QTest.keyClicks(field.lineEdit(), "abc")
+    bar = filled.mounting.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    assert field.visibleRegion().isEmpty()
+    filled.tabs.setCurrentIndex(0)
+    QTest.mouseClick(filled.ok, Left)
+    assert filled.isVisible()
+    assert filled.tabs.currentWidget() is filled.mounting
+    assert field.visibleRegion().boundingRect().height() == field.height()
 
 
 def test_an_envelope_keeps_peaks_and_breaks_at_gaps() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
+from PySide6.QtWidgets import QListWidget, QScrollArea, QSlider, QStyle, QStyleOptionSlider
 
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
@@ -80,6 +80,12 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     result = window.panel_controllers["patch_test"].last_result
     assert result is not None
     assert result.sigma is not None
+    assert window.panel_windows["Patch test"].width() <= 830
+    area = shown.findChild(QScrollArea)
+    assert area.verticalScrollBar().maximum() == area.horizontalScrollBar().maximum() == 0
+    assert shown.picture.mapTo(shown, QPoint()).y() > shown.go.mapTo(shown, QPoint()).y()
+    for label in shown.angles.result_labels:
+        assert label.height() >= label.heightForWidth(label.width())
     assert "result" in shown.angles.result_labels[PITCH].text()
     assert is_shown("patch_test.basis", shown.message_label.text())
     truth = np.radians(opened.project.truth_deg)

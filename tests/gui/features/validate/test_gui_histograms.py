@@ -313,11 +313,9 @@ def test_pairs_over_a_limit_and_pairs_that_became_worse_are_marked(
         assert pairs.horizontalScrollBar().maximum() == 0 or not is_large, "no column is cut"
         beside = pairs.mapTo(panel, QPoint()).x() > panel.table.mapTo(panel, QPoint()).x()
         assert beside != is_large
-        assert panel.failures.isVisible() == is_large, "a low table needs all the place"
     driver.bot.keyClick(panel.plot, Qt.Key.Key_Home)
     driver.rest()
     assert panel.canvas.mapTo(panel, QPoint()).x() >= panel.table.width()
-    assert panel.failures.isVisible()
 
 
 def test_the_worst_plane_is_selected_after_the_validation(
@@ -382,10 +380,7 @@ def test_all_planes_and_their_failed_values_are_visible_beside_a_large_histogram
         assert table.item(row, OFFSET).text() == f"{offset:.1f}"
         assert table.item(row, OFFSET).font().bold()
         assert not table.item(row, RMS).font().bold()
-    shown = panel.failures
-    assert f"{offset:.1f}" in shown.text()
-    assert shown.height() >= shown.heightForWidth(shown.width()), "the reason is shown whole"
-    assert shown.rect() == shown.visibleRegion().boundingRect()
+        assert f"{offset:.1f}" in table.item(row, OFFSET).toolTip()
     colours = panel.findChild(QLabel, "comparison_colours")
     assert colours.width() >= colours.sizeHint().width()
     assert panel.canvas.width() >= 0.3 * size[0]

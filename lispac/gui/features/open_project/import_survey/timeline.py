@@ -16,6 +16,7 @@ from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.workflow.importing.input_files import InputFiles
 
 NAME_WIDTH_PX, TEXT_WIDTH_PX, ROW_HEIGHT_PX, AXIS_HEIGHT_PX, TOP_MARGIN_PX = 170, 190, 26, 44, 8
+MIN_ROW_HEIGHT_PX = 17
 """Widths of the names and of the texts, heights of a row and of the axis, and margin at the top."""
 MIN_BAR_WIDTH_PX = 4.0
 
@@ -139,7 +140,7 @@ class TimelineView(QWidget):
         super().__init__()
         self.setObjectName("import_timeline")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self.setAccessibleName(gettext("Timeline of the lines and the trajectory"))
         self.bars: tuple[TimelineBar, ...] = ()
         self._axis = ""
@@ -157,15 +158,24 @@ class TimelineView(QWidget):
 
     def sizeHint(self) -> QSize:
         """Preferred size in pixels."""
-        return QSize(600, TOP_MARGIN_PX + max(len(self.bars), 1) * ROW_HEIGHT_PX + AXIS_HEIGHT_PX)
+        return QSize(600, self._height_of_rows(ROW_HEIGHT_PX))
 
     def minimumSizeHint(self) -> QSize:
-        """Smallest size in pixels."""
-        return QSize(480, self.sizeHint().height())
+        """Smallest size in pixels, with lower rows than the preferred ones."""
+        return QSize(480, self._height_of_rows(MIN_ROW_HEIGHT_PX))
+
+    def _height_of_rows(self, row_height: int) -> int:
+        return TOP_MARGIN_PX + max(len(self.bars), 1) * row_height + AXIS_HEIGHT_PX
+
+    @property
+    def row_height(self) -> int:
+        """Height of a row in pixels, lower if this keeps the axis visible."""
+        fitting = (self.height() - TOP_MARGIN_PX - AXIS_HEIGHT_PX) // max(len(self.bars), 1)
+        return min(max(fitting, MIN_ROW_HEIGHT_PX), ROW_HEIGHT_PX)
 
     def mousePressEvent(self, event) -> None:
         """Select the file of the clicked bar."""
-        row = int((event.position().y() - TOP_MARGIN_PX) // ROW_HEIGHT_PX)
+        row = int((event.position().y() - TOP_MARGIN_PX) // self.row_height)
         if 0 <= row < len(self.bars):
             self.file_selected.emit(self.bars[row].path)
 
@@ -205,10 +215,10 @@ class TimelineView(QWidget):
         def x(time: float) -> float:
             return NAME_WIDTH_PX + (time - start) / (end - start) * width
 
-        bottom = TOP_MARGIN_PX + len(self.bars) * ROW_HEIGHT_PX
+        bottom = TOP_MARGIN_PX + len(self.bars) * self.row_height
         self._draw_axis(painter, start, end, x, bottom)
         for row, bar in enumerate(self.bars):
-            self._draw_bar(painter, bar, TOP_MARGIN_PX + row * ROW_HEIGHT_PX, x, width)
+            self._draw_bar(painter, bar, TOP_MARGIN_PX + row * self.row_height, x, width)
         if self.hasFocus():
             painter.setPen(QPen(QColor(theme.ACCENT), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -235,15 +245,16 @@ class TimelineView(QWidget):
 
     def _draw_bar(self, painter: QPainter, bar: TimelineBar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
+        inset = self.row_height // 5
         if bar.path == self._current:
-            painter.fillRect(QRectF(0, top, self.width(), ROW_HEIGHT_PX), QColor(theme.CURRENT))
+            painter.fillRect(QRectF(0, top, self.width(), self.row_height), QColor(theme.CURRENT))
         painter.setPen(QColor(theme.TEXT))
         name = self.fontMetrics().elidedText(
             bar.name, Qt.TextElideMode.ElideMiddle, NAME_WIDTH_PX - 24
         )
-        painter.drawText(QRectF(12, top, NAME_WIDTH_PX - 20, ROW_HEIGHT_PX), middle, name)
+        painter.drawText(QRectF(12, top, NAME_WIDTH_PX - 20, self.row_height), middle, name)
         painter.setPen(QColor(theme.MUTED if bar.is_usable else theme.ERROR))
-        box = QRectF(NAME_WIDTH_PX + width + 12, top, TEXT_WIDTH_PX - 16, ROW_HEIGHT_PX)
+        box = QRectF(NAME_WIDTH_PX + width + 12, top, TEXT_WIDTH_PX - 16, self.row_height)
         painter.drawText(box, middle, self.fontMetrics().elidedText(
             bar.text, Qt.TextElideMode.ElideRight, TEXT_WIDTH_PX - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
@@ -255,13 +266,13 @@ class TimelineView(QWidget):
             max(left, NAME_WIDTH_PX),
             min(max(right, left + MIN_BAR_WIDTH_PX), NAME_WIDTH_PX + width),
         )
-        whole = QRectF(left, top + 5, right - left, ROW_HEIGHT_PX - 10)
+        whole = QRectF(left, top + inset, right - left, self.row_height - 2 * inset)
         painter.fillRect(whole, QColor(bar.colour))
         for first, last in bar.gaps:
             a, b = max(x(first), left), min(max(x(last), x(first) + 2), right)
             if b <= a:
                 continue
-            gap = QRectF(a, top + 5, b - a, ROW_HEIGHT_PX - 10)
+            gap = QRectF(a, top + inset, b - a, self.row_height - 2 * inset)
             painter.fillRect(gap, QColor(theme.PAPER))
             painter.fillRect(gap, _hatch_brush())
             painter.setPen(QPen(QColor(theme.ERROR), 1))
@@ -279,7 +290,7 @@ class TimelineView(QWidget):
         before = edge == NAME_WIDTH_PX
         track = next(each for each in self.bars if not each.is_line)
         seconds = track.start - bar.end if before else bar.start - track.end
-        side, y = (1 if before else -1), top + ROW_HEIGHT_PX / 2
+        side, y = (1 if before else -1), top + self.row_height / 2
         tip = edge + side * 4
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(bar.colour))
@@ -294,9 +305,9 @@ class TimelineView(QWidget):
         )
         align = Qt.AlignmentFlag.AlignLeft if before else Qt.AlignmentFlag.AlignRight
         box = (
-            QRectF(tip + 18, top, 400, ROW_HEIGHT_PX)
+            QRectF(tip + 18, top, 400, self.row_height)
             if before
-            else QRectF(tip - 418, top, 400, ROW_HEIGHT_PX)
+            else QRectF(tip - 418, top, 400, self.row_height)
         )
         painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, text)
 
