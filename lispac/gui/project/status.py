@@ -199,16 +199,21 @@ def _data_status(project: Project, survey: Survey | None) -> StepStatus:
     )
 
 
+def _waiting_status() -> StepStatus:
+    """Status of a step that needs the points while they are read or georeferenced again."""
+    return StepStatus(
+        "empty",
+        gettext("waiting for data"),
+        gettext("Wait until the data are read."),
+        Unavailable.READING,
+    )
+
+
 def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
     used = [target for target in project.targets_of_role("target") if target.used]
     planes = project.targets_of_role("validation")
     if survey is None:
-        return StepStatus(
-            "empty",
-            gettext("waiting for data"),
-            gettext("Wait until the data are read."),
-            Unavailable.READING,
-        )
+        return _waiting_status()
     if not used:
         return StepStatus(
             "todo",
@@ -299,6 +304,8 @@ def _adjust_status(
             gettext("The result is updated automatically."),
             reason=reason,
         )
+    if reason is Unavailable.READING:
+        return _waiting_status()
     if reason is not None:
         return StepStatus(
             "empty",

@@ -16,12 +16,14 @@ from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME, Colo
 from lispac.gui.features.design import edits
 from lispac.gui.features.help.dialogs import about_box
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.project.status import DATA
 from lispac.gui.widgets.chart import Chart, with_inverted_lightness
 from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
 from tests.gui.app.test_gui_language import SOON_MS, choose, open_menu
-from tests.gui.support import Demo, in_front, show_panel
+from tests.gui.support import Demo, Driver, in_front, open_step, show_panel
 from tests.support.long_runs import others_long
+from tests.support.view_scenes import array_of, count
 
 Scheming = Qt.ColorScheme
 BOTH_SCHEMES = pytest.mark.parametrize(
@@ -44,6 +46,22 @@ def test_a_swatch_has_the_colour_of_the_line_in_selected_rows_too(
 ) -> None:
     picture = theme.swatch((12, 200, 100)).pixmap(12, 12, mode).toImage()
     assert picture.pixelColor(6, 6).getRgb()[:3] == (12, 200, 100)
+
+
+def test_swatches_in_the_list_of_lines_have_the_colours_of_the_scene(opened: Driver) -> None:
+    open_step(opened, DATA)
+    table = opened.window.data.lines
+    names = [table.item(row, 0).text() for row in range(table.rowCount())]
+    assert set(names) == set(opened.viewport.colours)
+    for row, name in enumerate(names):
+        place = table.visualItemRect(table.item(row, 0))
+        pictures = [table.viewport().grab(place).toImage()]
+        opened.bot.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=place.center())
+        assert table.currentRow() == row
+        pictures.append(table.viewport().grab(place).toImage())
+        assert pictures[0] != pictures[1], "selected"
+        for picture in pictures:
+            assert count(array_of(picture), opened.viewport.colours[name]) >= 100
 
 
 def test_luminance_is_that_of_the_standard() -> None:

@@ -1,5 +1,6 @@
 """Tests that a typed value is used by the next action, or that the action is refused."""
 
+import re
 from dataclasses import replace
 from html import unescape
 from pathlib import Path
@@ -11,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.errors import InputError
 from lispac.gui.app.docks import raise_panel
+from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.preferences.dialogs import SettingsDialog
 from lispac.gui.features.preferences.preferences import Preferences
@@ -29,6 +31,7 @@ from tests.gui.support import (
     open_step,
     press,
     seed,
+    sentence,
     type_into,
 )
 from tests.support.long_runs import others_long
@@ -136,6 +139,60 @@ def test_the_result_is_out_of_date_as_soon_as_the_focus_leaves(
     assert not driver.window.document.undo_stack.canUndo()
 
 
+def step_states(driver: Driver) -> list[str]:
+    """States of the steps 3 to 5, which their headers show in brackets."""
+    tips = [header.toolTip() for header in driver.window.workflow.headers[2:]]
+    return [re.findall(r"\((not started|to do|done|check this step)\)", tip)[-1] for tip in tips]
+
+
+def test_each_input_of_the_estimate_makes_later_steps_out_of_date(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    before = replace(validated, accuracy=None)  # else the file gives the sigmas
+    window = driver.window
+    window.document.open(before, demo.survey)
+    driver.rest()
+    shown = step_states(driver)
+    assert shown[0] == "done"
+    data, histograms = window.data, window.histograms
+    empty = histograms.findChild(QWidget, "histograms_empty")
+    latency = window.adjust.parameters.priors["latency"]
+    fields = [
+        (0, data.lever_arm.fields[1], "0,25 m"),
+        (0, data.pos_sigmas.attitude.fields[2], "0.03"),
+        (0, data.boresight.fields[0], "-1.5"),
+        (2, latency, "2 ms"),
+    ]
+    report = window.actions_["report"]
+    for step, field, text in fields:
+        assert histograms.table.rowCount() == len(validated.validation)
+        assert not empty.isVisibleTo(histograms)
+        assert report.isEnabled()
+        open_step(driver, step)
+        if field is latency and not latency.isVisible():
+            click(driver, window.adjust.also.head)
+        type_into(driver, field, text)
+        assert driver.project.result is not None
+        if field is latency:
+            driver.bot.mouseClick(driver.viewport.widget, Left)
+        else:
+            driver.bot.keyClick(field, Key.Key_Tab)
+        assert not window.document.is_survey_current
+        assert sentence(driver, 2) == sentence(driver, 1), "waiting for data"
+        assert step_states(driver) == ["not started"] * 3
+        assert driver.project.validation == ()
+        assert empty.isVisibleTo(histograms)
+        assert not report.isEnabled()
+        assert window.actions_.reason("report") is Unavailable.NO_RESULT
+        assert Unavailable.NO_RESULT.text in report.toolTip()
+        driver.rest()
+        assert step_states(driver) == ["to do", "not started", "not started"]
+        press(driver, Key.Key_Z, Control)
+        driver.rest()
+        assert driver.project is before
+        assert step_states(driver) == shown
+
+
 @pytest.mark.parametrize("key", others_long([Key.Key_Return, Key.Key_Enter]))
 def test_undo_works_in_the_field_after_enter(picked: Driver, key: Key) -> None:
     before = picked.project
@@ -159,10 +216,11 @@ def test_undo_while_typing_reverts_the_typing(picked: Driver) -> None:
 
 
 def test_closing_asks_to_save_the_value_being_typed(picked: Driver) -> None:
-    type_lever_x(picked, "5")
+    field = type_lever_x(picked, "5")
     picked.dialogs.save_choice = "cancel"
-    assert not picked.window.close()
+    picked.bot.keyClick(field, Key.Key_Q, Control)
     assert picked.dialogs.requests == [picked.project.name]
+    assert picked.window.isVisible()
     assert picked.project.settings.lever_arm[0] == 5.0
 
 

@@ -3,6 +3,8 @@
 Each test ends with a check of the files on the disk and of a picture of the window.
 """
 
+import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +16,10 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from lispac.io.project.project_file import UNSAVED_NAME
+from lispac.io.project.project_file import UNSAVED_NAME, write_unsaved
+from lispac.project import Project
 from lispac.workflow.planning.demo import demo_seeds
-from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.projects import open_project, save_project
 from tests.gui.by_hand import (
     SETTINGS,
     DialogAnswers,
@@ -201,3 +204,29 @@ def test_unsaved_work_is_offered_after_a_crash(
     assert not hands.window.isWindowModified()
     hands.until(lambda: not (picked_folder / UNSAVED_NAME).exists())
     assert hands.session.crashed_project() is None
+
+
+def test_the_lines_after_the_calibration_are_shown_when_a_project_is_opened(
+    hands: Hands, demo_copy: Path, estimated: Project, tmp_path: Path
+) -> None:
+    """Opened again, and opened with the unsaved work of a program that ended."""
+    save_project(replace(estimated, folder=demo_copy))
+    crashed = replace(
+        estimated, folder=Path(shutil.copytree(demo_copy, tmp_path / "crashed" / "harbour"))
+    )
+    save_project(crashed)
+    write_unsaved(crashed.without_target(crashed.targets_of_role("validation")[0].name))
+    for folder, button in ((demo_copy, ""), (crashed.folder, "Restore")):
+        open_by_keys(hands, folder, button)
+        hands.until(lambda folder=folder: hands.project.folder == folder)
+        hands.rest()
+        scene = hands.window.scene
+        hands.until(lambda scene=scene: scene.which == "estimated" and scene.is_drawn)
+        assert hands.window.actions_["after"].isChecked()
+        after = {line: cloud.sample.copy() for line, cloud in scene.clouds.items()}
+        press(hands, Key.Key_B)
+        hands.rest()
+        hands.until(lambda scene=scene: scene.which == "prior" and scene.is_drawn)
+        moved = [np.linalg.norm(scene.clouds[k].sample - after[k], axis=1) for k in after]
+        # The prior boresight is about a degree off, at distances of some tens of metres
+        assert 0.1 < np.median(np.concatenate(moved)) < 2.0

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QToolBar
 from pytestqt.qtbot import QtBot
 
@@ -46,9 +46,24 @@ def disturb(driver: Driver) -> None:
     for title, button in (("Log", "close"), ("Workflow", "float")):
         dock = window.docks[title]
         click(driver, dock.findChild(QAbstractButton, f"qt_dockwidget_{button}button"))
-    window.addDockWidget(Area.RightDockWidgetArea, window.docks["Results"])
+    drag_to_right(driver, "Results")
     window.docks["Histograms"].raise_()
     window.findChild(QToolBar).hide()
+
+
+def drag_to_right(driver: Driver, title: str) -> None:
+    """Drag the title bar of a panel to the right edge of the window."""
+    window, bot, dock = driver.window, driver.bot, driver.window.docks[title]
+    start = QPoint(60, 12)
+    bot.mousePress(dock, Qt.MouseButton.LeftButton, pos=start)
+    bot.mouseMove(dock, start + QPoint(30, 30))
+    edge = window.mapToGlobal(QPoint(window.width() - 6, window.height() // 2))
+    for k in range(20, -1, -1):
+        bot.mouseMove(dock, dock.mapFromGlobal(edge - QPoint(5 * k, 0)))
+    bot.wait(300)
+    bot.mouseRelease(dock, Qt.MouseButton.LeftButton, pos=dock.mapFromGlobal(edge))
+    bot.waitUntil(lambda: not dock.isFloating(), timeout=SOON_MS)
+    assert window.dockWidgetArea(dock) == Area.RightDockWidgetArea
 
 
 def arrange(driver: Driver) -> None:

@@ -5,8 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt
-from PySide6.QtGui import QAction, QHelpEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QAction, QHelpEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -255,14 +255,33 @@ def test_a_panel_that_the_user_closed_stays_closed(
         later.leave()
 
 
+def drag_separator(driver: Driver, dock: QWidget, higher: int) -> None:
+    """Drag the separator above a panel with the mouse, by a number of pixels."""
+    window, bot = driver.window, driver.bot
+    top = dock.geometry().top()
+    column = [QPoint(dock.geometry().center().x(), y) for y in range(top, top - 60, -1)]
+    start = next(each for each in column if window.isSeparator(each))  # above the tabs
+    bot.mousePress(window, Left, pos=start)
+    for k in range(1, 5):  # `mouseMove` would press no button
+        place = QPointF(start - QPoint(0, round(k * higher / 4)))
+        moved = QMouseEvent(
+            QEvent.Type.MouseMove, place, QPointF(window.mapToGlobal(place.toPoint())), Left, Left,
+            Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(window, moved)
+        bot.wait(50)
+    bot.mouseRelease(window, Left, pos=start - QPoint(0, higher))
+    driver.rest()
+
+
 def test_the_height_of_the_panels_is_kept(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
     window = driver.window
     window.document.open(estimated, demo.survey)
     driver.rest()
-    window.resizeDocks([window.docks["Results"]], [290], Qt.Orientation.Vertical)
-    driver.rest()
+    before = window.docks["Results"].height()
+    drag_separator(driver, window.docks["Results"], 290 - before)
     window.document.open(demo.project, demo.survey)
     driver.rest()
     assert shown_docks(driver) == {"Workflow"}

@@ -205,7 +205,7 @@ def test_objects_and_angles_of_the_patch_test_are_kept(
     assert len(pairs) == panel.pairs.count() - 1
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
-    for _ in changes(session, qtbot):
+    for _ in changes(session, qtbot, with_theme=True):
         controller = session.window.panel_controllers["patch_test"]
         panel = controller.panel
         assert panel.isVisible()

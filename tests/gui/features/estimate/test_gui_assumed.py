@@ -1,12 +1,16 @@
 """Tests of assumed standard deviations and of the values for the error budget in the window."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from tests.gui.support import Demo, Driver, Key, open_step, type_into
+from lispac.gui.project.status import ADJUST
+from lispac.messages import Level
+from tests.gui.support import Demo, Driver, Key, open_step, press, type_into, wait_until_idle
 
 ASSUMED = ("LiDAR", "POS position", "POS attitude")
 
@@ -19,8 +23,6 @@ def text_of(driver: Driver, name: str) -> str:
 
 def without_given_sigmas(driver: Driver) -> None:
     """Project without accuracy file, in which nobody gave a standard deviation."""
-    from dataclasses import replace
-
     project = driver.project
     settings = replace(project.settings, lidar_sigma=None, lidar_beam_sigma=None)
     driver.window.document.edit("change", replace(project, accuracy=None).with_settings(settings))
@@ -58,8 +60,6 @@ def test_an_assumed_noise_is_estimated_and_named_in_the_results(
     driver: Driver, denser_demo: Demo
 ) -> None:
     """The noise of the demo is about 1.7 mm on each axis."""
-    from dataclasses import replace
-
     picked, window = driver, driver.window
     window.document.open(denser_demo.picked, denser_demo.survey)
     settings = replace(picked.project.settings, lidar_sigma=None, lidar_beam_sigma=None)
@@ -74,6 +74,24 @@ def test_an_assumed_noise_is_estimated_and_named_in_the_results(
     assert result.chi_square.outcome != "failed"
     assert "assumed before: 5.0" in text_of(picked, "result_sigmas")
     assert not window.results.use_noise.isVisible()
+
+
+def test_assumed_sigmas_cause_no_alarm(driver: Driver, denser_demo: Demo) -> None:
+    window = driver.window
+    window.document.open(denser_demo.picked, denser_demo.survey)
+    without_given_sigmas(driver)
+    assert driver.project.assumed_sigmas == ASSUMED
+    for key in (Key.Key_F9, Key.Key_F10):
+        press(driver, key)
+        driver.rest()
+        wait_until_idle(driver)
+    assert driver.project.result is not None
+    assert driver.project.validation
+    driver.bot.waitUntil(lambda: window.warning_list.is_current)
+    on_sigmas = [each for each in window.warnings.messages if "sigma" in each.code]
+    assert on_sigmas
+    assert {each.level for each in on_sigmas} == {Level.NOTE}
+    assert "(done)" in window.workflow.headers[ADJUST].toolTip()
 
 
 def test_the_accuracies_of_the_file_are_shown(picked: Driver) -> None:

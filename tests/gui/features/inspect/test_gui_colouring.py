@@ -4,7 +4,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QImage, QRegion, QWheelEvent
+from PySide6.QtWidgets import QApplication, QWidget
 
 from lispac.gui.app.point_colours import (
     COLOUR_SCALES,
@@ -14,11 +16,17 @@ from lispac.gui.app.point_colours import (
     point_shading,
     set_colour_scale,
 )
+from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME
 from lispac.gui.features.inspect.actions import ACTIONS, COLOUR_ACTIONS
 from lispac.gui.project.residuals import LEGEND_TITLE as RESIDUAL_TITLE
+from lispac.gui.project.status import TARGETS
 from lispac.language import LANGUAGES, gettext, in_language
-from tests.gui.support import Demo, Driver, Key, press
+from lispac.picked_targets import Target
+from lispac.project import Project
+from tests.gui.by_hand import choose, open_menu
+from tests.gui.support import Demo, Driver, Key, Left, open_step, press, wait_until_idle
+from tests.support.view_scenes import count, picture
 
 
 def test_colours_depend_on_the_values(demo: Demo) -> None:
@@ -101,3 +109,97 @@ def test_menu_and_legend_have_the_same_name_for_a_colouring(code: str) -> None:
         for colouring, title in titles.items():
             name = ACTIONS[COLOUR_ACTIONS[colouring]].texts[0].replace("&", "").split()[-1]
             assert gettext(title).partition("(")[0].split()[0].lower() == name.lower()
+
+
+def click_target(driver: Driver, row: int) -> Target:
+    """Click a row of the list of targets, and zoom to the selection with its key."""
+    open_step(driver, TARGETS)
+    table = driver.window.targets.table
+    place = table.visualItemRect(table.item(row, 0)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=place)
+    press(driver, Key.Key_F, Qt.KeyboardModifier.ShiftModifier)
+    wait_until_idle(driver)
+    return driver.project.target(table.item(row, 0).text())
+
+
+def packed(colours: np.ndarray) -> np.ndarray:
+    """Colours (..., 3) as one number each."""
+    return colours.astype(int) @ (1 << 16, 1 << 8, 1)
+
+
+def turn_wheel(driver: Driver, at: QPoint, notches: int) -> None:
+    canvas, where = driver.viewport.canvas, QPointF(at)
+    angle = 120 if notches > 0 else -120
+    for _ in range(abs(notches)):
+        turned = QWheelEvent(
+            where, QPointF(canvas.mapToGlobal(at)), QPoint(), QPoint(0, angle),
+            Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )  # fmt: skip
+        QApplication.sendEvent(canvas, turned)
+    driver.bot.wait(300)
+
+
+def test_colours_of_lines_and_residuals_are_visible_on_a_selected_target(
+    real: Driver, demo: Demo, estimated: Project
+) -> None:
+    window, view = real.window, real.viewport
+    window.document.open(estimated, demo.survey)
+    wait_until_idle(real)
+    target = click_target(real, 0)
+    assert window.scene.selected == (target.name, "")
+    colours = theme.line_colours([line.name for line in real.project.lines])
+    image = picture(view)
+    seen = {each.line: count(image, colours[each.line]) for each in target.used_sightings}
+    assert len(seen) > 1
+    assert min(seen.values()) > 100, seen
+
+    choose(real.bot, open_menu(real.bot, window, "View"), "Colour by", "residual")
+    wait_until_idle(real)
+    # Synthetic clicks sometimes leave the menu open
+    while (popup := QApplication.activePopupWidget()) is not None:
+        real.bot.keyClick(popup, Key.Key_Escape)
+    action, shading = window.actions_["colour_residual"], view.widget.overlay.shading
+    assert action.isChecked()
+    name = action.text().replace("&", "").split()[-1]
+    assert shading.title.split()[0].lower() == name.lower()
+    points = np.concatenate(list(window.scene.selected_points.values()))
+    shades = packed(np.vstack([shading.scale[:110], shading.scale[-110:]]))  # blue and red
+
+    def size_and_shaded() -> tuple[float, int]:
+        """Width of the target, and number of its pixels that are blue or red."""
+        places = view.to_pixels(points)[:, :2]
+        (left, top), (right, bottom) = places.min(axis=0), places.max(axis=0)
+        rows = slice(max(0, int(top)), int(np.ceil(bottom)) + 1)
+        columns = slice(max(0, int(left)), int(np.ceil(right)) + 1)
+        return right - left, int(np.isin(packed(picture(view)[rows, columns]), shades).sum())
+
+    middle = QPoint(*view.to_pixels(points.mean(axis=0)[None])[0][:2].astype(int).tolist())
+    seen_at = []
+    for notches in (4, -12, -8):
+        turn_wheel(real, middle, notches)
+        seen_at.append(size_and_shaded())
+    (near, near_shaded), _, (far, far_shaded) = seen_at
+    assert near > 10 * far, seen_at
+    assert near_shaded > 5000, seen_at
+    assert far_shaded > 20, seen_at
+
+    press(real, Key.Key_F)
+    press(real, Key.Key_M)
+    wait_until_idle(real)
+    overlay = view.widget.overlay
+    assert overlay.hint
+    assert overlay.markers
+    painted = QImage(overlay.size(), QImage.Format.Format_ARGB32)
+    painted.fill(0)
+    overlay.render(painted, QPoint(), QRegion(), QWidget.RenderFlag.DrawChildren)
+    alpha = np.frombuffer(painted.constBits(), np.uint8).reshape(painted.height(), -1, 4)[..., 3]
+    inked = alpha > 0
+    assert inked.any()
+    for box in overlay.label_boxes:
+        at = box.toAlignedRect().adjusted(-20, -20, 20, 20)
+        inked[max(0, at.top()) : at.bottom(), max(0, at.left()) : at.right()] = False
+    for x, y in view.to_pixels(np.array([each.position for each in overlay.markers]))[:, :2]:
+        inked[max(0, int(y) - 12) : int(y) + 13, max(0, int(x) - 12) : int(x) + 13] = False
+    height, width = inked.shape
+    assert not inked[height // 5 : -height // 5, width // 5 : -width // 5].any()

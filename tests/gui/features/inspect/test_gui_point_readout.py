@@ -1,7 +1,7 @@
 """Tests of the values of the point under the mouse, and of the answers to a click in the view."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -13,6 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFormLayout, QMenu, QToolTip, QWidget
 from pytestqt.exceptions import TimeoutError as WaitTimeoutError
 
+from lispac.gui.app.language import set_language
 from lispac.gui.app.status_bar import FIELD_SEPARATOR
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.inspect.point_readout import (
@@ -25,6 +26,7 @@ from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDia
 from lispac.gui.viewport.base import Marker, PickedPoint
 from lispac.gui.viewport.overlay import AXIS_LABELS, MARGIN_PX
 from lispac.gui.viewport.point_picker import PICK_RADII_PX
+from lispac.language import LANGUAGES, gettext
 from lispac.picked_targets import Target
 from lispac.progress import Progress
 from lispac.project import Project
@@ -118,6 +120,30 @@ def test_the_status_bar_shows_the_point_under_the_mouse(board: Driver) -> None:
         assert fields == shown.text().split(FIELD_SEPARATOR)[: len(fields)]
     leave_points(board)
     assert shown.text() == ""
+
+
+@pytest.fixture(params=LANGUAGES)
+def language(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Language of the window."""
+    set_language(request.param)
+    yield request.param
+    set_language("en")
+
+
+def test_the_whole_point_is_shown_in_a_narrow_window(language: str, board: Driver) -> None:
+    window = board.window
+    window.resize(1366, 768)
+    board.rest()
+    values = hover(board, board_pixel(board))
+    assert window.width() == 1366
+    promised = ("East", "North", "Up", "Line", "Range", "Incidence", "Intensity", "Time")
+    shown = window.task_bar.point
+    assert shown.isVisible()
+    fields = shown.shown_text.split(FIELD_SEPARATOR)
+    assert {f"{gettext(name)} {values[gettext(name)]}" for name in promised} <= set(fields)
+    board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+    degrees = values[gettext("Incidence")].partition("°")[0].replace(",", ".")
+    assert f"{float(degrees):.0f}°" in QToolTip.text()
 
 
 def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:

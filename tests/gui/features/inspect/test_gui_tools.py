@@ -20,6 +20,7 @@ from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.window.main_window import MainWindow
 from lispac.language import LANGUAGES, in_language
 from lispac.warning_causes import Cause
+from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import (
     WAIT_MS,
     Demo,
@@ -387,7 +388,8 @@ def test_the_clip_box_encloses_the_target_and_is_changed_by_fields_and_handles(
     assert view.box is None
     assert "clip" not in view.sketches
     assert not window.actions_["clip"].isChecked()
-    window.actions_["clip"].trigger()
+    choose(picked.bot, open_menu(picked.bot, window, "Inspect"), "Clip box")
+    assert view.box is not None
     window.document.open(None, None)
     assert view.box is None
 

@@ -40,6 +40,9 @@ def test_dropped_files_become_a_project(
     assert filled.ok.isEnabled(), filled.reason.text()
     assert "lever arm is zero" in filled.reason.text()
     assert not filled.mounting.pos_sigmas.position.isEnabled()
+    data, proposed = raw(demo)[0].parent, Path(filled.folder.text())
+    assert proposed.parent == data.parent, "beside the raw data"
+    assert not proposed.exists()
 
     filled.folder.selectAll()
     qtbot.keyClicks(filled.folder, str(demo.project.folder))

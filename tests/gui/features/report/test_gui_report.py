@@ -1,7 +1,9 @@
 """Tests of the report in the window: details, options, preview and pictures."""
 
 import base64
+import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,21 +20,25 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.adjustment.result import VarianceComponent
 from lispac.gui.app.settings import ReportChoice
 from lispac.gui.features.report import report_export
 from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
+from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
+from lispac.present.sigmas import SIGMA_TITLES
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
 from lispac.report.pdf import Preview
 from lispac.targets.cross_section import common_normal
 from lispac.workflow.calibration import sighting_assessment
 from lispac.workflow.planning.sensors import read_library
+from tests.gui.features.estimate.test_gui_diagnostics import turn_to
 from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import (
     WAIT_MS,
@@ -44,8 +50,10 @@ from tests.gui.support import (
     finish_layouts,
     in_front,
     open_step,
+    show_panel,
     type_into,
 )
+from tests.report.test_report import _page, _pdf_text
 from tests.support.long_runs import others_long
 from tests.support.message_codes import is_shown
 
@@ -693,3 +701,78 @@ def test_a_report_uses_the_qualities_that_the_window_knows(
     adjusted.rest()
     assert not adjusted.dialogs.errors
     assert adjusted.dialogs.path.exists()
+
+
+def test_the_written_reports_agree_with_the_window(
+    driver: Driver, demo: Demo, validated: Project, tmp_path: Path
+) -> None:
+    assert validated.result is not None
+    settings = replace(
+        validated.settings, position_sigma=(0.02, 0.02, 0.03), attitude_sigma_deg=(0.01, 0.01, 0.02)
+    )
+    component = VarianceComponent("POS position", 1.5, 1.2, 1.9, applied=True, used=1.5)
+    result = replace(validated.result, components=(component,))
+    given = replace(validated, accuracy=None, settings=settings, result=result)
+    driver.window.document.open(given, demo.survey)
+    driver.rest()
+    open_step(driver, VALIDATE)
+    limit = driver.window.validate.acceptance.fields["rms"]
+    type_into(driver, limit, "0.1 mm")
+    driver.bot.keyClick(limit, Key.Key_Return)
+    driver.rest()
+    open_step(driver, REPORT_STEP)
+    panel = driver.window.report
+    texts = {name: f"Zq{k:02}" for k, name in enumerate(FIELD_NAMES)}
+
+    def use_dialog(dialog: QWidget) -> None:
+        for name, text in texts.items():
+            type_into(driver, field(dialog, name), text)
+        driver.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(driver, use_dialog)
+    click(driver, panel.details)
+    paths = {kind: tmp_path / f"report.{kind}" for kind in ("pdf", "html", "json")}
+    for kind, path in paths.items():
+        choose(driver, panel.extent, list(EXTENTS).index("short" if kind == "pdf" else "full"))
+        driver.dialogs.path = path
+        click(driver, panel.report)
+        driver.rest()
+    assert driver.dialogs.errors == []
+
+    numbers = json.loads(paths["json"].read_text(encoding="utf-8"))
+    assert numbers["acceptance"]["verdict"] == "fail"
+    assert {name: numbers["identity"][name] for name in texts} == texts
+    sigmas = numbers["settings"]["standard_deviations"]
+    assert [each["source"] for each in sigmas] == ["given", "estimated", "given"]
+    pages = _pdf_text(paths["pdf"]).rstrip("\f").split("\f")
+    assert len(pages) <= 4
+    for page in pages[1:]:
+        assert texts["vessel"] in page
+        assert texts["company"] in page
+    bodies = "\n".join([pages[0], *(page.split("\n", 1)[1] for page in pages[1:])])
+    body = paths["html"].read_text(encoding="utf-8").partition("<body")[2]
+    html = " ".join(_page(body).words).replace("\u2212", "-")
+    for name, text in texts.items():
+        assert bodies.count(text) == 1, name
+        assert html.count(text) == 1, name
+    for text in (bodies, html):
+        assert "NOT ACCEPTED" in text
+        others = [re.escape(title) for title in SIGMA_TITLES.values()]
+        for each, title in zip(sigmas, SIGMA_TITLES.values(), strict=True):
+            row = re.split("|".join(others), text.partition(title)[2], maxsplit=1)[0][:160]
+            is_estimated = "estimated from the data; given:" in row
+            assert is_estimated == (each["source"] == "estimated"), row
+            assert is_estimated or "(given)" in row, row
+    (half,) = (
+        each["difference_deg"]
+        for each in numbers["cross_checks"]["parts"]
+        if (each["kind"], each["part"]) == ("half", "second")
+    )
+    show_panel(driver.window, "Diagnostics")
+    table = turn_to(driver, "Cross-checks").table
+    row = next(k for k in range(table.rowCount()) if "half" in table.item(k, 0).text())
+    in_html = html[html.index(table.item(row, 0).text()) :].split()
+    for axis, column in (("roll", 1), ("pitch", 3), ("yaw", 5)):
+        shown = table.item(row, column).text().replace("\u2212", "-")
+        assert shown == f"{half[axis]:+.4f}"
+        assert shown in in_html[:12]

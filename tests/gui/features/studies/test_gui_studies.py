@@ -22,6 +22,7 @@ from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
+from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Driver, in_front, open_step, type_into
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import tripod_scan
@@ -55,6 +56,11 @@ def use_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return
     driver.bot.waitUntil(lambda: bool(errors), timeout=WAIT_MS)
     if errors[0] is not None:
         raise errors[0]
+
+
+def choose_study(driver: Driver, name: str) -> None:
+    """Choose a study in the menu."""
+    choose(driver.bot, open_menu(driver.bot, driver.window, "Calibrate"), name)
 
 
 @pytest.fixture
@@ -194,28 +200,44 @@ def test_the_error_budget_is_shown(adjusted: Driver) -> None:
         assert dialog.table.item(rows["POS position"], 3).text() != level
         assert dialog.table.item(rows["Lever arm"], 1).text() == "not given"
 
-    QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
+    choose_study(adjusted, "Error budget")
     use_next_dialog(adjusted, inspect_dialog)
 
 
-def test_a_typed_lever_arm_sigma_is_in_the_error_budget(adjusted: Driver) -> None:
+def test_typed_lever_arm_sigma_and_divergence_are_in_the_error_budget(adjusted: Driver) -> None:
     open_step(adjusted, 0)
-    typed = adjusted.window.data.lever_arm_sigma.fields[2]
-    type_into(adjusted, typed, "0,04")
-    adjusted.bot.keyClick(typed, Key.Key_Return)
-    adjusted.rest()
+    data = adjusted.window.data
+    for typed, text in ((data.lever_arm_sigma.fields[2], "0,04"), (data.divergence, "3 mrad")):
+        type_into(adjusted, typed, text)
+        adjusted.bot.keyClick(typed, Key.Key_Return)
+        adjusted.rest()
     shown: list[str] = []
+    footprint: dict[str, str] = {}
 
     def read_table(dialog: BudgetDialog) -> None:
         rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
         shown.extend(dialog.table.item(rows["Lever arm"], column).text() for column in range(10))
+        for column in range(dialog.table.columnCount()):
+            head = " ".join(dialog.table.horizontalHeaderItem(column).text().split())
+            footprint[head] = dialog.table.item(rows["Beam footprint"], column).text()
 
-    QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
+    choose_study(adjusted, "Error budget")
     use_next_dialog(adjusted, read_table)
     assert adjusted.project.settings.lever_arm_sigma == pytest.approx((0.0, 0.0, 0.04))
     horizontal, vertical = (float(text) for text in shown[1:3])  # centimetres
     assert vertical == pytest.approx(4.0, abs=0.1)
     assert horizontal < 0.5
+    # The reflecting place is anywhere in a disc, whose diameter is 3 mrad of the range
+    x, y = np.meshgrid(np.linspace(-1, 1, 1001), np.linspace(-1, 1, 1001))
+    squared = (x**2 + y**2)[x**2 + y**2 <= 1]
+    of_disc = np.sqrt(squared.mean())
+    for metres in (10, 50, 100):
+        (across,) = (
+            float(text)
+            for head, text in footprint.items()
+            if head.startswith("Across beam") and f" {metres} m" in head.replace("\xa0", " ")
+        )
+        assert across == pytest.approx(100 * 1.5e-3 * metres * of_disc, abs=0.051)
 
 
 def test_the_visibility_study_is_shown_and_copied(

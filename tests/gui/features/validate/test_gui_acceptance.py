@@ -1,5 +1,6 @@
 """Tests of the acceptance criteria of step 4, typed and judged in the window."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,6 @@ from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
 from lispac.adjustment.result import CrossCheck, CrossChecks
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.planes_table import P95
-from lispac.gui.project.document import ExportedReport
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.present.acceptance import AcceptanceValues
@@ -173,23 +173,29 @@ def test_a_failed_calibration_names_its_cause_and_goes_there(judged: Driver) -> 
     judged.bot.waitUntil(first.isVisible, timeout=WAIT_MS)
 
 
-def test_the_report_step_shows_a_failed_calibration(judged: Driver) -> None:
-    def report_state(report: ExportedReport | None = None) -> str:
-        document = judged.window.document
-        return step_statuses(document.project, document.survey, report=report)[REPORT].state
+def test_the_report_step_shows_a_failed_calibration(judged: Driver, tmp_path: Path) -> None:
+    header = judged.window.workflow.headers[REPORT]
 
-    exported = ExportedReport(Path("report.pdf"), 0.0)
-    assert (report_state(), report_state(exported)) == ("todo", "done")
+    def exported_verdict(name: str) -> str:
+        open_step(judged, REPORT)
+        judged.dialogs.path = tmp_path / name
+        click(judged, judged.window.report.report)
+        judged.rest()
+        return json.loads((tmp_path / name).read_text(encoding="utf-8"))["acceptance"]["verdict"]
+
+    assert "(to do)" in header.toolTip()
+    assert exported_verdict("first.json") == "not judged"
+    assert "(done)" in header.toolTip()
+    open_step(judged, VALIDATE)
     field = judged.window.validate.acceptance.fields["rms"]
     type_into(judged, field, "0.1")
     judged.bot.keyClick(field, Key.Key_Return)
-    assert (report_state(), report_state(exported)) == ("warning", "warning")
-    sentences = [
-        step_statuses(judged.project, judged.window.document.survey, report=each)[REPORT].sentence
-        for each in (None, exported)
-    ]
     # The end of a long text is not visible, so that the verdict begins it.
-    assert [each.split(",")[0] for each in sentences] == ["not accepted"] * 2
+    assert sentence(judged, REPORT).startswith("not accepted")
+    assert "(check this step)" in header.toolTip()
+    assert exported_verdict("second.json") == "fail"
+    assert sentence(judged, REPORT).startswith("not accepted")
+    assert "(check this step)" in header.toolTip()
 
 
 def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(

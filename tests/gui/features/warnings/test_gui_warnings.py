@@ -21,7 +21,7 @@ from lispac.gui.features.warnings.warnings_panel import (
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
-from lispac.validation.comparison_results import LineShift
+from lispac.validation.comparison_results import LineShift, TwoModes
 from lispac.warning_causes import Cause
 from tests.gui.support import (
     WAIT_MS,
@@ -380,3 +380,19 @@ def test_a_shift_of_a_line_on_a_validation_plane_is_listed(
         assert len(found) == count
     click_row(driver, row_of(driver, message_text(found[0])))
     assert driver.window.data.lines.currentItem().text() == lines[0]
+
+
+def test_two_groups_of_distances_on_a_validation_plane_are_listed(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    (plane,) = validated.validation
+    (first, *others) = plane.pairs
+    modes = TwoModes(0.04, 0.002, 0.3, 1e-9)
+    bimodal = replace(plane, pairs=(replace(first, modes=modes), *others))
+    driver.window.document.open(replace(validated, validation=(bimodal,)), demo.survey)
+    row = row_with_code(driver, "validation.two_modes")
+    message = driver.window.warnings.messages[row]
+    assert message.level is Level.WARNING
+    assert (message.params["target"], message.params["distance"]) == (plane.name, 0.04)
+    click_row(driver, row)
+    assert driver.window.scene.selected[0] == plane.name
