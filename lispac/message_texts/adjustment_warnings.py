@@ -159,6 +159,15 @@ TEXTS: Mapping[str, Template] = {
         "standard deviations of the angles are computed. Use the noise of the residuals and "
         "estimate again."
     ),
+    "adjustment.lidar_noise_assumed": N_(
+        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma); no value was given, and "
+        "{given:mm.2} mm was assumed. Use the noise of the residuals and estimate again."
+    ),
+    "adjustment.lidar_noise_assumed_conservative": N_(
+        "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the assumed "
+        "{given:mm.2} mm with which the standard deviations of the angles are computed. Use the "
+        "noise of the residuals and estimate again."
+    ),
     "adjustment.assumed_sigmas": N_(
         "Standard deviations are assumed values that could not be replaced by estimates from the "
         "data: {groups:names}. Enter the values of the data sheet or of the processing report in "
