@@ -254,8 +254,13 @@ class HistogramsPanel(QWidget):
         # Below the plot, which is wide: the table leaves no space below it if the panel is low
         self.failures = widgets.label("", "error", wrap=True, name="comparison_failures")
         self.failures.hide()
+        self.model_difference = widgets.label(
+            "", "warning", wrap=True, name="comparison_other_model"
+        )
+        self.model_difference.hide()
         column = QVBoxLayout()
         column.setSpacing(0)
+        column.addWidget(self.model_difference)
         column.addWidget(self._views, 1)
         column.addWidget(self.failures)
         row = QHBoxLayout(details)
@@ -304,6 +309,11 @@ class HistogramsPanel(QWidget):
         tools.addLayout(last)
         tools.addStretch(1)
         return tools
+
+    def show_model_difference(self, text: str) -> None:
+        """Show that the comparison was made with another surface model; "" if it was not."""
+        self.model_difference.setText(text)
+        self.model_difference.setVisible(bool(text))
 
     @property
     def current(self) -> str | None:
