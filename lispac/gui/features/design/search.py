@@ -94,8 +94,8 @@ def split_numbers(text: str, what: str, decimal: str) -> list[str]:
     """Split a list into the texts of its numbers.
 
     A comma between two digits is the decimal sign if the numbers are separated by semicolons or
-    blanks, or if ``decimal`` is a comma. It separates two numbers beside a decimal point, a unit or
-    another such comma.
+    blanks, or if ``decimal`` is a comma. Several commas without blanks, or a comma beside a decimal
+    point, separate numbers.
 
     Raises
     ------
@@ -112,7 +112,8 @@ def split_numbers(text: str, what: str, decimal: str) -> list[str]:
         is_number = _DECIMAL_COMMA.fullmatch(word) is not None
         if is_number and (is_separator or (decimal == "." and not is_separated)):
             raise InputError(error("window.ambiguous_comma", field=what, text=word))
-        parts += [word] if is_number else filter(None, word.split(","))
+        is_one = is_number or (decimal == "," and "." not in word)
+        parts += [word] if is_one else filter(None, word.split(","))
     return parts
 
 

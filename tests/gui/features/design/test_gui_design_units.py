@@ -76,7 +76,7 @@ def refusal(text: str) -> str:
         ("1,5; 2", ".", (1.5, 2)), ("1,5 2,5", ".", (1.5, 2.5)), ("1.5,2.5", ".", (1.5, 2.5)),
         ("1,5;", ".", (1.5,)), ("1,5", ",", (1.5,)), ("1, 5", ",", (1, 5)),
         ("5 m, 600 cm", ".", (5, 6)), ("5m,6m", ".", (5, 6)), ("−1,5 m; 2 m", ".", (-1.5, 2)),
-        ("10 20 30", ".", (10, 20, 30)), ("1,5; 2,5", ",", (1.5, 2.5)),
+        ("1.5,2", ",", (1.5, 2)), ("10 20 30", ".", (10, 20, 30)), ("1,5; 2,5", ",", (1.5, 2.5)),
     ],
 )  # fmt: skip
 def test_a_list_of_numbers_is_read_with_commas_and_units(
@@ -95,6 +95,12 @@ def test_a_list_that_can_be_read_in_two_ways_is_refused(text: str, code: str) ->
     with units.standard_units(), pytest.raises(InputError) as caught:
         parse_numbers(text, "Heights", "m", -50.0, 200.0)
     assert caught.value.message.code == f"window.{code}"
+
+
+def test_two_decimal_commas_are_not_a_number() -> None:
+    with units.standard_units(), pytest.raises(InputError) as caught:
+        parse_numbers("4,5,6", "Heights", "m", -50.0, 200.0, ",")
+    assert caught.value.message.code == "window.not_a_number_in"
 
 
 def test_angles_of_a_list_may_have_their_unit() -> None:
