@@ -206,9 +206,10 @@ def lidar_noise_notes(project: Project) -> tuple[Message, ...]:
     is_conservative = ratio < 1 and not has_raised_sigmas(result)
     field = Cause.of_field("lidar_sigma")
     if settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None:
-        code = "adjustment.lidar_noise"
+        is_assumed = "LiDAR" in project.assumed_sigmas
+        code = "adjustment.lidar_noise_assumed" if is_assumed else "adjustment.lidar_noise"
         if is_conservative:
-            code = "adjustment.lidar_noise_conservative"
+            code += "_conservative"
         values = {"given": settings.used_lidar_sigma, "measured": ratio * settings.used_lidar_sigma}
         return (note(code, **values, subject=field, actions=(Action("use_lidar_noise", values),)),)
     code = "adjustment.lidar_noise_ratio"

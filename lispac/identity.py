@@ -101,16 +101,21 @@ FIELD_GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
 """Titles and fields of the groups of the dialogue, in the order of the fields."""
 SIGNATURE_FIELDS = ("surveyor", "processed_by", "checked_by")
 """Fields of the persons who sign the report."""
-REQUIRED_FIELDS = ("vessel", "site", "dates", "surveyor", "scanner", "pos")
-"""Fields without which a signed report does not identify the calibrated system."""
+REQUIRED_FIELDS = (
+    "report_number", "client", "surveyor", "processed_by", "checked_by", "vessel", "site", "dates",
+    "datum", "epoch", "gnss_base", "scanner", "pos", "processing_software",
+)  # fmt: skip
+"""Fields without which a signed report does not identify the calibrated system, its reference frame
+and its processing, in the order of the fields."""
 DATE_FIELDS = ("dates", "epoch")
 """Fields that contain dates."""
 TITLE_FIELDS = ("vessel", "site")
 """Fields that are printed below the title of the report, not in its form."""
 COMPANY_FIELDS = (
-    *SIGNATURE_FIELDS, "scanner", "scanner_serial", "pos", "pos_serial", "processing_software",
+    *SIGNATURE_FIELDS, "datum", "epoch", "gnss_base", "scanner", "scanner_serial", "pos",
+    "pos_serial", "processing_software",
 )  # fmt: skip
-"""Fields that belong to a company rather than to one survey."""
+"""Fields that a company usually gives alike in all its reports."""
 
 FIELD_LABELS = {
     "report_number": N_("Report number"),

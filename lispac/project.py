@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,6 +65,8 @@ SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
 }  # fmt: skip
 """Smallest and largest absolute value of each setting that is not zero, and the unit. Values
 outside these limits are typing errors and would cause overflow in the adjustment."""
+LIDAR_NOISE_FORMS = ("lidar_sigma", "lidar_sigma_xyz", "lidar_beam_sigma")
+"""Settings of the LiDAR noise, of which only one is used."""
 BEAM_SIGMA_LIMITS: tuple[tuple[float, float, Unit], ...] = (
     (1e-6, 100.0, "m"),
     (1e-9, 180.0, "deg"),
@@ -92,7 +94,7 @@ class Settings:
         for the mean of the trajectory
     position_sigma : north, east, down in metres, if no accuracy file is given
     attitude_sigma_deg : roll, pitch, heading in degrees, if no accuracy file is given
-    lidar_sigma : metres on each axis, unless one of the next two is given
+    lidar_sigma : metres on each axis; not used if one of the next two is given
         None in these three if nobody gave them: `used_position_sigma`, `used_attitude_sigma_deg`
         and `used_lidar_sigma` are then the assumed defaults.
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
@@ -151,6 +153,18 @@ class Settings:
 
     @property
     def used_lidar_sigma(self) -> float:
+        """Standard deviation of a LiDAR point as one number, metres, given or assumed.
+
+        It is that of the range, or the root mean square of the axes, if these are given.
+        """
+        if self.lidar_beam_sigma is not None:
+            return self.lidar_beam_sigma[0]
+        if self.lidar_sigma_xyz is not None:
+            return math.sqrt(sum(value * value for value in self.lidar_sigma_xyz) / 3)
+        return self._single_lidar_sigma
+
+    @property
+    def _single_lidar_sigma(self) -> float:
         """Given or assumed standard deviation of the LiDAR on each axis, metres."""
         return ASSUMED_LIDAR_SIGMA if self.lidar_sigma is None else self.lidar_sigma
 
@@ -176,6 +190,19 @@ class Settings:
     def threshold(self) -> float:
         """Default RANSAC threshold, metres: that of the thesis, or 3 LiDAR sigma if larger."""
         return max(DEFAULT_THRESHOLD_M, 3 * self.used_lidar_sigma)
+
+    def with_values(self, **values: Any) -> "Settings":
+        """Copy with other values; one form of the LiDAR noise replaces the others."""
+        if any(values.get(name) is not None for name in LIDAR_NOISE_FORMS):
+            values = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None, **values}
+        return replace(self, **values)
+
+    def with_lidar_sigma(self, sigma: float) -> "Settings":
+        """Copy with this standard deviation of the LiDAR, metres; a given beam angle is kept."""
+        beam = self.lidar_beam_sigma
+        return self.with_values(
+            lidar_sigma=sigma, lidar_beam_sigma=None if beam is None else (sigma, beam[1])
+        )
 
     def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
         """Copy with the LiDAR standard deviations times ``ratio``, rounded to three digits."""
@@ -242,7 +269,7 @@ class Settings:
             "setting.origin": self.origin_deg_m or (0.0,),
             "setting.position_sigma": self.used_position_sigma,
             "setting.attitude_sigma": self.used_attitude_sigma_deg,
-            "setting.lidar_sigma": (self.used_lidar_sigma,),
+            "setting.lidar_sigma": (self._single_lidar_sigma,),
             "setting.subsample": (self.subsample,),
             "setting.lidar_sigma_xyz": self.lidar_sigma_xyz or (1.0,),
             "setting.lidar_beam_sigma": self.lidar_beam_sigma or (1.0,),
@@ -281,7 +308,7 @@ class Settings:
         if smallest < 0:
             raise InputError(error("settings.negative"))
         lidar = (
-            self.used_lidar_sigma,
+            self._single_lidar_sigma,
             *(self.lidar_sigma_xyz or ()),
             *(self.lidar_beam_sigma or ()),
         )

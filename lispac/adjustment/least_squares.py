@@ -59,6 +59,7 @@ def adjust(
     accept_single_orientation: bool = False,
     diagnostics: bool = True,
     test_model: bool = True,
+    shorten_times: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
     """Estimate the boresight with which the points of each target, in all lines, form one surface.
@@ -94,6 +95,8 @@ def adjust(
         With diagnostics, adapt the stochastic model if the data contradict it: use shorter
         correlation times if the chi-square test rejects the model, and raise the sigmas if results
         without single lines or targets scatter too much (`leave_out_sigma_factors`).
+    shorten_times : bool
+        Whether to use shorter correlation times, if the model is tested.
 
     Raises
     ------
@@ -122,7 +125,8 @@ def adjust(
             radius_discrepancies=find_radius_discrepancies(some, found.mounting),
             lidar_noise_ratio=_measured_noise_ratio(solution, some, mounting, settings, progress),
         )
-        if not (test_model and model.correlated and found.is_model_rejected(REJECTION_LEVEL)):
+        adapts = test_model and shorten_times and model.correlated
+        if not (adapts and found.is_model_rejected(REJECTION_LEVEL)):
             return found
         if _passes_without_cause(found, some, mounting, settings, progress):
             return found
@@ -251,6 +255,7 @@ def adjust_or_explain(
     assumed: tuple[SigmaGroup, ...] = (),
     accept_single_orientation: bool = False,
     diagnostics: bool = True,
+    shorten_times: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
     """Call `adjust`, and add the possible causes to the error if it does not converge.
@@ -268,7 +273,7 @@ def adjust_or_explain(
         return adjust(
             observations, mounting, model, parameters=parameters, components=components,
             assumed=assumed, accept_single_orientation=accept_single_orientation,
-            diagnostics=diagnostics, progress=progress,
+            diagnostics=diagnostics, shorten_times=shorten_times, progress=progress,
         )  # fmt: skip
     except NotConverged as failure:
         reason = failure.reason

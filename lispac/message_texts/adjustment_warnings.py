@@ -197,6 +197,20 @@ TEXTS: Mapping[str, Template] = {
         ),
         N_("Use the noise of the residuals and estimate again."),
     ),
+    "adjustment.lidar_noise_assumed": Advised(
+        N_(
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma); no value was given, "
+            "and {given:mm.2} mm was assumed."
+        ),
+        N_("Use the noise of the residuals and estimate again."),
+    ),
+    "adjustment.lidar_noise_assumed_conservative": Advised(
+        N_(
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the "
+            "assumed {given:mm.2} mm with which the standard deviations of the angles are computed."
+        ),
+        N_("Use the noise of the residuals and estimate again."),
+    ),
     "adjustment.assumed_sigmas": Advised(
         N_(
             "Standard deviations are assumed values that could not be replaced by estimates from "

@@ -109,6 +109,10 @@ TEXTS: Mapping[str, Template] = {
     "window.no_numbers": N_(
         "{field:title}: the field is empty. Enter at least one number in {unit}."
     ),
+    "window.ambiguous_comma": N_(
+        "{field:title}: “{text}” may be one number or two. Separate numbers with semicolons or "
+        "blanks, or write decimals with a point."
+    ),
     "window.not_a_number": N_("{field:title}: “{text}” is not a number. Correct it."),
     "window.not_a_number_in": N_(
         "{field:title}: “{text}” is not a number. Enter a number in {unit}."

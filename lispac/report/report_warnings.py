@@ -39,7 +39,7 @@ DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (
 CHI_SQUARE_LOW_CODES = {"report.chi_square_low", "report.chi_square_low_estimated"}
 SMALL_RESIDUAL_CODES = {
     "adjustment.sigmas_raised_conservative", "adjustment.lidar_noise_conservative",
-    "adjustment.lidar_noise_ratio_conservative",
+    "adjustment.lidar_noise_ratio_conservative", "adjustment.lidar_noise_assumed_conservative",
 }  # fmt: skip
 """Codes of messages that say what small residuals mean for the sigmas of the angles. If there is
 one of them, or one on large residuals of a target, the note on the chi-square test is omitted."""

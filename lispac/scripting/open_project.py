@@ -129,7 +129,7 @@ class OpenProject:
     @accept_script_names
     def change(self, **settings: object) -> None:
         """Change fields of `lispac.Settings`; dependent results have to be computed again."""
-        changed = replace(self.project.settings, **settings)  # type: ignore[arg-type]
+        changed = self.project.settings.with_values(**settings)
         changed.require_sound()
         if changed != self.project.settings:
             self.project = self.project.with_settings(changed)

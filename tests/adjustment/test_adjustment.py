@@ -263,6 +263,8 @@ def test_shorter_correlation_times_come_with_the_sigmas_of_the_given_ones() -> N
     assert result.sigma_at_given_times is not None
     assert (result.sigma_at_given_times >= given.sigma * (1 - 1e-12)).all()
     assert result.model.position_time < CORRELATED.position_time
+    held = adjust(noisy, mounting(), CORRELATED, shorten_times=False)
+    assert (held.model, held.given_correlation_times) == (given.model, None)
     assert adjust(exact, mounting(), CORRELATED).sigma_at_given_times is None
 
 

@@ -10,6 +10,7 @@ from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import SIGMA_GROUPS
+from lispac.adjustment.solve.noise_estimation import assign_surface_blocks
 from lispac.messages import Level
 from lispac.project import Settings
 from tests.studies.assumed_sigmas import row, study
@@ -102,6 +103,19 @@ def test_settings_know_which_sigmas_nobody_gave() -> None:
     assert settings.with_lidar_noise_scaled(0.4).lidar_sigma == 0.002
 
 
+def test_one_form_of_the_lidar_noise_replaces_another() -> None:
+    settings = Settings((0.0, 0.0, 1.0), lidar_sigma=0.005, lidar_beam_sigma=(0.005, 0.001))
+    given = settings.with_values(lidar_sigma=0.02)
+    assert (given.lidar_beam_sigma, given.used_lidar_sigma) == (None, 0.02)
+    assert settings.with_values(latency=0.1).lidar_beam_sigma == (0.005, 0.001)
+    axes = settings.with_values(lidar_sigma_xyz=(0.003, 0.004, 0.012))
+    assert axes.lidar_beam_sigma is None
+    assert axes.used_lidar_sigma == pytest.approx(np.sqrt((9 + 16 + 144) / 3) / 1000)
+    typed = settings.with_lidar_sigma(0.02)
+    assert (typed.lidar_beam_sigma, typed.used_lidar_sigma) == ((0.02, 0.001), 0.02)
+    assert axes.with_lidar_sigma(0.02).lidar_sigma_xyz is None
+
+
 @pytest.mark.parametrize("surface", [None, 0.0])
 def test_a_rough_target_leaves_an_assumed_lidar_noise_undetermined(surface: float | None) -> None:
     """The larger noise of one target is that of its surface."""
@@ -127,3 +141,23 @@ def test_two_lines_determine_an_assumed_lidar_noise() -> None:
         assumed=("LiDAR",), diagnostics=False,
     )  # fmt: skip
     assert found.sigma_factors[0] == pytest.approx(2.0, rel=0.1)
+
+
+@pytest.mark.parametrize("assumed", [(), ("LiDAR",)])
+def test_correlated_residuals_do_not_keep_an_assumed_noise_that_is_too_large(assumed) -> None:
+    data = _survey()
+    rng, block = np.random.default_rng(1), assign_surface_blocks(data, PRIOR)
+    own = data.target_of_sighting[data.sighting] == 1
+    rough = rng.normal(0.0, 0.0025, block.max() + 1)[block] * own
+    beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
+    uneven = replace(data, points_lidar=data.points_lidar + rough[:, None] * beams)
+    result = adjust(
+        uneven.with_scaled_sigmas(4.0, 1.0, 1.0), PRIOR, StochasticModel(), components=None,
+        assumed=assumed, diagnostics=False,
+    )  # fmt: skip
+    if assumed:
+        assert result.sigma_factors[0] == pytest.approx(0.25, rel=0.15)
+        assert result.unestimated_sigmas == ()
+        assert result.chi_square.outcome == "passed"
+    else:
+        assert result.sigma_factors == (1.0, 1.0, 1.0)

@@ -19,6 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
 from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.duplicate_targets import lidar_noise_notes
 from lispac.errors import InputError, LispacError
 from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.message_texts import message_text
@@ -231,7 +232,9 @@ def _small_residuals(project: Project, **changes: Any) -> Project:
     assert result is not None
     test = replace(result.chi_square, statistic=result.chi_square.lower * 0.9)
     return replace(
-        project, result=replace(result, chi_square=test, lidar_noise_ratio=0.5, **changes)
+        project,
+        settings=replace(project.settings, lidar_sigma=0.005),
+        result=replace(result, chi_square=test, lidar_noise_ratio=0.5, **changes),
     )
 
 
@@ -251,6 +254,27 @@ def test_one_note_says_what_a_smaller_noise_means_for_the_sigmas(project: Projec
     (noise,) = sample_content(replace(_small_residuals(project), settings=beam)).warnings
     assert noise.code == "adjustment.lidar_noise_ratio_conservative"
     assert noise.params == {"ratio": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("ratio", "code"),
+    [
+        (0.5, "adjustment.lidar_noise_assumed_conservative"),
+        (2.0, "adjustment.lidar_noise_assumed"),
+    ],
+)
+def test_an_assumed_lidar_noise_is_not_called_given(
+    project: Project, ratio: float, code: str
+) -> None:
+    settings = replace(project.settings, lidar_sigma=None, lidar_beam_sigma=None)
+    small = _small_residuals(project)
+    assert small.result is not None
+    changed = replace(
+        small, settings=settings, result=replace(small.result, lidar_noise_ratio=ratio)
+    )
+    (noise,) = lidar_noise_notes(changed)
+    assert noise.code == code
+    assert noise.params == {"given": 0.005, "measured": pytest.approx(ratio * 0.005)}
 
 
 def test_raised_sigmas_are_not_said_to_be_too_large(project: Project) -> None:

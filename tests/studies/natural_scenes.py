@@ -30,7 +30,6 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 from lispac.workflow.calibration.proposals import propose_targets
-from lispac.workflow.calibration.sighting_assessment import lidar_noise
 from lispac.workflow.project.survey import Survey
 from tests.support.finder_scenes import WALL, Site, site
 
@@ -138,7 +137,7 @@ def form_factors(scene_site: Site, project: Project) -> dict[str, float]:
     another surface do not count. Points that share a form error do not share their noise: it
     averages out. A surface is not flat from 1 on.
     """
-    noise, side = lidar_noise(project.settings), HALF_WAVE
+    noise, side = project.settings.used_lidar_sigma, HALF_WAVE
     found = {}
     for target in project.targets_of_role("target"):
         labels = {s.line: scene_site.echoes[s.line].label[s.indices] for s in target.sightings}

@@ -58,8 +58,9 @@ LARGE_RESIDUAL_CODES = {
 """Codes of messages on large residuals. If there is one of them, the messages on the noise of all
 targets are omitted."""
 LIDAR_NOISE_CODES = {
-    "adjustment.lidar_noise", "adjustment.lidar_noise_ratio",
+    "adjustment.lidar_noise", "adjustment.lidar_noise_ratio", "adjustment.lidar_noise_assumed",
     "adjustment.lidar_noise_conservative", "adjustment.lidar_noise_ratio_conservative",
+    "adjustment.lidar_noise_assumed_conservative",
 }  # fmt: skip
 """Codes of the notes on a LiDAR noise in the residuals that differs from the given one."""
 

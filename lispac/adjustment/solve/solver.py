@@ -49,6 +49,7 @@ from lispac.adjustment.solve.variance_components import (
     FACTOR_LIMITS,
     MIN_NOISE_FACTOR,
     estimate_variance_components,
+    lidar_factor_spread,
     with_lidar_interval,
 )
 from lispac.computing_time import computing_time
@@ -373,11 +374,16 @@ def _iterate_variance_components(
 
 
 def _assumed_lidar_factor(linearised: LinearisedProblem, factor: float) -> float:
-    """Factor on an assumed LiDAR sigma, ``factor`` unless the noise was raised on all targets.
+    """Factor on an assumed LiDAR sigma, ``factor`` unless the noise of a target was raised.
 
     The likelihood does not estimate the LiDAR sigma if the residuals already raised the noise.
-    Larger noise on all targets, however, shows that the assumed sigma is too small.
+    Larger noise on all targets, however, shows that the assumed sigma is too small. If all
+    residuals are smaller than predicted, only their correlation raised the noise, and the assumed
+    sigma is too large.
     """
-    if linearised.problem.noise.min() < MIN_NOISE_FACTOR:
+    noise = linearised.problem.noise
+    if noise.max() < MIN_NOISE_FACTOR:
         return factor
-    return max(lidar_noise_ratio(linearised) or 1.0, 1.0)
+    ratio = lidar_noise_ratio(linearised) or 1.0
+    is_smaller = ratio * np.exp(1.96 * lidar_factor_spread(linearised)) < 1
+    return ratio if is_smaller else max(ratio, 1.0) if noise.min() >= MIN_NOISE_FACTOR else factor

@@ -302,18 +302,25 @@ def with_lidar_interval(
 ) -> MaximumLikelihood:
     """Factors with an interval of a LiDAR sigma whose factor is no longer estimated.
 
-    If the noise of a target was raised after an assumed LiDAR sigma was estimated, the likelihood
-    gives no interval. The standard deviation of ``n`` independent residuals has a relative standard
-    deviation of ``1 / sqrt(2 n)``; the noise of the targets contains the correlation of the
-    residuals, which reduces ``n``.
+    If the noise of a target is raised, the likelihood gives no interval.
     """
     lidar, *others = found.components
     if lidar.upper < MAX_FACTOR_RATIO * (1 - 1e-9):
         return found
-    problem = linearised.problem
-    spread = float(problem.noise.max()) / np.sqrt(2 * len(problem.observations))
+    spread = lidar_factor_spread(linearised)
     lower, upper = np.exp([-1.96 * spread, 1.96 * spread]).tolist()
     return replace(found, components=(replace(lidar, lower=lower, upper=upper), *others))
+
+
+def lidar_factor_spread(linearised: LinearisedProblem) -> float:
+    """Standard deviation of the logarithm of a LiDAR factor from the size of the residuals.
+
+    The standard deviation of ``n`` independent residuals has a relative standard deviation of
+    ``1 / sqrt(2 n)``; the noise of the targets contains the correlation of the residuals, which
+    reduces ``n``.
+    """
+    problem = linearised.problem
+    return float(problem.noise.max()) / float(np.sqrt(2 * len(problem.observations)))
 
 
 def _undetermined_factors() -> MaximumLikelihood:

@@ -54,6 +54,11 @@ class CauseNavigation(QObject):
         self._open_step(VALIDATE)
         _focus_widget(next(iter(self._panels.validate.acceptance.fields.values())))
 
+    def go_to_noise_model(self) -> None:
+        """Open the fields of a LiDAR noise with several values in step 3."""
+        self._open_step(ADJUST)
+        _focus_widget(self._panels.adjust.model.noise)
+
     def _go_to_line(self, cause: Cause) -> None:
         data, scene = self._panels.data, self._scene
         self._open_step(DATA)
@@ -88,16 +93,17 @@ class CauseNavigation(QObject):
 
     def _go_to_field(self, cause: Cause) -> None:
         data, adjust = self._panels.data, self._panels.adjust
+        model, is_one_noise = adjust.model, data.lidar_sigma.isVisibleTo(data)
         longest = max(data.lever_arm.fields, key=lambda field: abs(field.value()))
         step, field = {
             "lever_arm": (DATA, longest),
             "boresight_deg": (DATA, data.boresight.fields[0]),
-            "lidar_sigma": (DATA, data.lidar_sigma),
+            "lidar_sigma": (DATA, data.lidar_sigma) if is_one_noise else (ADJUST, model.noise),
             "position_sigma": (DATA, data.pos_sigmas.position.fields[0]),
             "attitude_sigma_deg": (DATA, data.pos_sigmas.attitude.fields[0]),
             "pos_errors": (ADJUST, adjust.chosen_model),
-            "surface": (ADJUST, adjust.model.surface),
-            "position_time": (ADJUST, adjust.model.position_time),
+            "surface": (ADJUST, model.surface),
+            "position_time": (ADJUST, model.position_time),
         }[cause.name]
         self._open_step(step)
         _focus_widget(field)

@@ -191,6 +191,7 @@ class MainWindow(QMainWindow):
         self.validation = Validation(document, runner, control, actions, panels.validate)
         self.validation.validated.connect(partial(self.dock_layout.present, docks.HISTOGRAMS))
         self.validation.validated.connect(partial(panels.workflow.open, status.VALIDATE))
+        self.validation.model_differs.connect(panels.histograms.show_model_difference)
         seeds = SeedActions(tools)
         self.lifecycle.list_dropped.connect(seeds.list_seeds)
         panels.report.lines_requested.connect(actions["lines"].trigger)
@@ -223,6 +224,7 @@ class MainWindow(QMainWindow):
             {"acceptance_criteria": self.cause_navigation.go_to_acceptance_criteria}
         )
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        panels.data.noise_model_requested.connect(self.cause_navigation.go_to_noise_model)
         panels.validate.cause_requested.connect(self.cause_navigation.show_cause)
         panels.results.cross_checks_requested.connect(
             lambda: self.cause_navigation.show_cause(Cause.of_page("Cross-checks"))

@@ -13,6 +13,7 @@ from lispac.adjustment.least_squares import adjust_or_explain
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
 from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
 from lispac.computing_time import computing_time
 from lispac.design.further_line_advice import further_line_advice
@@ -316,6 +317,7 @@ def adjust_selected(
     selected: Project,
     survey: Survey,
     *,
+    model: StochasticModel | None = None,
     cross_check: bool = True,
     advise: bool = True,
     progress: Progress = no_progress,
@@ -325,6 +327,12 @@ def adjust_selected(
     The adjustment is fast enough for interactive changes, because excluding a target or line needs
     no new selection. Without ``advise`` no additional line is recommended; `complete_result` adds
     the recommendation and the cross-checks.
+
+    Parameters
+    ----------
+    model : StochasticModel, optional
+        Model to use unchanged. By default, that of the settings, whose correlation times are
+        shortened if the residuals require it.
     """
     settings, prior = project.settings, project.mounting("prior")
     with _add_failure_causes(project, survey):
@@ -332,11 +340,12 @@ def adjust_selected(
         result = adjust_or_explain(
             observations,
             prior,
-            settings.stochastic_model,
+            model or settings.stochastic_model,
             parameters=settings.parameters,
             components=settings.variance_components,
             assumed=project.assumed_sigmas,
             accept_single_orientation=settings.accept_single_orientation,
+            shorten_times=model is None,
             progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
         )
     result = replace(result, common_parts=parts)

@@ -12,7 +12,7 @@ from lispac.geometry.spheres import fit_sphere
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import PickedSighting, Project, Role, Settings, Target
+from lispac.project import PickedSighting, Project, Role, Target
 from lispac.survey.georeferencing import Georeferencer
 from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
 from lispac.targets.expected_target import deviations_from_expected
@@ -291,7 +291,7 @@ def _sighting_quality(
     seen: _SightingPoints,
     shown: ObservedExtent | None,
 ) -> SightingQuality:
-    noise = lidar_noise(project.settings)
+    noise = project.settings.used_lidar_sigma
     every = np.arange(len(seen.local))
     try:
         if target.shape == "sphere":
@@ -332,15 +332,6 @@ def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Mes
     return messages
 
 
-def lidar_noise(settings: Settings) -> float:
-    """Sigma of a point along the surface normal at zero incidence angle, metres."""
-    if settings.lidar_beam_sigma is not None:
-        return settings.lidar_beam_sigma[0]
-    if settings.lidar_sigma_xyz is not None:
-        return float(np.sqrt(np.mean(np.square(settings.lidar_sigma_xyz))))
-    return settings.used_lidar_sigma
-
-
 def _compared_sightings(target: Target) -> tuple[tuple[NDArray[np.int64], bool], ...]:
     """Point indices and flag of use of all sightings of a target, which a quality depends on."""
     return tuple((sighting.indices, sighting.used) for sighting in target.sightings)
@@ -352,5 +343,5 @@ def _quality_dependencies(project: Project, target: Target) -> tuple[object, ...
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
         target.shape, target.sphere_radius, target.radius, target.expected,
-        target.threshold, lidar_noise(project.settings), estimated, *mounting.values.tolist(),
+        target.threshold, project.settings.used_lidar_sigma, estimated, *mounting.values.tolist(),
     )  # fmt: skip

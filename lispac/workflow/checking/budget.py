@@ -67,14 +67,13 @@ def error_budget_of(
     rate = survey.trajectory.rate_at(time + latency)
     lidar, of_position, of_attitude = result.sigma_factors
     beam = settings.lidar_beam_sigma
-    axes = settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3
     return error_budget(
         SystemErrors(
             position=of_position * np.median(position, axis=0),
             attitude=of_attitude * np.median(attitude, axis=0),
             lidar=(lidar * beam[0], lidar * float(np.radians(beam[1])))
             if beam
-            else lidar * float(np.sqrt(np.mean(np.square(axes)))),
+            else lidar * settings.used_lidar_sigma,
             lever_arm=None if lever_sigma is None else np.array(lever_sigma, dtype=float),
             mounting=result.mounting,
             prior_boresight=result.prior_boresight,

@@ -10,6 +10,7 @@ from time import perf_counter
 
 import numpy as np
 
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
@@ -33,6 +34,9 @@ def subsampling_study(
 ) -> tuple[SubsamplingValues, ...]:
     """Adjust the project's targets for each distance, without changing the project.
 
+    All adjustments use the correlation times and form errors of the project's result, or, without a
+    result, of an adjustment with the project's point spacing.
+
     Parameters
     ----------
     distances : metres; 0 for all points
@@ -52,6 +56,7 @@ def subsampling_study(
         raise ProjectError(error("estimate.no_target", project=project.name))
     chosen = sorted(set(distances))
     selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.4))
+    model = _held_model(project, selected, survey)
     found = []
     for k, distance in enumerate(chosen):
         step = sub_progress(
@@ -64,7 +69,7 @@ def subsampling_study(
         started = perf_counter()
         solved = adjust_selected(
             project.with_settings(settings), selected, survey,
-            cross_check=False, advise=False, progress=step,
+            model=model, cross_check=False, advise=False, progress=step,
         )  # fmt: skip
         elapsed = perf_counter() - started
         result = solved.result
@@ -76,3 +81,14 @@ def subsampling_study(
         )
     progress(1.0)
     return tuple(found)
+
+
+def _held_model(project: Project, selected: Project, survey: Survey) -> StochasticModel:
+    """Stochastic model of the project's result, with its form errors."""
+    result = project.result
+    if result is None:
+        result = adjust_selected(project, selected, survey, cross_check=False, advise=False).result
+    assert result is not None
+    if not result.model.correlated:
+        return result.model
+    return replace(result.model, surface=result.surface, offset=result.offset)

@@ -26,7 +26,7 @@ from lispac.targets.sighting_quality import SightingQuality, undetermined_qualit
 from lispac.workflow.calibration import proposals
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.proposals import propose_targets
-from lispac.workflow.calibration.sighting_assessment import lidar_noise, sighting_qualities
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import CandidatePlanes
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.projects import open_project
@@ -115,7 +115,7 @@ def test_a_rippled_sheet_is_detected_and_not_proposed(
     assert {"T2"} in proposed
     assert {"sheet"} not in proposed, proposed
     for target in proposal.targets:
-        assert all(s.rms < 3 * lidar_noise(project.settings) for s in target.sightings)
+        assert all(s.rms < 3 * project.settings.used_lidar_sigma for s in target.sightings)
 
 
 @pytest.mark.long

@@ -46,3 +46,16 @@ def test_invalid_studies_are_refused(calibrated: tuple[Project, Survey]) -> None
     with pytest.raises(ProjectError) as raised:
         subsampling_study(replace(project, targets=()), survey)
     assert raised.value.code == "estimate.no_target"
+
+
+def test_all_rows_use_the_model_of_the_result(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    assert project.result is not None
+    model = replace(project.result.model, position_time=9.0, attitude_time=18.0)
+    of_result = project.with_result(replace(project.result, model=model, surface=0.004))
+    (row,) = subsampling_study(of_result, survey, (project.settings.subsample,))
+    settings = replace(project.settings, position_time=9.0, attitude_time=18.0, surface=0.004)
+    alone = estimate(project, survey, settings=settings, cross_check=False).result
+    assert alone is not None
+    assert alone.given_correlation_times is None
+    np.testing.assert_allclose(np.radians([*row.sigma_deg]), alone.sigma, rtol=0.02)

@@ -58,6 +58,7 @@ class BoresightInputs(QWidget):
     covariance : ndarray of shape (3, 3), radians squared, or None
     sigma_warning : warning about the sigmas
     has_lever_arm : whether a project or the user has given the lever arm
+    has_values : whether a project or the user has given any value
     """
 
     changed = Signal()
@@ -67,7 +68,7 @@ class BoresightInputs(QWidget):
         self.mounting = Mounting(np.zeros(3), np.zeros(3))
         self.covariance: np.ndarray | None = None
         self.sigma_warning: Message | None = None
-        self.has_lever_arm = False
+        self.has_lever_arm = self.has_values = False
         self._project_values: tuple[Mounting, np.ndarray | None, Message | None, str] | None = None
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
@@ -83,6 +84,7 @@ class BoresightInputs(QWidget):
             field.setToolTip(gettext(meaning))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
             field.valueChanged.connect(self._on_typed)
+            field.lineEdit().textEdited.connect(self._on_edited)
             field.lineEdit().textChanged.connect(self.changed)
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
@@ -115,11 +117,16 @@ class BoresightInputs(QWidget):
         self.mounting, self.covariance, self.sigma_warning, source = self._project_values
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
-        self.has_lever_arm = True
+        self.has_lever_arm = self.has_values = True
         self.source.setText(source)
         self.changed.emit()
 
+    def _on_edited(self) -> None:
+        # Zero is a value too, although it does not change the field
+        self.has_values = True
+
     def _on_typed(self) -> None:
+        self.has_values = True
         self.mounting = Mounting(
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
@@ -197,6 +204,15 @@ class CurrentSettingsInputs(QWidget):
         self._show_fields()
         for field in fields:
             field.lineEdit().textChanged.connect(self.changed)
+
+    @property
+    def has_values(self) -> bool:
+        """Whether the user has given a value to correct."""
+        if not self.known.isChecked():
+            return False
+        if self.as_matrix.isChecked():
+            return bool(self.matrix.toPlainText().strip())
+        return any(self.fields.value())
 
     def of(self, setup: ConventionSetup) -> CurrentMountingInSystem | None:
         """Mounting set in the other program; None if it is not to be corrected.

@@ -282,6 +282,9 @@ class ConventionPanel(QWidget):
 
     def _refresh(self) -> None:
         convention, inputs = self.convention, self.inputs
+        has_values = inputs.has_values or self.current.has_values
+        for widget in (self.status, self.mounting_text, self.gizmo):
+            widget.setVisible(has_values)
         try:
             require_accepted_texts(inputs)
             body_axes = self.imu.axes if convention.open_axes else None
@@ -292,6 +295,10 @@ class ConventionPanel(QWidget):
             )  # fmt: skip
         except InputError as error:
             self._show_refusal(str(error))
+            return
+        if not has_values:
+            self.assumption.hide()
+            self._show_no_angles()
             return
         values = ConventionValues.of_mounting(
             new.in_system, new.mounting,
@@ -308,8 +315,11 @@ class ConventionPanel(QWidget):
     def _show_refusal(self, text: str) -> None:
         self.assumption.setText(escape(text))
         self.assumption.show()
+        self._show_no_angles()
+
+    def _show_no_angles(self) -> None:
         for widget in (self.table, self.notes, self.lever, self.rules, self.matrix):
-            widget.setVisible(False)
+            widget.hide()
         self.values_head.setText(gettext("No angles computed"))
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)

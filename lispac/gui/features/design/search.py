@@ -1,5 +1,6 @@
 """Panel of the search for the best plan: limits, criterion and result."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -15,6 +16,7 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
+from lispac.gui.widgets.number_input import parse_number
 from lispac.gui.widgets.result_tables import local_number
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext
@@ -37,6 +39,13 @@ LIST_FIELDS = {
                   N_("Distances of the lines from the centre of the site to be tried in the "
                      "search")),
 }  # fmt: skip
+UNIT_SIGNS = {"deg": "°"}
+"""Sign of a unit that is shown as a word."""
+_BEFORE_UNIT = re.compile(r"(?<=\d)[^\S\n]+(?=[^\W\d_]|[°′″'\"])")
+"""Blanks between a number and its unit."""
+_SEPARATORS = re.compile(r"[;\s]+")
+_DECIMAL_COMMA = re.compile(r"[+\-−]?\d+,\d+(?:[eE][+\-]?\d+)?\D*")
+"""Number with a comma, and perhaps a unit."""
 DEFAULT_INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Default inclinations from the horizontal, degrees, as in the supplied site files."""
 
@@ -46,29 +55,25 @@ def parse_numbers(
 ) -> tuple[float, ...]:
     """Parse a typed list of numbers, separated by semicolons, blanks or commas.
 
-    A comma is the decimal sign if ``decimal`` is a comma.
+    A number may have a unit. See `split_numbers` on commas.
 
     Raises
     ------
     InputError
-        If a part of the text is not a number or is out of range.
+        If a part of the text is not a number, is out of range, or may be one number or two.
     """
-    text = text.replace(";", " ").replace("−", "-")
     base = BASE_OF_SUFFIX.get(f" {unit}")
     shown, factor = unit, 1.0
     if base is not None:
         shown, factor = units.shown_unit(base).sign, units.shown_unit(base).factor
-    parts = text.replace(",", " " if decimal == "." else ".").split()
+    parts = split_numbers(text, what, decimal)
     if not parts:
         raise InputError(error("window.no_numbers", field=what, unit=shown))
     found = []
     for part in parts:
-        try:
-            typed = float(part)
-        except ValueError:
-            raise InputError(
-                error("window.not_a_number_in", field=what, text=part, unit=shown)
-            ) from None
+        typed = parse_number(part, UNIT_SIGNS.get(shown, shown))
+        if typed is None:
+            raise InputError(error("window.not_a_number_in", field=what, text=part, unit=shown))
         value = units.snap_to_limits(typed / factor, base, low, high)
         if not low <= value <= high:
             raise InputError(
@@ -83,6 +88,33 @@ def parse_numbers(
             )
         found.append(value)
     return tuple(dict.fromkeys(found))
+
+
+def split_numbers(text: str, what: str, decimal: str) -> list[str]:
+    """Split a list into the texts of its numbers.
+
+    A comma between two digits is the decimal sign if the numbers are separated by semicolons or
+    blanks, or if ``decimal`` is a comma. Several commas without blanks, or a comma beside a decimal
+    point, separate numbers.
+
+    Raises
+    ------
+    InputError
+        If a comma may be either.
+    """
+    spaced = _BEFORE_UNIT.sub("", text)
+    words = [word for word in _SEPARATORS.split(spaced) if word]
+    plain = [word.strip(",") for word in words]
+    is_separated = len(words) > 1 or ";" in text
+    is_separator = any(len(word) < len(each) for word, each in zip(plain, words, strict=True))
+    parts = []
+    for word in filter(None, plain):
+        is_number = _DECIMAL_COMMA.fullmatch(word) is not None
+        if is_number and (is_separator or (decimal == "." and not is_separated)):
+            raise InputError(error("window.ambiguous_comma", field=what, text=word))
+        is_one = is_number or (decimal == "," and "." not in word)
+        parts += [word] if is_one else filter(None, word.split(","))
+    return parts
 
 
 class LimitsForm(QWidget):

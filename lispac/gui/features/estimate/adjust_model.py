@@ -189,8 +189,11 @@ class ModelSettings(QWidget):
             If a field contains an invalid value.
         """
         kind = self.noise.currentIndex()
+        is_single = settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None
         return replace(
             settings,
+            # One value in place of several is the one shown
+            lidar_sigma=settings.lidar_sigma if kind or is_single else settings.used_lidar_sigma,
             position_time=_unrounded_value(
                 self.position_time.value(), settings.position_time, 0.051
             ),

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
-from lispac.gui.appearance import theme
+from lispac.gui.appearance import theme, units
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
@@ -41,6 +41,10 @@ EXCLUDED_TEXT = Plural(
 )
 
 
+NOISE_PER_AXIS_TEXT = N_("Given for each axis in step 3, under Advanced.")
+NOISE_OF_BEAM_TEXT = N_("Angular noise {angle}°, given in step 3, under Advanced.")
+
+
 class DataPanel(QWidget):
     """Panel with the files of the project, visibility of the lines, and the mounting."""
 
@@ -49,6 +53,8 @@ class DataPanel(QWidget):
     settings_edited = Signal(object)
     """Settings with the value of the edited field."""
     details_requested = Signal()
+    noise_model_requested = Signal()
+    """The fields of a LiDAR noise with several values are to be shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -90,11 +96,7 @@ class DataPanel(QWidget):
         filled.addWidget(self.boresight)
         self.mounting = MountingView("mounting")
         filled.addWidget(self.mounting)
-        noise = QHBoxLayout()
-        noise.addWidget(widgets.label(gettext("LiDAR noise (1 σ)")))
-        noise.addStretch(1)
-        noise.addWidget(self.lidar_sigma)
-        filled.addLayout(noise)
+        filled.addWidget(self._noise_block())
         self.divergence = widgets.divergence_field("divergence")
         beam = QHBoxLayout()
         beam.addWidget(widgets.label(gettext("Beam divergence")))
@@ -131,6 +133,64 @@ class DataPanel(QWidget):
             field.valueChanged.connect(self._draw_mounting)
             field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
         self._show_empty()
+
+    def _noise_block(self) -> QWidget:
+        """The LiDAR noise: one value, or what is given in step 3 instead or in addition."""
+        block = QWidget()
+        layout = widgets.vertical_layout(block, 0)
+        self._noise_title = widgets.label("", name="lidar_sigma_title")
+        noise = QHBoxLayout()
+        noise.addWidget(self._noise_title)
+        noise.addStretch(1)
+        noise.addWidget(self.lidar_sigma)
+        layout.addLayout(noise)
+        self.lidar_axes = widgets.TripleField(
+            ("X", "Y", "Z"),
+            [
+                widgets.number(
+                    f"lidar_sigma_{axis}", suffix=" mm", decimals=1, low=0, high=100_000, step=0.5,
+                    tip=gettext(NOISE_PER_AXIS_TEXT),
+                    title=gettext("LiDAR noise along {axis}", axis=axis.upper()),
+                )
+                for axis in "xyz"
+            ],
+        )  # fmt: skip
+        self.lidar_axes.setEnabled(False)
+        layout.addWidget(self.lidar_axes)
+        self._noise_model = QWidget()
+        row = QHBoxLayout(self._noise_model)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._noise_text = widgets.label("", "muted", wrap=True, name="lidar_sigma_model")
+        row.addWidget(self._noise_text, 1)
+        self.show_noise_model = widgets.button(
+            gettext("Edit in step 3"), "edit_lidar_noise",
+            tip=gettext("Open the fields of the LiDAR noise in step 3"),
+        )  # fmt: skip
+        self.show_noise_model.clicked.connect(self.noise_model_requested)
+        row.addWidget(self.show_noise_model)
+        layout.addWidget(self._noise_model)
+        return block
+
+    def _show_noise(self, settings: Settings) -> None:
+        beam, axes = settings.lidar_beam_sigma, settings.lidar_sigma_xyz
+        title = gettext("LiDAR range noise (1 σ)") if beam else gettext("LiDAR noise (1 σ)")
+        self._noise_title.setText(title)
+        self.lidar_sigma.title = title
+        self.lidar_sigma.setVisible(axes is None)
+        self.lidar_axes.setVisible(axes is not None)
+        self._noise_model.setVisible(bool(beam or axes))
+        if axes is not None:
+            self.lidar_axes.set_value([1000 * value for value in axes])
+            self._noise_text.setText(gettext(NOISE_PER_AXIS_TEXT))
+        elif beam is not None:
+            angle = units.localised(units.plain_figure(beam[1], 6))
+            self._noise_text.setText(gettext(NOISE_OF_BEAM_TEXT, angle=angle))
+        self.lidar_sigma.blockSignals(True)
+        if "LiDAR" in settings.assumed_sigmas:
+            self.lidar_sigma.show_assumed(settings.used_lidar_sigma * 1000)
+        else:
+            self.lidar_sigma.setValue(settings.used_lidar_sigma * 1000)
+        self.lidar_sigma.blockSignals(False)
 
     def show_state(self, state: ProjectState) -> None:
         """Show the files, the lines and the settings of the project."""
@@ -225,12 +285,7 @@ class DataPanel(QWidget):
             self.divergence.blockSignals(True)
             self.divergence.setValue(settings.beam_divergence_mrad or 0.0)
             self.divergence.blockSignals(False)
-            self.lidar_sigma.blockSignals(True)
-            if "LiDAR" in settings.assumed_sigmas:
-                self.lidar_sigma.show_assumed(settings.used_lidar_sigma * 1000)
-            else:
-                self.lidar_sigma.setValue(settings.used_lidar_sigma * 1000)
-            self.lidar_sigma.blockSignals(False)
+            self._show_noise(settings)
         self._draw_mounting()
 
     def _show_pos_sigmas(self, project: Project, survey: Survey | None) -> None:
@@ -268,8 +323,9 @@ class DataPanel(QWidget):
             edited = replace(edited, boresight_deg=self.boresight.value())
         lidar = self.lidar_sigma.value() / 1000
         is_confirmed = "LiDAR" in edited.assumed_sigmas and not self.lidar_sigma.is_assumed
-        if is_confirmed or _is_changed((lidar,), (edited.used_lidar_sigma,)):
-            edited = replace(edited, lidar_sigma=lidar)
+        is_typed = is_confirmed or _is_changed((lidar,), (edited.used_lidar_sigma,))
+        if edited.lidar_sigma_xyz is None and is_typed:
+            edited = edited.with_lidar_sigma(lidar)
         lever_arm_sigma = self.lever_arm_sigma.value()
         edited = replace(
             edited,

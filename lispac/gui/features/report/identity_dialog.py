@@ -97,7 +97,7 @@ class IdentityDialog(QDialog):
         self.setObjectName("identity_dialog")
         self.setWindowTitle(gettext("Details for the report"))
         self.setMinimumWidth(920)
-        self._dates, self._companies = dates, companies
+        self._dates, self._companies, self._suggestions = dates, companies, suggestions
         self._proposed: dict[str, str] = {}
         self._labels: list[QWidget] = []
         self.identity: Identity = identity
@@ -202,9 +202,12 @@ class IdentityDialog(QDialog):
         self.fields["company"].textChanged.connect(self._propose_details)
 
     def _propose_details(self, company: str) -> None:
-        """Fill the details of a known company into empty fields; typed texts are kept."""
+        """Fill the details of a known company into empty fields; typed texts are kept.
+
+        A field with a suggestion, such as the datum of the lines, gets no other text.
+        """
         known = self._companies.get(company.strip(), {})
-        for name in COMPANY_FIELDS:
+        for name in (each for each in COMPANY_FIELDS if each not in self._suggestions):
             field = self.fields[name]
             assert isinstance(field, QLineEdit)
             if field.text() == self._proposed.get(name, ""):

@@ -303,9 +303,10 @@ class SubsamplingDialog(StudyDialog):
         super().__init__(
             "subsampling", title,
             gettext(
-                "Each row is an adjustment of the same sightings with another point spacing. "
-                "Points of a sighting share the POS errors, so below some spacing more points "
-                "take time but do not reduce the standard deviations. The project is not changed."
+                "Each row is an adjustment of the same sightings with another point spacing, with "
+                "the correlation times and form errors of the result. Points of a sighting share "
+                "the POS errors, so below some spacing more points take time but do not reduce the "
+                "standard deviations. The project is not changed."
             ),
             table, parent,
         )  # fmt: skip

@@ -258,7 +258,17 @@ class HistogramsPanel(QWidget):
         self._plots.setContentsMargins(0, 0, 0, 0)
         self._views.addWidget(plots)
         self._views.addWidget(self.pairs)
-        return self._views
+        self.model_difference = widgets.label(
+            "", "warning", wrap=True, name="comparison_other_model"
+        )
+        self.model_difference.hide()
+        details = QWidget()
+        column = QVBoxLayout(details)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.model_difference)
+        column.addWidget(self._views, 1)
+        return details
 
     def _create_tools(self) -> QVBoxLayout:
         """Choice and buttons: beside the plots and the table because the panel is low."""
@@ -299,6 +309,11 @@ class HistogramsPanel(QWidget):
         tools.addLayout(last)
         tools.addStretch(1)
         return tools
+
+    def show_model_difference(self, text: str) -> None:
+        """Show that the comparison was made with another surface model; "" if it was not."""
+        self.model_difference.setText(text)
+        self.model_difference.setVisible(bool(text))
 
     @property
     def current(self) -> str | None:

@@ -62,8 +62,10 @@ class ValidatePanel(QWidget):
         self.neighbours = widgets.number(
             "distance_neighbours", suffix="", decimals=0, low=3, high=200, step=1,
             tip=gettext(
-                "Number of points that the plane or quadric is fitted to (default 6, quadric 12). "
-                "More points reduce the noise, fewer points follow the surface more closely."
+                "Number of points that the plane or quadric is fitted to (default {plane:n}, "
+                "quadric {quadric:n}). More points reduce the noise, fewer points follow the "
+                "surface more closely.",
+                plane=DEFAULT_NEIGHBOURS["plane"], quadric=DEFAULT_NEIGHBOURS["quadric"],
             ),
         )  # fmt: skip
         self.neighbours.setValue(DEFAULT_MODEL.neighbours)
@@ -82,6 +84,9 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
+        self.model_difference = widgets.label("", "warning", wrap=True, name="validate_other_model")
+        self.model_difference.hide()
+        layout.addWidget(self.model_difference)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
             gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
@@ -114,6 +119,11 @@ class ValidatePanel(QWidget):
     def model(self) -> LocalModel:
         """The chosen model of the surface."""
         return LocalModel(SURFACE_MODELS[self.kind.currentIndex()][0], int(self.neighbours.value()))
+
+    def show_model_difference(self, text: str) -> None:
+        """Show that the comparison was made with another surface model; "" if it was not."""
+        self.model_difference.setText(text)
+        self.model_difference.setVisible(bool(text))
 
     def _on_kind_chosen(self) -> None:
         kind = SURFACE_MODELS[self.kind.currentIndex()][0]

@@ -15,6 +15,7 @@ from lispac.validation.local_models import DEFAULT_MODEL, LocalModel
 
 VALIDATION_KEY = "validate"
 """Key of the task that validates."""
+OTHER_MODEL_TEXT = N_("Comparison with another surface model: {model}. Validate again (F10).")
 LOCAL_PLANES_EDIT_NAME = Plural(
     "validation with local planes through {count:n} point",
     "validation with local planes through {count:n} points",
@@ -35,6 +36,8 @@ class Validation(QObject):
     """
 
     validated = Signal()
+    model_differs = Signal(str)
+    """Text that the comparison was made with another surface model than the chosen one, or ""."""
 
     def __init__(
         self,
@@ -57,6 +60,8 @@ class Validation(QObject):
         for name in ("before", "after", "wipe"):
             actions[name].toggled.connect(self._show_chosen_lines)
         actions.connect_slots({"validate": self.validate})
+        self.model_differs.connect(panel.show_model_difference)
+        document.changed.connect(self._compare_models)
 
     def validate(self) -> None:
         """Compare the lines on the validation planes."""
@@ -89,6 +94,16 @@ class Validation(QObject):
 
     def _set_surface_model(self, model: LocalModel) -> None:
         self.distance_to = model
+        self._compare_models()
+
+    def _compare_models(self) -> None:
+        """Say whether the comparison was made with another surface model than the chosen one."""
+        project, text = self._document.project, ""
+        if project is not None and project.validation:
+            used = project.validation[0].model
+            if used.name != self.distance_to.name:
+                text = gettext(OTHER_MODEL_TEXT, model=message_text(used.name))
+        self.model_differs.emit(text)
 
     def _show_chosen_lines(self) -> None:
         self._panel.show_before_after(

@@ -95,6 +95,20 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
     assert [float(value) for _, value in copied] == rows(panel)["Assumed angles"]
 
 
+def test_no_status_is_shown_before_a_value_exists(qtbot: QtBot, panel: ConventionPanel) -> None:
+    shown = (panel.status, panel.table, panel.mounting_text, panel.gizmo, panel.matrix, panel.lever)
+    assert not any(each.isVisible() for each in shown)
+    assert not panel.copy.isEnabled()
+    assert not panel.copy_angles.isEnabled()
+    choose(qtbot, panel, SYSTEMS[2].key)
+    assert not panel.status.isVisible()
+    type_in(qtbot, panel.inputs.boresight.fields[0], "0")  # zero is a value, too
+    assert panel.status.isVisible()
+    assert rows(panel)
+    assert panel.gizmo.isVisible()
+    assert panel.copy.isEnabled()
+
+
 def test_angles_are_converted_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
     type_in(qtbot, panel.inputs.lever_arm.fields[0], "-0.186")

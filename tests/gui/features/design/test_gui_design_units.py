@@ -69,6 +69,45 @@ def refusal(text: str) -> str:
     return str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("text", "decimal", "numbers"),
+    [
+        ("0, 90, 180", ".", (0, 90, 180)), ("0,90,180", ".", (0, 90, 180)),
+        ("1,5; 2", ".", (1.5, 2)), ("1,5 2,5", ".", (1.5, 2.5)), ("1.5,2.5", ".", (1.5, 2.5)),
+        ("1,5;", ".", (1.5,)), ("1,5", ",", (1.5,)), ("1, 5", ",", (1, 5)),
+        ("5 m, 600 cm", ".", (5, 6)), ("5m,6m", ".", (5, 6)), ("−1,5 m; 2 m", ".", (-1.5, 2)),
+        ("1.5,2", ",", (1.5, 2)), ("10 20 30", ".", (10, 20, 30)), ("1,5; 2,5", ",", (1.5, 2.5)),
+    ],
+)  # fmt: skip
+def test_a_list_of_numbers_is_read_with_commas_and_units(
+    text: str, decimal: str, numbers: tuple[float, ...]
+) -> None:
+    with units.standard_units():
+        assert parse_numbers(text, "Heights", "m", -50.0, 200.0, decimal) == pytest.approx(numbers)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [("1,5", "ambiguous_comma"), ("0, 90, 180,5", "ambiguous_comma"), ("5 kg", "not_a_number_in"),
+     ("5°", "not_a_number_in"), ("1,5 m", "ambiguous_comma"), (" ", "no_numbers")],
+)  # fmt: skip
+def test_a_list_that_can_be_read_in_two_ways_is_refused(text: str, code: str) -> None:
+    with units.standard_units(), pytest.raises(InputError) as caught:
+        parse_numbers(text, "Heights", "m", -50.0, 200.0)
+    assert caught.value.message.code == f"window.{code}"
+
+
+def test_two_decimal_commas_are_not_a_number() -> None:
+    with units.standard_units(), pytest.raises(InputError) as caught:
+        parse_numbers("4,5,6", "Heights", "m", -50.0, 200.0, ",")
+    assert caught.value.message.code == "window.not_a_number_in"
+
+
+def test_angles_of_a_list_may_have_their_unit() -> None:
+    found = parse_numbers("90°; 1,5 deg", "Headings", "deg", -360.0, 360.0)
+    assert found == pytest.approx((90.0, 1.5))
+
+
 def test_a_field_of_the_system_is_in_feet_and_edits_only_itself(qapp: QApplication) -> None:
     workspace = Workspace()
     panel, before = SystemPanel(workspace), workspace.titled.plan.system

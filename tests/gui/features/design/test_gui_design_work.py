@@ -35,6 +35,21 @@ height_m = 5
 """
 
 
+def test_a_typed_list_with_one_comma_stops_the_search_until_it_is_clear(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.tabs.setCurrentWidget(design.search)
+    field = design.search.limits.lists["heights"]
+    for text, heights in (("1,5", None), ("1,5; 2,5 m", (1.5, 2.5))):
+        field.setFocus()
+        field.selectAll()
+        driver.bot.keyClicks(field, text)
+        assert design.search.find.isEnabled() == (heights is not None)
+        shown = design.search.error_label.text()
+        assert is_shown("window.ambiguous_comma", shown) == (heights is None)
+    assert design.search.limits.site(design.workspace.titled)[1].heights == (1.5, 2.5)
+
+
 def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tmp_path) -> None:
     design.tabs.setCurrentWidget(design.search)
     search, before = design.search, design.workspace.titled

@@ -1,6 +1,7 @@
 """Tests of assumed standard deviations and of the values for the error budget in the window."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +11,21 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST
 from lispac.messages import Level
-from tests.gui.support import Demo, Driver, Key, open_step, press, type_into, wait_until_idle
+from lispac.present.settings import settings_used
+from lispac.present.sigmas import sigmas_used
+from lispac.workflow.planning.sensors import noise_settings, read_library
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    click,
+    open_step,
+    press,
+    type_into,
+    wait_until_idle,
+)
 
 ASSUMED = ("LiDAR", "POS position", "POS attitude")
 
@@ -134,3 +149,62 @@ def test_a_sensor_fills_in_the_divergence_and_gives_the_sigmas(
     settings = page.settings()
     assert settings.assumed_sigmas == ()
     assert settings.beam_divergence_mrad == pytest.approx(page.divergence.value()) != 0
+
+
+def test_a_typed_noise_replaces_the_range_noise_of_a_scanner(
+    picked: Driver, tmp_path: Path
+) -> None:
+    window, data = picked.window, picked.window.data
+    scanner = read_library(tmp_path).scanner("riegl-vux-1")
+    assert scanner.angle_sigma_deg > 0
+    settings = picked.project.settings.with_values(**noise_settings(scanner))
+    window.document.edit("change", picked.project.with_settings(settings))
+    window.adjust.cross_check.setChecked(False)
+    open_step(picked, 0)
+    picked.rest()
+    assert data.lidar_sigma.value() == pytest.approx(1000 * scanner.range_sigma)
+    assert "range" in text_of(picked, "lidar_sigma_title")
+    assert str(scanner.angle_sigma_deg) in text_of(picked, "lidar_sigma_model")
+    type_into(picked, data.lidar_sigma, "20")
+    picked.bot.keyClick(data.lidar_sigma, Key.Key_Return)
+    picked.rest()
+    beam = (0.02, scanner.angle_sigma_deg)
+    assert picked.project.settings.lidar_beam_sigma == pytest.approx(beam)
+    assert data.lidar_sigma.value() == pytest.approx(20.0)
+    press(picked, Key.Key_F9)
+    picked.rest()
+    result = picked.project.result
+    assert result is not None
+    assert result.lidar_noise_ratio is not None
+    assert result.lidar_noise_ratio < 0.2, "the noise of the demo is less than 2 mm"
+    assert sigmas_used(picked.project)[0].used == pytest.approx(beam)
+    assert settings_used(picked.project).lidar_sigma_m == pytest.approx(0.02)
+    press(picked, Key.Key_Z, Control)
+    press(picked, Key.Key_Z, Control)
+    picked.rest()
+    assert picked.project.settings == settings, "one undo step for both settings"
+
+
+def test_a_noise_per_axis_is_shown_with_a_way_to_its_fields(picked: Driver) -> None:
+    window, data = picked.window, picked.window.data
+    settings = picked.project.settings.with_values(lidar_sigma_xyz=(0.003, 0.004, 0.012))
+    window.document.edit("change", picked.project.with_settings(settings))
+    open_step(picked, 0)
+    picked.rest()
+    assert not data.lidar_sigma.isVisible()
+    assert data.lidar_axes.value() == pytest.approx((3.0, 4.0, 12.0))
+    assert all(f.isVisible() and not f.isEnabled() for f in data.lidar_axes.fields)
+    click(picked, data.show_noise_model)
+    model = window.adjust.model
+    picked.bot.waitUntil(model.noise.hasFocus, timeout=WAIT_MS)
+    type_into(picked, model.axes[2], "15")
+    picked.bot.keyClick(model.axes[2], Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.lidar_sigma_xyz == pytest.approx((0.003, 0.004, 0.015))
+    assert data.lidar_axes.value() == pytest.approx((3.0, 4.0, 15.0))
+    shown = picked.project.settings.used_lidar_sigma
+    model.noise.setCurrentIndex(0)
+    picked.rest()
+    assert picked.project.settings.lidar_sigma_xyz is None
+    assert picked.project.settings.used_lidar_sigma == shown
+    assert data.lidar_sigma.value() == pytest.approx(1000 * shown)

@@ -614,13 +614,14 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
     open_step(adjusted, REPORT_STEP)
     company = "Fleuve Surveys"  # keys of a test are ASCII
     last = {"surveyor": "Ève Tremblay", "checked_by": "Ana Ruiz", "scanner": "Profiler 16"}
-    last["client"] = "Harbour authority"
+    last |= {"client": "Harbour authority", "gnss_base": "NTRIP QUBC"}
     adjusted.window.settings.save_company(company, last)
 
     def use_dialog(dialog: QWidget) -> None:
         type_into(adjusted, field(dialog, "checked_by"), "Luc Roy")
         type_into(adjusted, field(dialog, "company"), company)
         assert field(dialog, "surveyor").text() == "Ève Tremblay"
+        assert field(dialog, "gnss_base").text() == "NTRIP QUBC"
         assert field(dialog, "checked_by").text() == "Luc Roy"
         assert field(dialog, "vessel").text() == field(dialog, "client").text() == ""
         completer = field(dialog, "client").completer()
@@ -632,6 +633,8 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
         type_into(adjusted, field(dialog, "company"), company)
         type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
         type_into(adjusted, field(dialog, "contract"), "C-17")
+        type_into(adjusted, field(dialog, "datum"), "NAD83")
+        type_into(adjusted, field(dialog, "epoch"), "2010.0")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
     use_next_dialog(adjusted, use_dialog)
@@ -641,6 +644,8 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
     stored = adjusted.window.settings.companies()[company]
     assert (stored["scanner"], stored["checked_by"]) == ("Profiler 32", "Luc Roy")
     assert stored["contract"] == "C-17"
+    frame = ("datum", "epoch", "gnss_base")
+    assert [stored[name] for name in frame] == ["NAD83", "2010.0", "NTRIP QUBC"]
     assert set(stored) <= {*COMPANY_FIELDS, *SURVEY_FIELDS}
     limits = adjusted.window.validate.acceptance
     for value in ("5", "6"):

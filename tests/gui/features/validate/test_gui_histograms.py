@@ -30,7 +30,18 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import TIP_LENGTH
 from lispac.language import LANGUAGES
 from lispac.project import Project
-from tests.gui.support import WAIT_MS, Demo, Driver, finish_layouts, show_panel
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    finish_layouts,
+    open_step,
+    press,
+    show_panel,
+    type_into,
+)
 from tests.support.long_runs import LONG, others_long
 
 Left = Qt.MouseButton.LeftButton
@@ -64,6 +75,35 @@ def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
         False,
     )  # fmt: skip
     QApplication.sendEvent(panel.canvas, event)
+
+
+def test_another_number_of_points_says_that_the_comparison_is_of_the_former(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
+    step = driver.window.validate
+    open_step(driver, VALIDATE)
+    show_panel(driver.window, "Histograms")
+    used = driver.project.validation[0].model.neighbours
+    notes = (step.model_difference, panel.model_difference)
+    assert [each.isVisible() for each in notes] == [False, False]
+    type_into(driver, step.neighbours, "60")
+    driver.bot.keyClick(step.neighbours, Key.Key_Return)
+    driver.rest()
+    assert [each.isVisible() for each in notes] == [True, True]
+    assert all(str(used) in each.text() for each in notes)
+    type_into(driver, step.neighbours, str(used))
+    driver.bot.keyClick(step.neighbours, Key.Key_Return)
+    driver.rest()
+    assert [each.isVisible() for each in notes] == [False, False]
+    type_into(driver, step.neighbours, "60")
+    press(driver, Key.Key_F10)
+    driver.rest()
+    assert driver.project.validation[0].model.neighbours == 60
+    assert [each.isVisible() for each in notes] == [False, False]
+    press(driver, Key.Key_Z, Control)
+    driver.rest()
+    assert step.neighbours.value() == driver.project.validation[0].model.neighbours == used
+    assert [each.isVisible() for each in notes] == [False, False]
 
 
 def test_a_hidden_plot_is_drawn_once_when_it_becomes_visible(

@@ -22,7 +22,9 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
+from lispac.gui.appearance.units import plain_figure
 from lispac.gui.features.open_project.import_survey.message_list import MessageList
+from lispac.gui.widgets.number_input import parse_number
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.messages import Action
@@ -41,6 +43,9 @@ _GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "e
 """Options that apply only to georeferenced points."""
 _SCANNER_FRAME_OPTIONS = ("unit",)
 """Options that apply only to points in the scanner frame."""
+
+NUMBER_OPTIONS = {"max_range": "m", "epoch": ""}
+"""Unit of each option that is a number."""
 
 
 class OptionsForm(QWidget):
@@ -136,8 +141,13 @@ class OptionsForm(QWidget):
 
     def _on_typed(self, name: str, line: QLineEdit) -> None:
         if line.isModified():
+            text = line.text().strip()
+            number = parse_number(text, NUMBER_OPTIONS[name]) if name in NUMBER_OPTIONS else None
+            if number is not None:
+                text = plain_figure(number, 10)
+                line.setText(text)
             line.setModified(False)
-            self.option_edited.emit(name, line.text().strip())
+            self.option_edited.emit(name, text)
 
     def _show_system(self, file: InputFile) -> None:
         if "crs" not in self.fields:
