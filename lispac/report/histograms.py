@@ -22,6 +22,7 @@ from lispac.report.figures import (
     TEXT_SIZE,
     blank_figure,
     draw_title_and_legend,
+    is_wide,
     set_fitting_ticks,
     short_name,
     style_axes,
@@ -176,7 +177,9 @@ def _draw_histogram(
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach in zip(places, (top, counted.near), strict=False):
         is_first = axes is places[0]
-        across = gettext(_FULL_VIEW_LABEL) if titled and is_first else gettext("Distance (mm)")
+        # A narrow window has no space for the quantity in the second label.
+        short = gettext("Distance (mm)") if is_first or is_wide(figure) else "(mm)"
+        across = gettext(_FULL_VIEW_LABEL) if titled and is_first else short
         style_axes(axes, across, amount if is_first else "")
         _HistogramBars(axes, counted, share).show(reach)
     if not titled:
