@@ -61,6 +61,8 @@ class Identity:
         InputError
             If a text cannot be printed in a report, or contains a date that does not exist.
         """
+        for name in DATE_FIELDS:
+            _require_dates(note(f"identity_field.{name}"), texts.get(name, ""))
         return replace(self, **{name: _clean_text(name, text) for name, text in texts.items()})
 
     @property
@@ -71,13 +73,15 @@ class Identity:
     def require_sound(self) -> None:
         """Refuse texts that cannot be printed in a report.
 
+        Dates are checked only when they are entered, so that a wrong one closes no project.
+
         Raises
         ------
         InputError
-            If a text has control characters or several lines where one is allowed, is too long, or
-            contains a date that does not exist.
+            If a text has control characters or several lines where one is allowed, or is too long.
         """
-        self.changed(**asdict(self))
+        for name, text in asdict(self).items():
+            _clean_text(name, text)
 
 
 EMPTY_IDENTITY = Identity()
@@ -171,10 +175,7 @@ FIELD_HINTS = {
 def _clean_text(name: str, text: str) -> str:
     longest = MAX_FIELD_LENGTH * (10 if name == "remarks" else 1)
     field = note(f"identity_field.{name}")
-    tidy = cleaned_text(field, text, longest=longest, several_lines=name == "remarks")
-    if name in DATE_FIELDS:
-        _require_dates(field, tidy)
-    return tidy
+    return cleaned_text(field, text, longest=longest, several_lines=name == "remarks")
 
 
 def _require_dates(field: Message, text: str) -> None:

@@ -173,12 +173,14 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
 
 
 def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Histograms and profiles of all planes, then their maps with the explanation."""
+    """Histogram, profiles and maps of each plane, after the explanation of the maps."""
     from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
     blocks: list[Block] = []
+    if any(plane.maps for plane in planes):
+        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
     for plane in planes:
         caption = gettext(
             "{plane}: distances between lines before and after the calibration.", plane=plane.name
@@ -188,16 +190,13 @@ def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
         if by_height or by_range:
             caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
             blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
-    mapped = [plane for plane in planes if plane.maps]
-    if mapped:
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
-    for plane in mapped:
-        caption = gettext(
-            "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",
-            caption=map_caption(plane),
-        )
-        drawn = UndrawnPictures(caption, map_figure_of, (plane,))
-        blocks.append(PictureRow((drawn,), tallest=MAX_MAP_HEIGHT_MM))
+        if plane.maps:
+            caption = gettext(
+                "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",
+                caption=map_caption(plane),
+            )
+            drawn = UndrawnPictures(caption, map_figure_of, (plane,))
+            blocks.append(PictureRow((drawn,), tallest=MAX_MAP_HEIGHT_MM))
     return blocks
 
 

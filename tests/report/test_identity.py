@@ -116,6 +116,10 @@ def test_dates_that_exist_and_other_texts_are_accepted(texts: dict[str, str]) ->
     assert texts.items() <= asdict(FULL.changed(**texts)).items()
 
 
+def test_a_stored_date_that_does_not_exist_closes_no_project() -> None:
+    replace(FULL, dates="2026-13-45").require_sound()
+
+
 def test_every_field_has_a_name_in_messages() -> None:
     fields = [code for code in TEXTS if code.startswith("identity_field.")]
     assert fields == [f"identity_field.{name}" for name in FIELD_NAMES]
