@@ -31,7 +31,7 @@ TEXTS: Mapping[str, Template] = {
         "{target} on {line} is a doubtful sighting. {reasons:sentences}"
     ),
     "project.doubtful_sightings": N_(
-        "Sightings of {target} on {lines:names} are doubtful, most of all on {line}: "
+        "Sightings of {target} on {lines:names} are doubtful, most of all on {line}. "
         "{reasons:sentences}"
     ),
     "project.poor_sighting": N_("{target} on {line} is a poor sighting. {reasons:sentences}"),

@@ -126,19 +126,19 @@ TEXTS: Mapping[str, Template] = {
         "There is no line in which to search for a sphere. Import a line first."
     ),
     "finder.no_plane_in_lines": N_(
-        "No plane was found at the picked point on any line. On the nearest line, {line}: {reason}"
+        "No plane was found at the seed on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.no_sphere_in_lines": N_(
-        "No sphere was found at the picked point on any line. On the nearest line, {line}: {reason}"
+        "No sphere was found at the seed on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.line_few_points": Plural(
-        "There is only {count:n} point within {radius:m} m of the picked point (search radius plus "
+        "There is only {count:n} point within {radius:m} m of the seed (search radius plus "
         "possible shift of the line).",
-        "There are only {count:n} points within {radius:m} m of the picked point (search radius "
+        "There are only {count:n} points within {radius:m} m of the seed (search radius "
         "plus possible shift of the line).",
     ),
     "finder.line_no_points": N_(
-        "There are no points within {radius:m} m of the picked point (search radius plus possible "
+        "There are no points within {radius:m} m of the seed (search radius plus possible "
         "shift of the line)."
     ),
     "finder.not_alike": N_(
@@ -179,15 +179,15 @@ TEXTS: Mapping[str, Template] = {
         "than the limit of {limit:m.2|distance} m. It is another surface."
     ),
     "finder.radius_differs": N_(
-        "The sphere found has a radius of {radius:m.3} m, but on the line of the picked point "
+        "The sphere found has a radius of {radius:m.3} m, but on the line of the seed "
         "the radius is {expected:m.3} m."
     ),
     "finder.points_thinned": N_(
-        "{target} on {line}: there are more than {most:n} points around the picked point, so only "
+        "{target} on {line}: there are more than {most:n} points around the seed, so only "
         "one in {one_in:n} of them was used, chosen at random."
     ),
     "finder.radius_increased": N_(
-        "{target}: within {usual:m} m of the picked point a plane was found on fewer than "
+        "{target}: within {usual:m} m of the seed a plane was found on fewer than "
         "two lines, so the search radius was increased to {radius:m} m."
     ),
     # -- quality of a sighting ---------------------------------------------------------------------

@@ -310,7 +310,11 @@ class Scene(QObject):
                 self._shaded = self._available_colours()  # drawn in the next turn
                 self._lines_due.start()
                 return
+            is_first = not self._drawn
             self._draw_clouds(self._shaded)
+            if is_first:
+                self._draw_due_targets()  # the first picture has the targets too
+                return
         self._schedule_targets()
 
     def _draw_clouds(self, shaded: ColouredPoints | None = None) -> None:
