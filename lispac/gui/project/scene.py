@@ -378,7 +378,7 @@ class Scene(QObject):
                     used &= not self._is_unticked(target)
                     colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
                     halo = self._colour(target) if used else theme.UNUSED_COLOUR
-                    shades = self._shades(key, points, sighting.indices)
+                    shades = self._shades(key, points, sighting.indices) if used else None
                     if shades is not None and self.colouring == "residual":
                         halo = SHADED_EDGE_COLOUR  # the scale has the colours of the halos
                     highlights.append(Highlight(key, points, colour, halo, shades))
