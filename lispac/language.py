@@ -26,7 +26,7 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
 
 import gettext as gnu
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -359,6 +359,11 @@ def join_names(names: Sequence[str], *, choice: bool = False) -> str:
 
     locale = _LOCALES[current_language()]
     return format_list(list(names), style="or" if choice else "standard", locale=locale)
+
+
+def join_items(texts: Iterable[str]) -> str:
+    """Texts that may contain commas, joined by semicolons."""
+    return ("; " if current_language() == "en" else "\u202f; ").join(texts)
 
 
 def capitalised(text: str) -> str:

@@ -242,11 +242,12 @@ TEXTS: Mapping[str, Template] = {
         "{target} The beams are oblique on {lines:names}, up to {angle:deg.0}° from the normal."
     ),
     "propose.validation_plane": N_(
-        "Plane of {area:x.1} m² at a height of {height:m.0} m, observed on {lines:n} lines."
+        "On a plane of {area:x.1} m² in total, at a height of {height:m.0} m, observed on "
+        "{lines:n} lines."
     ),
     "propose.validation_plane_reciprocal": N_(
-        "Plane of {area:x.1} m² at a height of {height:m.0} m, observed on {lines:n} lines, "
-        "including reciprocal lines."
+        "On a plane of {area:x.1} m² in total, at a height of {height:m.0} m, observed on "
+        "{lines:n} lines, including reciprocal lines."
     ),
     "propose.validation_plane_poor": N_("{plane} Poorly observed on {lines:names}: {reason}"),
 }

@@ -7,7 +7,7 @@ from operator import itemgetter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.language import N_, LazyText, capitalised, gettext, gettext_lazy, in_english
+from lispac.language import N_, LazyText, capitalised, gettext, gettext_lazy, in_english, join_items
 from lispac.messages import Message
 from lispac.present.angles import matrix as matrix_rows
 from lispac.present.tables import DEGREES, Column, Fact, Format, Table
@@ -390,7 +390,7 @@ def rotation_text(values: ConventionRules) -> str:
 
 def signs_text(values: ConventionRules) -> str:
     """Names and signs of the angles, in the language in use."""
-    return "; ".join(
+    return join_items(
         gettext("{angle} {meaning}", angle=angle.name, meaning=angle.meaning)
         for angle in values.angles
     )

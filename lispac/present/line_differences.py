@@ -80,7 +80,7 @@ LINE_DIFFERENCES_TABLE = Table[LineDifferenceValues](
                 "vessel"
             ),
         ),
-        Column("rmsd_m", N_("RMSD"), MILLIMETRES, N_("Root mean square of the differences")),
+        Column("rmsd_m", N_("RMS"), MILLIMETRES, N_("Root mean square of the differences")),
         Column(
             "robust_sigma_m", N_("Robust σ"), MILLIMETRES,
             N_(

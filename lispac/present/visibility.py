@@ -10,7 +10,7 @@ from operator import itemgetter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.language import N_, gettext, gettext_lazy
+from lispac.language import N_, gettext, gettext_lazy, join_items
 from lispac.messages import Message
 from lispac.present.angles import finite_or_none
 from lispac.present.tables import COUNT, YES_NO_TEXTS, Column, Format, Table, cell_text
@@ -181,7 +181,10 @@ def values_at_inclination(
         "{quantity} with targets inclined by {inclination:deg.0} deg, by heading of the line: "
         "{values}",
         quantity=gettext(shown.label), inclination=study.site.inclinations[j],
-        values="; ".join(f"{each.title}: {cell_text(each, rows[j])}" for each in table.columns[1:]),
+        values=join_items(
+            gettext("{name}: {text}", name=each.title, text=cell_text(each, rows[j]))
+            for each in table.columns[1:]
+        ),
     )  # fmt: skip
 
 
@@ -371,5 +374,5 @@ def fewest_lines_text(study: VisibilityStudy) -> str:
             "sets in table 3.3 of Shahraji's thesis)."
         )
     return gettext(
-        template, lines="; ".join(map(_headings_text, sets)), count=len(SUFFICIENT_HEADINGS_DEG)
+        template, lines=join_items(map(_headings_text, sets)), count=len(SUFFICIENT_HEADINGS_DEG)
     )

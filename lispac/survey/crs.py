@@ -39,6 +39,11 @@ from lispac.survey.crs_operation import best_operation
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
+UNIT_CODES = {
+    "metre": "unit.metres", "foot": "unit.feet", "US survey foot": "unit.us_survey_feet",
+    "us-survey-foot": "unit.us_survey_feet",
+}  # fmt: skip
+"""Codes of the texts of units, by their names in PROJ and in options."""
 METRES_PER_UNIT = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
 """Length in metres of each unit."""
 ELLIPSOID_HEIGHTS = "ellipsoid"
@@ -317,12 +322,14 @@ def _resolve_heights(
         code = "assumed.height_unit"
         if not crs.is_geographic:
             code = "assumed.height_unit_as_horizontal"
-        assumptions.append(note(code, unit=unit))
+        shown = note(UNIT_CODES[unit]) if unit in UNIT_CODES else unit
+        assumptions.append(note(code, unit=shown))
     target = _ellipsoidal_system(horizontal, trajectory_datum)
+    geographic = horizontal.geodetic_crs
     assumptions.append(
         note("assumed.datum_shift", datum=target.name, source=horizontal.name)
         if trajectory_datum
-        else note("assumed.datum", datum=target.name)
+        else note("assumed.datum", datum=target.name if geographic is None else geographic.name)
     )
     to_geographic = best_operation(source, target, epoch)
     above = grid.name if grid else vertical.name if vertical else ELLIPSOID_HEIGHTS

@@ -120,7 +120,7 @@ def test_systems_in_feet_and_metres_agree() -> None:
     mixed = coordinate_system("EPSG:2229", height_unit="metre")
     only_horizontal = points / [1200 / 3937, 1200 / 3937, 1]
     np.testing.assert_allclose(mixed.to_ecef(only_horizontal), metres.to_ecef(points), atol=1e-5)
-    unit = note("assumed.height_unit_as_horizontal", unit="US survey foot")
+    unit = note("assumed.height_unit_as_horizontal", unit=note("unit.us_survey_feet"))
     assert unit in feet.assumptions
 
 

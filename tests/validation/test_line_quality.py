@@ -120,7 +120,7 @@ def test_the_quality_command_writes_map_and_table(
     code, out, _ = run(capsys, "quality", project.folder)
     assert code == 0
     assert "prior boresight" in out
-    assert "RMSD" in out
+    assert "RMS" in out
     assert is_shown(
         "project.not_estimated",
         run_refused(capsys, "quality", project.folder, "--boresight", "estimated"),

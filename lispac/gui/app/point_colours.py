@@ -4,6 +4,7 @@ Module `lispac.gui.project.residuals` computes the colours of residuals at the p
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal, get_args
 
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from lispac.gui.appearance import units
 from lispac.gui.viewport.base import Array, PointColouring
 from lispac.language import N_, gettext
-from lispac.survey.cloud import Cloud
+from lispac.survey.cloud import Cloud, Line, Numbers
 
 Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
 COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
@@ -67,10 +68,6 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointCol
     outer = 0.0 if colouring == "time" else END_COLOUR_PERCENT
     low, high = (float(end) for end in np.percentile(sample, [outer, 100 - outer]))
     start = low if colouring == "time" else 0.0
-    scale = _colour_table()
-    colours = {
-        name: scale[_colour_indices(each, low, high, len(scale))] for name, each in values.items()
-    }
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
     form, is_length = f",.{decimals}f", colouring in ("height", "range")
     metric = (
@@ -81,7 +78,33 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointCol
         if is_length
         else metric
     )
-    return PointColouring(colours, gettext(LEGEND_TITLES[colouring]), *shown, scale, metric)
+    shading = PointColouring(
+        {}, gettext(LEGEND_TITLES[colouring]), *shown, _colour_table(), metric, (low, high)
+    )
+    return replace(shading, colours={n: shading.of_values(each) for n, each in values.items()})
+
+
+def sighting_shades(
+    colouring: Colouring, shading: PointColouring, line: Line, points: Array, numbers: Numbers
+) -> NDArray[np.uint8] | None:
+    """Colours (n, 3) of points of a line, in the scale of the lines; None without values.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, local frame
+        The points as displayed.
+    numbers : ndarray of shape (n,)
+        Numbers of the points in their line.
+    """
+    values: Array | None
+    if colouring == "height":
+        values = points[:, 2]
+    elif colouring == "intensity":
+        values = line.intensities(numbers)
+    else:
+        points_lidar, time = line.take(numbers)
+        values = time if colouring == "time" else np.linalg.norm(points_lidar, axis=1)
+    return None if values is None else shading.of_values(values)
 
 
 def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
@@ -95,11 +118,6 @@ def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
     if intensity is None:
         raise ValueError(gettext("{line} has no intensities. Choose another colouring.", line=name))
     return intensity
-
-
-def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArray[np.int64]:
-    span = high - low or 1.0
-    return np.clip((values - low) * (count / span), 0, count - 1).astype(np.int64)
 
 
 def _colour_table() -> NDArray[np.uint8]:

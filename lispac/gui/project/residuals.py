@@ -22,8 +22,11 @@ from lispac.workflow.project.survey import Survey
 LEGEND_TITLE = N_("Residual (mm), positive: nearer to the vessel")
 OTHER_POINTS_COLOUR = (188, 194, 200)
 """Colour of points that belong to no target."""
-PERCENT_BEYOND_SCALE = 2.0
-"""Percentage of the points, those with the largest distances, that get an end colour."""
+PERCENT_BEYOND_SCALE, PERCENT_OFFSETS_BEYOND_SCALE = 2.0, 5.0
+"""Percentage of the points, and of the sightings by the median of their points, beyond the ends of
+the scale. Neither single points nor a single wrong sighting determine them."""
+MIN_COLOUR_LIMIT_M = 0.005
+"""Smallest distance at the end of the colour scale, metres."""
 
 SightingKey = tuple[str, str]
 
@@ -97,9 +100,18 @@ def validation_distances(
     return found
 
 
-def _colour_limit(residuals_by_sighting: Mapping[SightingKey, Array]) -> float:
-    everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
-    return float(np.percentile(everything, 100 - PERCENT_BEYOND_SCALE)) or 1e-3
+def colour_limit_for(residuals_by_sighting: Mapping[SightingKey, Array]) -> float:
+    """Distance at the end of the colour scale, metres: 1, 2 or 5 times a power of ten."""
+    parts = [values for values in residuals_by_sighting.values() if len(values)]
+    points = np.abs(np.concatenate(parts))
+    offsets = np.abs([np.median(values) for values in parts])
+    needed = max(
+        float(np.percentile(points, 100 - PERCENT_BEYOND_SCALE)),
+        float(np.percentile(offsets, 100 - PERCENT_OFFSETS_BEYOND_SCALE)),
+        MIN_COLOUR_LIMIT_M,
+    )
+    power = 10.0 ** np.floor(np.log10(needed))
+    return float(next(step * power for step in (1, 2, 5, 10) if step * power >= needed * 0.999))
 
 
 def residual_shading(
@@ -127,7 +139,7 @@ def residual_shading(
     from matplotlib import colormaps
 
     found = residuals(project, survey) | validation_distances(project, survey, clouds)
-    colour_limit = _colour_limit(found) if colour_limit is None else colour_limit
+    colour_limit = colour_limit_for(found) if colour_limit is None else colour_limit
     scale = np.asarray(
         np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
     )
@@ -146,5 +158,5 @@ def residual_shading(
 
 
 def _legend_ends(colour_limit: float) -> tuple[str, str]:
-    end = units.local_figure(1000 * colour_limit, "mm", ".1f" if colour_limit < 0.02 else ".0f")
+    end = units.local_figure(1000 * colour_limit, "mm", ".0f")
     return f"\N{MINUS SIGN}{end}", f"+{end}"

@@ -8,17 +8,28 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from lispac.geometry.radius_search import nearest_point
-from lispac.gui.app.point_colours import Colouring, point_shading
+from lispac.gui.app.point_colours import Colouring, point_shading, sighting_shades
 from lispac.gui.appearance import theme
 from lispac.gui.project.document import Document
 from lispac.gui.project.residuals import residual_shading
-from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, PointColouring, Viewport
+from lispac.gui.viewport.base import (
+    SHADED_EDGE_COLOUR,
+    Array,
+    Highlight,
+    Marker,
+    PickedPoint,
+    PointColouring,
+    Viewport,
+)
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.project import Target, Triple
-from lispac.survey.cloud import Cloud
+from lispac.survey.cloud import Cloud, Numbers
 
 PriorOrEstimated = Literal["prior", "estimated"]
 """Boresight with which the lines are georeferenced."""
+SURROUNDINGS = 5.0
+"""Extent of the view of a proposed target, as a multiple of that of the target, so that the
+structure that it belongs to can be seen."""
 ResidualColours = Mapping[tuple[str, str], NDArray[np.uint8]]
 """Colours of the points of each sighting by their residuals, by target and line."""
 ColouredPoints = tuple[PointColouring | None, ResidualColours]
@@ -56,6 +67,7 @@ class Scene(QObject):
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
+        self._shading: PointColouring | None = None
         self._residuals: ResidualColours = {}
         self._lost_estimated = False
         """Whether the lines are shown before the adjustment because the result was removed."""
@@ -203,12 +215,14 @@ class Scene(QObject):
         self.bring_into_view(target)
 
     def bring_into_view(self, target: Target) -> None:
-        """Move the view to a target whose label is outside the picture."""
+        """Move the view to a target whose label is outside the picture, and its surroundings."""
         groups = _points_by_line(target, self.clouds)
         x, y = self._viewport.to_pixels(np.array([_label_position(target, groups)]))[0]
         rect = self._viewport.widget.rect()
         if groups and not (0 <= x < rect.width() and 0 <= y < rect.height()):
-            self._viewport.fit(np.concatenate(list(groups.values())))
+            points = np.concatenate(list(groups.values()))
+            middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+            self._viewport.fit(middle + SURROUNDINGS * (points - middle))
 
     def select(self, name: str, line: str = "") -> None:
         """Highlight a sighting, or a target if ``line`` is empty, without moving the view."""
@@ -296,15 +310,19 @@ class Scene(QObject):
                 self._shaded = self._available_colours()  # drawn in the next turn
                 self._lines_due.start()
                 return
+            is_first = not self._drawn
             self._draw_clouds(self._shaded)
+            if is_first:
+                self._draw_due_targets()  # the first picture has the targets too
+                return
         self._schedule_targets()
 
     def _draw_clouds(self, shaded: ColouredPoints | None = None) -> None:
         clouds = self._drawn = self.clouds
         samples = {name: cloud.sample for name, cloud in clouds.items()}
-        shading, self._residuals = shaded or self._available_colours()
+        self._shading, self._residuals = shaded or self._available_colours()
         self._shaded = None
-        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
+        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), self._shading)
         self.drawn.emit()
 
     def _available_colours(self) -> ColouredPoints:
@@ -360,11 +378,24 @@ class Scene(QObject):
                     used &= not self._is_unticked(target)
                     colour = line_colours[sighting.line] if used else theme.UNUSED_COLOUR
                     halo = self._colour(target) if used else theme.UNUSED_COLOUR
-                    shades = self._residuals.get(key)
-                    if shades is not None and len(shades) != len(points):
-                        shades = None  # edited since the adjustment
+                    shades = self._shades(key, points, sighting.indices) if used else None
+                    if shades is not None and self.colouring == "residual":
+                        halo = SHADED_EDGE_COLOUR  # the scale has the colours of the halos
                     highlights.append(Highlight(key, points, colour, halo, shades))
         return highlights
+
+    def _shades(
+        self, key: tuple[str, str], points: Array, numbers: Numbers
+    ) -> NDArray[np.uint8] | None:
+        """Colours of the points of a sighting by the present colouring; None for one colour."""
+        survey = self._document.survey
+        if self.colouring == "residual":
+            shades = self._residuals.get(key)
+            # The points may have been edited since the adjustment.
+            return shades if shades is not None and len(shades) == len(points) else None
+        if self._shading is None or survey is None:
+            return None
+        return sighting_shades(self.colouring, self._shading, survey.scans[key[1]], points, numbers)
 
     def _marker(self, target: Target) -> Marker:
         is_found = target is self.candidate or self._is_proposed(target)

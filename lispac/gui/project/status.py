@@ -95,6 +95,10 @@ class ProjectState:
     is_outdated: bool = False
 
 
+OUTDATED_RESULT_NOTE = note("project.out_of_date")
+"""Note instead of values that an edit has removed."""
+
+
 def point_count(number: int) -> str:
     """Text of a number of points: ``812 points``, ``4.9 M points``."""
     if number >= 1_000_000:
@@ -140,7 +144,7 @@ def step_statuses(
     if project is None:
         nothing = StepStatus(
             "empty",
-            gettext("no project"),
+            gettext("no project open"),
             gettext("Open or create a project first."),
             Unavailable.NO_PROJECT,
         )

@@ -12,9 +12,6 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.camera import VIEW_ANGLE, Camera
 
-SHADED_EDGE_COLOUR: Colour = (62, 70, 78)
-"""Colour of the edges of points that have a colour for each point."""
-
 
 def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
     """VTK data of points as one cell.

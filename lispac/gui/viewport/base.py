@@ -18,6 +18,8 @@ from lispac.picked_targets import Role
 Array = NDArray[np.float64]
 Place = Array | tuple[float, float, float]
 """Position of shape (3,), metres, local frame."""
+SHADED_EDGE_COLOUR: Colour = (62, 70, 78)
+"""Colour of the edges of points that have a colour for each point."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,7 @@ class PointColouring:
         Colours from low to high.
     metric : texts at the ends in the metric unit of the title, for pictures in files, if ``low``
         and ``high`` are in another unit
+    ends : values at the ends of the scale, in the unit of the data
     """
 
     colours: Mapping[str, NDArray[np.uint8]]
@@ -70,6 +73,16 @@ class PointColouring:
     high: str
     scale: NDArray[np.uint8]
     metric: tuple[str, str] | None = None
+    ends: tuple[float, float] = (0.0, 1.0)
+
+    def of_values(self, values: Array) -> NDArray[np.uint8]:
+        """Colours (n, 3) of values (n,)."""
+        low, high = self.ends
+        places = np.clip((values - low) * (len(self.scale) / (high - low or 1.0)), 0, None)
+        shades: NDArray[np.uint8] = self.scale[
+            np.minimum(places, len(self.scale) - 1).astype(np.int64)
+        ]
+        return shades
 
 
 @dataclass(frozen=True)
@@ -241,10 +254,16 @@ class Viewport(Protocol):
     def clip(self, box: Box | None) -> None:
         """Draw only the points in a box; None for all points."""
 
-    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(
+        self, clouds: Mapping[str, Array] | None, highlights: Sequence[Highlight] = ()
+    ) -> None:
         """Draw another placement of the lines to the left of a movable line; None ends it.
 
         The points must be the same, in the same order; they keep their colours.
+
+        Parameters
+        ----------
+        highlights : sightings drawn over the other placement
         """
 
     def show_linked(self, views: Sequence[LinkedView]) -> None:

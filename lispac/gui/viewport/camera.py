@@ -196,25 +196,36 @@ class Camera:
             return self
         return self.panned(*shift.tolist(), float(spots[:, 2].mean()), size)
 
-    def fitted(self, points: Array, size: ViewportSize, margin: float = 1.06) -> "Camera":
-        """Camera with the same direction that shows all of the points (n, 3)."""
-        aspect = max(size.width, 1.0) / max(size.height, 1.0)
-        tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])
+    def fitted(
+        self, points: Array, size: ViewportSize, margin: float = 1.06, bottom: float = 0.0
+    ) -> "Camera":
+        """Camera with the same direction that shows all of the points (n, 3).
+
+        Parameters
+        ----------
+        bottom : height of a strip at the bottom of the picture that the points leave free, pixels
+        """
+        width, height = max(size.width, 1.0), max(size.height, 1.0)
+        tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([width / height, 1.0])
+        # To the left and right, and below the middle of the picture
+        tangents = tangent * [1.0, 1.0 - 2.0 * bottom / height], tangent
         rotated = points @ self.axes.T
         # Perspective shifts the centre of the picture, so it is found by iteration.
         centre = 0.5 * (rotated.min(axis=0) + rotated.max(axis=0))
         # The limits are linear in the points, so the points are processed only once.
         ahead = 0.0 if self.parallel else rotated[:, 2]
         extremes = [
-            [float((sign * rotated[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]
-            for sign in (-1, 1)
+            [float((sign * rotated[:, k] / limits[k] - ahead).max()) for k in (0, 1)]
+            for sign, limits in zip((-1, 1), tangents, strict=True)
         ]
+        slopes = 1.0 / tangents[0], 1.0 / tangents[1]
         distance = MIN_DISTANCE_M
         for _ in range(6):
-            lateral, depth = centre[:2] / tangent, 0.0 if self.parallel else centre[2]
-            low, high = extremes[0] + lateral + depth, extremes[1] - lateral + depth
+            depth = 0.0 if self.parallel else centre[2]
+            low = extremes[0] + centre[:2] * slopes[0] + depth
+            high = extremes[1] - centre[:2] * slopes[1] + depth
             distance = float(max(low.max(), high.max(), MIN_DISTANCE_M))
-            centre[:2] += 0.5 * (high - low) * tangent
+            centre[:2] += (high - low) / (slopes[0] + slopes[1])
         return replace(
             self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * MIN_DISTANCE_M)
         )

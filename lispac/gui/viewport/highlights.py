@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from lispac.gui.viewport.actors import (
-    SHADED_EDGE_COLOUR,
     clip_actors,
     point_actor,
     point_polydata,
@@ -67,7 +66,7 @@ class HighlightLayer:
                 points, shades = points[inside], None if shades is None else shades[inside]
             data = point_polydata(points - origin, shades)
             actor = point_actor(data, highlight.colour, shaded=shades is not None)
-            halo = point_actor(data, SHADED_EDGE_COLOUR if shades is not None else highlight.halo)
+            halo = point_actor(data, highlight.halo)
             clip_actors([actor, halo], half)
             self._drawn.append((highlight, actor, halo))
             self._renderer.AddActor(halo)

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.gui.viewport.actors import (
-    SHADED_EDGE_COLOUR,
     clip_actors,
     darker_colour,
     point_actor,
@@ -18,7 +17,7 @@ from lispac.gui.viewport.actors import (
     set_point_pixels,
     shift_depth,
 )
-from lispac.gui.viewport.base import Array, Colour, PointColouring
+from lispac.gui.viewport.base import SHADED_EDGE_COLOUR, Array, Colour, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks

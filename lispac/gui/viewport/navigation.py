@@ -32,6 +32,10 @@ KEPT_TIME_S = 0.5
 REVEALED_MARGIN_PX = 36.0
 """Distance from the edges of a selected surface that a panel would have covered, pixels."""
 
+FREE_STRIP_PX, MAX_FREE_SHARE = 42.0, 0.2
+"""Height of the strip at the bottom with the help on the mouse, pixels, which fitted points leave
+free, and its largest share of the height of the picture."""
+
 VIEWS_DEG = {
     "front": (0.0, 0.0),
     "back": (180.0, 0.0),
@@ -142,7 +146,8 @@ class Navigator(QObject):
     def refit(self) -> None:
         """Bring the fitted points into view again after a change of size."""
         if self._fitted_points is not None:
-            self.camera = self.camera.fitted(self._fitted_points, self.size)
+            bottom = min(FREE_STRIP_PX, MAX_FREE_SHARE * self.size.height)
+            self.camera = self.camera.fitted(self._fitted_points, self.size, bottom=bottom)
 
     def keep_picture(self) -> None:
         """Keep the scene in place while a panel that opens takes a part of the widget.

@@ -35,7 +35,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, seed_role, help_shown, sketches, box, wipe_clouds, linked
+    mouse_mode, hint, seed_role, help_shown, sketches, box, wipe_clouds, wipe_highlights, linked
         Content and state that a real viewport would show.
     """
 
@@ -58,6 +58,7 @@ class RecordingViewport:
         self.help_shown = True
         self.box: Box | None = None
         self.wipe_clouds: dict[str, Array] | None = None
+        self.wipe_highlights: tuple[Highlight, ...] = ()
         self.linked: tuple[LinkedView, ...] = ()
         self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -121,10 +122,13 @@ class RecordingViewport:
         self._record("clip", box)
         self.box = box
 
-    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(
+        self, clouds: Mapping[str, Array] | None, highlights: Sequence[Highlight] = ()
+    ) -> None:
         """Remember the other placement."""
-        self._record("show_wipe", clouds)
+        self._record("show_wipe", clouds, highlights)
         self.wipe_clouds = None if clouds is None else dict(clouds)
+        self.wipe_highlights = tuple(highlights)
 
     def show_linked(self, views: Sequence[LinkedView]) -> None:
         """Remember the linked views."""

@@ -105,6 +105,7 @@ class VtkViewport:
         self._layer = self._main.layer
         self._panes = [self._main]
         self._wipe_layer: LineLayer | None = None
+        self._wipe_sightings = HighlightLayer(self._main.renderer)
         self._box: Box | None = None
         self._hidden: set[str] = set()
         self._point_size = 2
@@ -223,27 +224,42 @@ class VtkViewport:
     def _redraw_highlights(self) -> None:
         for pane in self._panes:
             self._set_highlights(pane, pane.sightings.highlights)
+        layer, sightings = self._wipe_layer, self._wipe_sightings
+        if layer is not None:
+            box = self._main.picture.box or self._box
+            sightings.set_highlights(sightings.highlights, layer.origin, box, layer.half)
         self._style_points()
 
-    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(
+        self, clouds: Mapping[str, Array] | None, highlights: Sequence[Highlight] = ()
+    ) -> None:
         """Draw another placement of the lines to the left of a movable line; None ends it.
 
         The points must be the same, in the same order; they keep their colours.
         """
         if self._wipe_layer is None and clouds is None:
             return
+        if clouds is None:
+            self._end_wipe()
+        elif self._wipe_layer is None:
+            self._wipe_layer = LineLayer(self._main.renderer)
+            self._wipe_layer.origin = self._layer.origin
+            self._layer.half, self._wipe_layer.half = half_space(), half_space()
+            self._wipe_sightings.selected = self._main.sightings.selected
+            self._sketch_layer.show_dividing_line(True)
+        if self._wipe_layer is not None and clouds is not None:
+            self._set_layer_lines(self._wipe_layer, clouds)
+        self._wipe_sightings.highlights = tuple(highlights)
+        self._draw_clouds()
+        self._redraw_highlights()
+
+    def _end_wipe(self) -> None:
         if self._wipe_layer is not None:
             self._wipe_layer.remove()
         self._wipe_layer = None
         self._layer.half = None
-        self._sketch_layer.show_dividing_line(clouds is not None)
-        if clouds is not None:
-            self._wipe_layer = LineLayer(self._main.renderer)
-            self._wipe_layer.origin = self._layer.origin
-            self._layer.half, self._wipe_layer.half = half_space(), half_space()
-            self._wipe_layer.set_lines(clouds, self._layer.colours, self._layer.shading)
-        self._draw_clouds()
-        self._redraw_highlights()
+        self._wipe_sightings.remove()
+        self._sketch_layer.show_dividing_line(False)
 
     def show_linked(self, views: Sequence[LinkedView]) -> None:
         """Show several linked views, the first of which is the view itself; one if it is empty."""
@@ -273,8 +289,12 @@ class VtkViewport:
 
     def _set_pane_lines(self, pane: _Pane) -> None:
         """Show the lines of the view, or their other placement, with the colours of the view."""
-        own, main, layer = None if pane.view is None else pane.view.clouds, self._layer, pane.layer
-        clouds = main.clouds if own is None else own
+        own = None if pane.view is None else pane.view.clouds
+        self._set_layer_lines(pane.layer, self._layer.clouds if own is None else own)
+
+    def _set_layer_lines(self, layer: LineLayer, clouds: Mapping[str, Array]) -> None:
+        """Set the lines of a layer with the colours of the view, unless it has them."""
+        main = self._layer
         is_same = all(layer.clouds.get(line) is points for line, points in clouds.items())
         if not (is_same and layer.colours == main.colours and layer.shading is main.shading):
             layer.set_lines(clouds, main.colours, main.shading)
@@ -294,8 +314,8 @@ class VtkViewport:
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Highlight one sighting, (target, line), and dim the others of its target."""
-        for pane in self._panes:
-            pane.sightings.selected = key
+        for sightings in self._sightings:
+            sightings.selected = key
         self._style_points()
 
     def set_station(self, position: tuple[float, float, float]) -> None:
@@ -423,6 +443,7 @@ class VtkViewport:
         self.canvas.removeEventFilter(self._navigator.mouse)
         if self._wipe_layer is not None:
             self._wipe_layer.clear_references()
+        self._wipe_sightings.clear_references()
         self._main.clear_references()
         for pane in self._panes[1:]:
             self._remove_pane(pane)
@@ -446,8 +467,8 @@ class VtkViewport:
         scale = self.canvas.devicePixelRatioF()
         for layer, _ in self._layers:
             layer.style(self._point_size, scale)
-        for pane in self._panes:
-            pane.sightings.style(self._point_size, scale, self._hidden)
+        for sightings in self._sightings:
+            sightings.style(self._point_size, scale, self._hidden)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
@@ -457,6 +478,8 @@ class VtkViewport:
         for pane in self._panes:
             camera, origin = self._navigator.camera_of(pane.picture), pane.layer.origin
             pane.sightings.update_depth(camera, origin)
+            if pane is self._main:
+                self._wipe_sightings.update_depth(camera, origin)
             set_renderer_camera(pane.renderer, camera, origin)
         self._update()
 
@@ -514,6 +537,11 @@ class VtkViewport:
         if self._wipe_layer is not None:
             layers.append((self._wipe_layer, self._main.picture))
         return layers
+
+    @property
+    def _sightings(self) -> list[HighlightLayer]:
+        """All drawn sightings."""
+        return [*(pane.sightings for pane in self._panes), self._wipe_sightings]
 
     def _place_dividing_plane(self) -> None:
         """Place the clipping planes of both placements at the dividing line."""

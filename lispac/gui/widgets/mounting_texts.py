@@ -16,6 +16,7 @@ from lispac.survey.conventions.mounting_texts import (
 _FRAMES_TEXT = N_(
     "The boresight rotates LiDAR coordinates into the body frame (forward, left, up):"
 )
+CONVENTION_NAME_TEXT = N_("Convention: iXblue (this program)")
 _FORMULA_TEXT = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATION_SYMBOLS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
 SIGNS_TEXT = N_(
@@ -37,7 +38,8 @@ def boresight_sentence(boresight: NDArray[np.float64]) -> str:
 def convention_html() -> str:
     """Definition of the three angles."""
     formula = gettext(_FORMULA_TEXT, **_ROTATION_SYMBOLS)
-    return f"{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(SIGNS_TEXT)}"
+    name = gettext(CONVENTION_NAME_TEXT)
+    return f"{name}<br>{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(SIGNS_TEXT)}"
 
 
 def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:

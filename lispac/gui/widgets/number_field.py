@@ -281,7 +281,7 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         shown = shown if round(shown, self._decimals) else 0.0
         locale = self.locale()
         text = locale.toString(float(shown), "f", self._decimals)
-        return text.replace(locale.groupSeparator(), "")
+        return text.replace(locale.groupSeparator(), "").replace("-", "\N{MINUS SIGN}")
 
     def _reason(self, problem: Message | None = None) -> str:
         problem = problem or self.input_error

@@ -14,7 +14,7 @@ from lispac.gui.widgets.diagnostics_table import (
     number_cell,
     spreadsheet_number,
 )
-from lispac.language import gettext, short_date
+from lispac.language import degree_signs, gettext, short_date
 from lispac.present.csv_text import csv_text
 from lispac.present.tables import ARROW, Fact, Format, Table, Unit, cell_text, title_text
 from lispac.present.tables import Column as ResultColumn
@@ -26,7 +26,8 @@ BASE_OF_UNIT: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": 
 
 def window_columns(table: Table[ResultRow]) -> tuple[Column, ...]:
     """Columns of a table of results."""
-    return tuple(_window_column(each) for each in table.columns)
+    with degree_signs():
+        return tuple(_window_column(each) for each in table.columns)
 
 
 def _window_column(column: ResultColumn[ResultRow]) -> Column:

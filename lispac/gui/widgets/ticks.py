@@ -15,13 +15,18 @@ FONT_SIZE, SMALL_SIZE = 9, 8
 """Font sizes of titles and labels, and of tick labels and legends, points."""
 
 
-def convert_axis_units(axis: Axis, base: Base) -> None:
-    """Label an axis with round values in the unit shown instead of its base unit."""
+def convert_axis_units(axis: Axis, base: Base, bins: int | None = None) -> None:
+    """Label an axis with round values in the unit shown instead of its base unit.
+
+    Parameters
+    ----------
+    bins : largest number of intervals; None for as many as there is space for
+    """
     if not units.is_converted(base):
         return
     factor = units.shown_unit(base).factor
     is_log = isinstance(axis.get_major_locator(), LogLocator)
-    axis.set_major_locator(_RoundLogLocator(factor) if is_log else _RoundLocator(factor))
+    axis.set_major_locator(_RoundLogLocator(factor) if is_log else _RoundLocator(factor, bins))
     axis.set_major_formatter(
         FuncFormatter(lambda value, _: _localised_label(f"{value * factor:.6g}"))
     )
@@ -46,8 +51,8 @@ def _localised_label(text: str) -> str:
 class _RoundLocator(MaxNLocator):
     """Locator of ticks at round values of another unit."""
 
-    def __init__(self, factor: float) -> None:
-        super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+    def __init__(self, factor: float, bins: int | None) -> None:
+        super().__init__(nbins=bins or "auto", steps=[1, 2, 2.5, 5, 10])
         self._factor = factor
 
     def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:

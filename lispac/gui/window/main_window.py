@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QPoint, QSize, Qt, QUrl, Signal
+from PySide6.QtCore import QObject, QPoint, QSize, Qt, QTimer, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
@@ -64,6 +64,8 @@ from lispac.warning_causes import Cause
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 from lispac.workflow.project.attitude_signs import reversible_angles
 
+MENU_CLOSING_MS = 50
+"""Time in which the menu of an action disappears, before the window is built again."""
 NOTE_DURATION_MS = 6000
 """Time for which a note is shown in the status bar."""
 MAX_TITLE_BAR_HEIGHT_PX = 40
@@ -536,7 +538,11 @@ class MainWindow(QMainWindow):
                 self._note(gettext("A task is running. The change takes effect when it has ended."))
                 runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
-        self.renewal_requested.emit()
+        QTimer.singleShot(MENU_CLOSING_MS, self, self._request_renewal)
+
+    def _request_renewal(self) -> None:
+        if not self.isHidden():  # closed in the meantime
+            self.renewal_requested.emit()
 
     # -- closing -----------------------------------------------------------------------------
 

@@ -68,7 +68,7 @@ class SectionPoints:
         if self.separation is None or self.normal is None:
             return 1.0
         seen = self.separation / float(np.linalg.norm(self.normal))
-        needed = 0.75 * seen + MIN_HALF_WIDTH_M
+        needed = 0.6 * seen + MIN_HALF_WIDTH_M  # more than half, for points at the edges
         half = 0.5 * min(self.section.width, self.section.height)
         return max((each for each in EXAGGERATIONS if needed * each <= half), default=1.0)
 

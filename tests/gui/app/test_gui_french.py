@@ -164,7 +164,7 @@ def test_numbers_are_accepted_with_comma_or_point(french: Driver, demo: Demo) ->
         type_into(french, field, typed)
         french.bot.keyClick(field, Key.Key_Tab)
         assert field.value() == -0.1234
-        assert field.text() == "-0,1234 m"
+        assert field.text() == "−0,1234 m"
 
 
 def test_the_design_window_is_french(french: Driver) -> None:

@@ -221,6 +221,20 @@ def test_fitted_points_touch_the_edges_of_the_picture(parallel):
 
 
 @pytest.mark.parametrize("parallel", [False, True])
+@pytest.mark.parametrize("shape", [(20.0, 5.0, 2.0), (1.0, 1.0, 20.0)])
+def test_fitted_points_leave_a_strip_at_the_bottom_free(parallel, shape):
+    points = np.random.default_rng(3).normal(size=(5000, 3)) * shape
+    camera = random_camera(2, parallel=parallel).fitted(points, SIZE, margin=1.0, bottom=60.0)
+    pixels = camera.project(points, SIZE)[:, :2]
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    allowed = np.array([SIZE.width, SIZE.height - 60.0])
+    assert (low > -1.0).all()
+    assert (high < allowed + 1.0).all()
+    tight = int(np.argmin(np.minimum(low, allowed - high)))
+    assert low[tight] == pytest.approx(allowed[tight] - high[tight], abs=1.0)
+
+
+@pytest.mark.parametrize("parallel", [False, True])
 def test_points_at_the_focal_depth_keep_their_pixels_when_the_picture_becomes_lower(parallel):
     camera, low = random_camera(3, parallel=parallel), ViewportSize(SIZE.width, 0.7 * SIZE.height)
     points = [camera.point_at(x, y, camera.focal_depth, SIZE) for x, y in ((10, 20), (300, 250))]

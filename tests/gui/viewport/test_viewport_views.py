@@ -9,6 +9,8 @@ from lispac.gui.viewport.base import DragHandle, Highlight, PointColouring, Sket
 from lispac.gui.viewport.clipping import Box
 from tests.support.view_scenes import BLUE, RED, YELLOW, count, picture, pixel, scene, wall
 
+GREEN = (0, 158, 115)
+
 CTRL = Qt.KeyboardModifier.ControlModifier
 NO_MODIFIER = Qt.KeyboardModifier.NoModifier
 LEFT = Qt.MouseButton.LeftButton
@@ -229,8 +231,21 @@ def test_the_divider_between_before_and_after_is_dragged(viewport, parallel, ori
     blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
     assert blue[320:, 345:398].sum() > 50
     assert blue[:280, 345:].sum() == 0
+    # Each placement has its own sightings, which are drawn again when targets change.
+    middle = here[np.abs(here - here.mean(axis=0)).max(axis=1) < 4.0]
+    above = middle + [0.0, 0.0, 20.0]
+    viewport.show_highlights([Highlight(("T1", "blue"), middle, GREEN, YELLOW)])
+    viewport.show_wipe(
+        {"blue": here + [0.0, 0.0, 20.0]}, [Highlight(("T1", "blue"), above, GREEN, YELLOW)]
+    )
+    green = (picture(viewport) == GREEN).all(axis=2)
+    assert green[:280, :338].sum() > 50
+    assert green[320:, 342:].sum() > 50
+    assert green[:280, 342:].sum() == green[320:, :338].sum() == 0
     viewport.show_wipe(None)
-    blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
+    image = picture(viewport)
+    assert not (image[:280] == GREEN).all(axis=2).any()
+    blue = np.abs(image.astype(int) - BLUE).max(axis=2) <= 2
     assert blue[:280].sum() == 0
 
 

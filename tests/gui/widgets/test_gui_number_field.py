@@ -63,7 +63,7 @@ def test_a_value_outside_the_range_is_marked_and_the_range_is_shown(form, qtbot)
     type_into_field(qtbot, form.up, "2173")
     assert form.up.cleanText() == "2173"
     assert form.up.property("wrong") is True
-    assert QToolTip.text() == "Range: -100.0000 to 100.0000 m"
+    assert QToolTip.text() == "Range: −100.0000 to 100.0000 m"
     qtbot.keyClick(form.up, Key.Key_Return)
     assert form.up.cleanText() == "2173"  # Enter does not accept it
     qtbot.keyClick(form.up, Key.Key_Backspace)
@@ -125,7 +125,7 @@ def test_numbers_are_read_as_people_write_them(form, qtbot, text: str, metres: f
     qtbot.keyClick(form.up, Key.Key_Return)
     assert form.up.input_error is None
     assert form.up.value() == pytest.approx(metres, abs=1e-12)
-    assert form.up.text() == f"{metres:.4f} m"
+    assert form.up.text() == f"{metres:.4f} m".replace("-", "−")
     assert form.committed == [pytest.approx(metres, abs=1e-12)]
 
 
@@ -216,7 +216,7 @@ def test_the_range_is_shown_in_feet_and_in_french(form, qtbot) -> None:
         qtbot.waitUntil(lambda: in_front(own), timeout=SOON_MS)
         type_into_field(qtbot, own.up, "329,5")
         shown = QToolTip.text().replace("\N{NO-BREAK SPACE}", " ")
-        assert shown == "Plage : -328,0840 à 328,0840 ft"
+        assert shown == "Plage : −328,0840 à 328,0840 ft"
         own.sigma.setFocus()
         assert own.up.value() == 2.0
         assert own.up.cleanText() == "329,5"

@@ -71,7 +71,7 @@ def test_f9_estimates_with_the_value_being_typed(picked: Driver) -> None:
     picked.rest()
     assert picked.project.result is not None
     assert picked.project.result.mounting.lever_arm[0] == -0.15
-    assert field.text() == "-0.1500 m"
+    assert field.text() == "−0.1500 m"
     assert picked.window.document.undo_stack.count() == 2  # the change and the estimate
 
 
@@ -127,6 +127,8 @@ def test_the_result_is_out_of_date_as_soon_as_the_focus_leaves(
     assert driver.project.result is None
     assert driver.window.document.is_result_outdated
     empty = driver.window.results.findChild(QWidget, "results_empty")
+    assert is_shown("project.out_of_date", empty.text())
+    empty = driver.window.histograms.findChild(QWidget, "histograms_empty")
     assert is_shown("project.out_of_date", empty.text())
     assert not driver.window.actions_["report"].isEnabled()
     driver.rest()

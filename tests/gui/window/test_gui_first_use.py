@@ -164,7 +164,8 @@ def test_cuts_of_a_flat_plane_have_one_range(adjusted: Driver) -> None:
     adjusted.rest()
     cut = adjusted.window.tools.sections._cuts[1]
     across = np.array([0.0, 1.0])
-    wide = replace(cut, normal=across, separation=0.05)
+    rough = {line: points * [1.0, 0.05] for line, points in cut.points.items()}
+    wide = replace(cut, normal=across, separation=0.05, points=rough)
     flat = {line: points * [1.0, 0.01] for line, points in cut.points.items()}
     narrow = replace(wide, points=flat)
     assert wide.automatic_exaggeration == narrow.automatic_exaggeration > 1

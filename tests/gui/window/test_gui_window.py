@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
@@ -192,6 +192,15 @@ def test_a_clicked_cell_is_selected_and_enter_goes_to_its_sighting(picked: Drive
     (points,) = fitted[-1]
     assert len(points) == len(picked.project.target("T2").sighting(line).indices)
     assert picked.window.targets.current == "T2"
+
+
+def test_the_first_picture_of_a_project_has_its_targets(driver: Driver, demo: Demo) -> None:
+    scene, view = driver.window.scene, driver.viewport
+    counts: list[int] = []
+    scene.drawn.connect(lambda: QTimer.singleShot(0, lambda: counts.append(len(view.highlights))))
+    driver.window.document.open(demo.picked, demo.survey)
+    driver.rest()
+    assert counts[0] == len(view.highlights) > 0
 
 
 # -- adjusting, validating, reporting ------------------------------------------------------------

@@ -22,7 +22,7 @@ from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
 from lispac.gui.widgets.result_tables import html_table, local_number, window_columns, window_rows
 from lispac.io.config.plan_file import TitledPlan
-from lispac.language import N_, Plural, current_language, gettext
+from lispac.language import N_, Plural, gettext, join_items
 from lispac.messages import Message, note
 from lispac.present import planning
 from lispac.present.planning import NOTHING_PREDICTED, PredictionValues
@@ -337,8 +337,7 @@ class PredictionPanel(QScrollArea):
             f"{title_text(column.title)} {cell_text(column, self._last.prediction)}"
             for column in planning.PREDICTED_CORRELATIONS_TABLE.columns
         ]
-        separator = ", " if current_language() == "en" else " ; "
-        self.correlation.setText(gettext("Correlations: {pairs}", pairs=separator.join(pairs)))
+        self.correlation.setText(gettext("Correlations: {pairs}", pairs=join_items(pairs)))
         self._show_point_counts()
 
     def _show_point_counts(self) -> None:

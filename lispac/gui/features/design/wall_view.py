@@ -87,7 +87,7 @@ class WallView(DesignCanvas):
                 along, up = (
                     units.localised(units.figure(v, "m", "+.2f")) for v in (each.along, each.up)
                 )
-                separator = ", " if current_language() == "en" else "; "
+                separator = ", " if current_language() == "en" else "\u202f; "
                 place = f"{along}{separator}{up} {units.shown_unit('m').sign}".replace("-", "−")
                 self.draw_text(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 

@@ -35,7 +35,7 @@ from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.number_input import first_input_error
 from lispac.io.config.plan_file import TitledPlan
-from lispac.language import N_, LazyText, gettext, gettext_lazy
+from lispac.language import N_, LazyText, degree_signs, gettext, gettext_lazy
 from lispac.present.planning import PlanComparison
 
 if TYPE_CHECKING:
@@ -142,7 +142,8 @@ class FiguresPanel(QWidget):
         canvas = self.pages.currentWidget()
         draw = self._waiting.pop(canvas, None)
         if draw is not None:
-            draw(canvas.figure)
+            with degree_signs():
+                draw(canvas.figure)
             canvas.draw_idle()
 
 

@@ -29,12 +29,17 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate import result_texts
-from lispac.gui.project.status import ProjectState
+from lispac.gui.project.status import OUTDATED_RESULT_NOTE, ProjectState
 from lispac.gui.widgets.column_flow import ColumnFlow
-from lispac.gui.widgets.mounting_texts import SIGNS_TEXT, boresight_sentence, convention_html
+from lispac.gui.widgets.mounting_texts import (
+    CONVENTION_NAME_TEXT,
+    SIGNS_TEXT,
+    boresight_sentence,
+    convention_html,
+)
 from lispac.gui.widgets.result_tables import fact_text, local_cell_text, local_number
-from lispac.language import N_, gettext
-from lispac.messages import Level, Message, note
+from lispac.language import N_, gettext, join_items
+from lispac.messages import Level, Message
 from lispac.present.adjustment import (
     ERROR_FORMAT,
     ESTIMATED_COLUMN,
@@ -59,7 +64,6 @@ EMPTY_TEXT = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
     "step 3."
 )
-OUTDATED_NOTE = note("project.out_of_date")
 WAITING_TEXT = N_("Estimating …")
 _ROW_HEIGHT_PX = 19
 _SIGNS_HEIGHT_PX = 36
@@ -155,7 +159,7 @@ class ResultsPanel(QWidget):
             self._fill_fit(project, result)
 
     def _empty_text(self, is_outdated: bool) -> str:
-        return message_text(OUTDATED_NOTE) if is_outdated else gettext(EMPTY_TEXT)
+        return message_text(OUTDATED_RESULT_NOTE) if is_outdated else gettext(EMPTY_TEXT)
 
     def _create_body(self) -> QScrollArea:
         outer = widgets.WrappedBody()
@@ -193,7 +197,9 @@ class ResultsPanel(QWidget):
         convention.setText(convention_html())
         self._body = ColumnFlow({
             "warnings": _block(self.warnings),
-            "angles": _block(self.angles, self.rotation),
+            "angles": _block(
+                self.angles, widgets.label(gettext(CONVENTION_NAME_TEXT), "muted"), self.rotation
+            ),
             "parameters": _block(
                 widgets.label(gettext("Other estimated parameters"), "heading"), self.parameters
             ),
@@ -331,7 +337,7 @@ class ResultsPanel(QWidget):
         self._cross_checks = project.cross_checks
         self._show_checks()
         verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
-        components = "; ".join(result_texts.variance_component_texts(project, result))
+        components = join_items(result_texts.variance_component_texts(project, result))
         if components:
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"

@@ -78,7 +78,7 @@ KEYS = (
         ("F9, F10", N_("estimate the boresight, validate")),
         (N_("Shift + F9"), N_("run the point spacing study")),
         (N_("Shift + F10, Ctrl + F11"), N_("check against a reference, compare calibrations")),
-        ("F12", N_("list all warnings")),
+        ("F12", N_("show the messages")),
         (N_("Ctrl + D"), N_("show the diagnostics of the adjustment")),
         (N_("Ctrl + ."), N_("cancel the running task")),
         (N_("Ctrl + E, Ctrl + Shift + E"), N_("export the report, the georeferenced lines")),

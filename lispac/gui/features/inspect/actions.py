@@ -20,8 +20,8 @@ ACTIONS = by_name(
         N_("Switch the view between prior and estimated boresight"), ("View", 1, 3),
         icon="swap-horizontal", keys="B"),
     ActionRecord("wipe", N_("Before a&nd after in a split view"),
-        N_("Show the lines before on the left and after on the right of a divider that follows "
-           "the mouse"), ("View", 1, 4), keys="W", choice="placement"),
+        N_("Show the lines before on the left and after on the right of a divider that you drag"),
+        ("View", 1, 4), keys="W", choice="placement"),
     ActionRecord("one_view", N_("&One view"), N_("Show a single view of the lines"),
         ("Linked views", 1, 1), keys="Alt+1", choice="views"),
     ActionRecord("two_views", N_("&Two views: before | after"),

@@ -1,4 +1,4 @@
-"""Split view of the lines before and after, with a divider that follows the mouse."""
+"""Split view of the lines before and after, with a divider that is dragged."""
 
 from collections.abc import Callable
 
@@ -36,6 +36,7 @@ class BeforeAfterWipe(QObject):
             action.triggered.connect(self._stop_wipe)
         self._due = IdleTask(self._show_wipe, self)
         scene.drawn.connect(self._due.start)
+        scene.targets_drawn.connect(self._due.start)
         document.opened.connect(self._stop_wipe)
 
     def _toggle_tool(self) -> None:
@@ -62,7 +63,8 @@ class BeforeAfterWipe(QObject):
             self._stop_wipe()
             return
         self._action.setChecked(True)
-        self._viewport.show_wipe({name: cloud.sample for name, cloud in survey.clouds.items()})
+        samples = {name: cloud.sample for name, cloud in survey.clouds.items()}
+        self._viewport.show_wipe(samples, self._scene.highlights("prior"))
 
     def _stop_wipe(self) -> None:
         self._is_on = False

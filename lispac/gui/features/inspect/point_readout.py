@@ -108,7 +108,11 @@ class PointReadout(QObject):
     def _set_values(self, values: list[tuple[str, str]]) -> None:
         if values != self.values:
             self.values = values
-            self.shown.emit(FIELD_SEPARATOR.join(f"{name} {text}" for name, text in values))
+            self.shown.emit(
+                FIELD_SEPARATOR.join(
+                    gettext("{name}: {text}", name=name, text=text) for name, text in values
+                )
+            )
 
     def _measured(self, point: PickedPoint) -> MeasuredPoint | None:
         """Values of a point; None if they are not available."""

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from lispac.gui.appearance import quantities, theme
 from lispac.gui.viewport.base import Array, Colour
-from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
 from lispac.workflow.checking.survey_sections import SectionPoints
@@ -33,8 +33,14 @@ LOW_TITLE_LENGTH = 14
 FILLED_QUANTILE = 0.99
 """Share of the points that an enlarged picture contains; single points off the surface may be out
 of it."""
-MAX_COMMON_RATIO = 2.5
-"""Largest ratio of the automatic factors of two cuts for which both have the smaller one."""
+MAX_CROP_ALONG = 4.0
+"""Largest `_CutView.crop` along a surface, so that the tilts of the lines stay visible."""
+VISIBLE_DISTANCE_M, MIN_VISIBLE_SHARE = 0.02, 0.03
+"""Distance between lines that the automatic factor shows, metres, and the share of the width of
+the picture, enlarged, that is needed for that."""
+TICK_INCHES = 0.55
+"""Approximate space for a number of the horizontal axis."""
+OUTSIDE_TEXT = N_("{count:n} of {all:n} lines are out of the picture")
 INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
 """Approximate width of a character of a title."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
@@ -63,13 +69,14 @@ def draw_section(
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
-        that of each cut, or the smaller one if they differ little
+        the smallest automatic one, or that of each cut if small distances would not be visible
     starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
     labelled : whether there is space for large titles of the axes
     has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
-    ratio = _plot_ratio(figure, len(cuts))
+    space = _plot_space(figure, len(cuts))
+    ratio = space[0] / space[1]
     factors = _exaggerations(cuts) if exaggeration is None else [exaggeration] * len(cuts)
     # The same axes in all cuts, also where one of them needs no exaggeration
     is_natural = all(factor == 1 for factor in factors)
@@ -83,9 +90,8 @@ def draw_section(
     views = [replace(view, crop=crops[view.factor]) for view in views]
     title_length = LOW_TITLE_LENGTH
     if labelled:
-        space = float(figure.get_size_inches()[1]) - AXIS_INCHES
-        title_length = max(title_length, int(space / INCHES_PER_CHARACTER))
-    is_shared = len({(view.factor, view.crop) for view in views}) == 1
+        title_length = max(title_length, int(space[1] / INCHES_PER_CHARACTER))
+    is_shared = len({(view.factor, view.crop, view.centre) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
         shared = first if is_shared else None
@@ -101,7 +107,9 @@ def draw_section(
                 fontsize=FONT_SIZE,
                 color=theme.TEXT,
             )
-        convert_axis_units(axes.xaxis, "m")
+        bins = max(2, int(space[0] / TICK_INCHES))
+        axes.xaxis.set_major_locator(MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10]))
+        convert_axis_units(axes.xaxis, "m", bins=bins)
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
@@ -120,10 +128,14 @@ def draw_section(
 
 
 def _exaggerations(cuts: Sequence[SectionPoints]) -> list[float]:
-    """Automatic factor of each cut; the smallest for all if the others are one step larger."""
+    """Automatic factor of each cut: the smallest for all, so that they can be compared.
+
+    Each has its own factor if the smallest would not show small distances between lines.
+    """
     factors = [cut.automatic_exaggeration for cut in cuts]
-    least = min(factors)
-    return [least] * len(cuts) if max(factors) <= MAX_COMMON_RATIO * least else factors
+    least, extent = min(factors), min(cuts[0].section.width, cuts[0].section.height)
+    is_enough = VISIBLE_DISTANCE_M * least >= MIN_VISIBLE_SHARE * extent
+    return [least] * len(cuts) if is_enough else factors
 
 
 def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
@@ -147,6 +159,7 @@ class _CutView:
     is_natural : whether the axes are those of the section, instead of along and across a plane
     start : coordinate of the middle of the horizontal axis, metres
     crop : ratio of the height of the section to that of the picture, at least 1
+    centre : distance across the plane of the middle of the picture, metres
     """
 
     cut: SectionPoints
@@ -156,6 +169,7 @@ class _CutView:
     is_natural: bool
     start: float = 0.0
     crop: float = 1.0
+    centre: float = 0.0
 
     @classmethod
     def of(cls, cut: SectionPoints, factor: float, start: float, *, is_natural: bool) -> "_CutView":
@@ -165,18 +179,64 @@ class _CutView:
         across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
         along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
         axes = (along, across) if vertical else (across, along)
-        return cls(cut, factor, np.column_stack(axes), vertical, False)
+        return cls(cut, factor, np.column_stack(axes), vertical, False).centred()
+
+    @property
+    def _across(self) -> dict[str, Array]:
+        """Coordinates of the points of each line along the exaggerated axis, shape (n,)."""
+        axis = self.rotation[:, int(self.vertical)]
+        return {line: points @ axis for line, points in self.cut.points.items() if len(points)}
+
+    def centred(self) -> "_CutView":
+        """View in the middle of the lines, or of one of them, if some would be out of it."""
+        middles = sorted(float(np.median(values)) for values in self._across.values())
+        half = float(self.half_extent[int(self.vertical)])
+        if not middles or max(-middles[0], middles[-1]) <= half:
+            return self
+        has_space = middles[-1] - middles[0] <= 2 * half
+        middle = 0.5 * (middles[0] + middles[-1]) if has_space else middles[len(middles) // 2]
+        return replace(self, centre=middle)
 
     def widened(self, ratio: float) -> "_CutView":
-        """View without the empty space above and below the lines, for a plot wider than high.
+        """View with less height, for a plot wider than high, so that the picture is larger.
 
-        At the same exaggeration the picture is then larger.
+        Empty space above and below the lines is left out, or a part of the surface along it.
         """
-        if not self.vertical or self.factor == 1 or not any(map(len, self.cut.points.values())):
+        if not any(map(len, self.cut.points.values())):
             return self
-        across = np.concatenate(list(self.cut.points.values())) @ self.rotation[:, 1]
-        filled = float(np.quantile(np.abs(across), FILLED_QUANTILE)) / (0.8 * self.half_extent[1])
+        if self._is_along_upward:
+            return replace(self, crop=max(min(ratio, MAX_CROP_ALONG), 1.0))
+        upward = np.concatenate(list(self.cut.points.values())) @ self.rotation[:, 1]
+        offsets = np.abs(upward - (self.centre if self.vertical else 0.0))
+        filled = float(np.quantile(offsets, FILLED_QUANTILE)) / (0.8 * self.half_extent[1])
         return replace(self, crop=max(min(ratio, 1.0 / max(filled, 1e-6)), 1.0))
+
+    @property
+    def _is_along_upward(self) -> bool:
+        """Whether the surface is roughly along the vertical axis."""
+        normal = self.cut.normal
+        if not self.is_natural or normal is None:
+            return not self.vertical
+        return bool(abs(normal[0]) >= abs(normal[1]))
+
+    @property
+    def limits(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Ends of the horizontal and vertical axis, metres."""
+        middle = np.array([self.start, 0.0])
+        middle[int(self.vertical)] += self.centre
+        low, high = (middle - self.half_extent).tolist(), (middle + self.half_extent).tolist()
+        return (low[0], high[0]), (low[1], high[1])
+
+    def lines_outside(self) -> tuple[int, int]:
+        """Number of lines out of the picture across the surface, and of all lines."""
+        half, across = float(self.half_extent[int(self.vertical)]), self._across
+        offsets = [values - self.centre for values in across.values()]
+        # The nearest point of a section between two points; the median of the points on a plane
+        nearest = [
+            float(np.abs(each).min()) if self.is_natural else abs(float(np.median(each)))
+            for each in offsets
+        ]
+        return sum(distance > half for distance in nearest), len(nearest)
 
     @property
     def half_extent(self) -> Array:
@@ -214,11 +274,11 @@ class _CutView:
         return gettext(SHORT_EXAGGERATION_TEXT, title=title, factor=round(self.factor))
 
 
-def _plot_ratio(figure: Figure, count: int) -> float:
-    """Approximate ratio of width to height of the space for each of the plots side by side."""
+def _plot_space(figure: Figure, count: int) -> tuple[float, float]:
+    """Approximate width and height of the space for each of the plots side by side, inches."""
     width, height = figure.get_size_inches()
     across, up = (width - LEGEND_INCHES) / count - AXIS_INCHES, height - AXIS_INCHES
-    return max(float(across), 0.1) / max(float(up), 0.1)
+    return max(float(across), 0.1), max(float(up), 0.1)
 
 
 def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: str) -> None:
@@ -231,9 +291,9 @@ def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: 
             shown[:, 0], shown[:, 1], marker="o", linestyle="none", markersize=1.7,
             markeredgewidth=0, color=_unit_rgb(colours[line]), label=line, gid=line,
         )  # fmt: skip
-    half = view.half_extent
-    axes.set_xlim(view.start - half[0], view.start + half[0])
-    axes.set_ylim(-half[1], half[1])
+    across, upward = view.limits
+    axes.set_xlim(*across)
+    axes.set_ylim(*upward)
     axes.set_aspect(view.aspect, adjustable="box")
     axes.grid(color=theme.GRID, linewidth=0.6)
     axes.set_axisbelow(True)
@@ -243,21 +303,14 @@ def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: 
     if not total:
         axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
                   ha="center", color=theme.MUTED, fontsize=FONT_SIZE)  # fmt: skip
-    _draw_scale_bar(axes, 2 * half, view.start)
-
-
-def _draw_scale_bar(axes: Axes, extent: Array, middle: float) -> None:
-    """Draw a scale bar of the horizontal axis in the lower left corner."""
-    metres = scale_bar_length(1.0, 0.3 * float(extent[0]))
-    length = length_text(metres)
-    left, low = middle - 0.46 * extent[0], -0.45 * extent[1]
-    axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
-              solid_capstyle="butt")  # fmt: skip
-    axes.annotate(
-        length, (left, low), xytext=(0, 4), textcoords="offset points",
-        fontsize=SMALL_SIZE, color=theme.TEXT,
-        bbox={"facecolor": theme.PAPER, "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
-    )  # fmt: skip
+    outside, count = view.lines_outside()
+    if outside:
+        axes.annotate(
+            gettext(OUTSIDE_TEXT, count=outside, all=count), (0.0, 1.0), xytext=(3, -3),
+            xycoords="axes fraction", textcoords="offset points", va="top", fontsize=SMALL_SIZE,
+            color=theme.TEXT, gid="outside",
+            bbox={"facecolor": theme.PAPER, "alpha": 0.85, "edgecolor": "none", "pad": 1.0},
+        )  # fmt: skip
 
 
 def _unit_rgb(colour: Colour) -> tuple[float, float, float]:

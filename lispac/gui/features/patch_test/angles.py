@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 from lispac.gui import widgets
 from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.result_tables import local_amount
-from lispac.language import N_, gettext
+from lispac.language import N_, gettext, join_items
 from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 from lispac.present.patch_test import PatchTestValues
 from lispac.present.tables import DEGREES, MILLIMETRES
@@ -137,7 +137,7 @@ class PatchAngles(QWidget):
                 text = gettext("result {angle} ± {sigma}", angle=angle, sigma=sigma)
             distance = local_amount(getattr(values.misalignment_m, name), MILLIMETRES)
             effect = gettext("0.01° error = {distance} misalignment", distance=distance)
-            label.setText(f"{text}; {effect}")
+            label.setText(join_items((text, effect)))
 
     def set_reason(self, reason: str) -> None:
         """Disable the search buttons with the reason in their tips; an empty text enables them."""

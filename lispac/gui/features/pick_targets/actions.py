@@ -9,7 +9,7 @@ ACTIONS = by_name(
         toolbar=(3, 1), short=N_("Target"), icon="target", keys="F6", choice="seed"),
     ActionRecord("seed_validation", N_("Pick a &validation plane"),
         N_("The next Ctrl+click in the view picks a validation plane"), ("Targets", 1, 2),
-        toolbar=(3, 2), short=N_("Validation"), icon="shield-check-outline", keys="F7",
+        toolbar=(3, 2), short=N_("Plane"), icon="shield-check-outline", keys="F7",
         choice="seed"),
     ActionRecord("seed_coordinates", N_("Enter seed &coordinates…"),
         N_("Enter the coordinates of a seed point in the local frame or in map projection, and "

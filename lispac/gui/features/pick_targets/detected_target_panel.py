@@ -109,7 +109,7 @@ class LineQualityIndicators(QWidget):
 
 MAX_REASONS = 2
 """Largest number of lines of doubtful or poor quality that are shown with their reason; the others
-are counted, and their tooltips have the reasons."""
+are counted, and their reasons are in the tooltip."""
 MORE_LINES_TEXT = Plural(
     "and {count:n} more line of doubtful or poor quality",
     "and {count:n} more lines of doubtful or poor quality",
@@ -219,17 +219,19 @@ class DetectedTargetPanel(QFrame):
         order = {"poor": 0, "doubtful": 1}
         rated = [(line, each) for line, each in qualities.items() if each.rating in order]
         rated.sort(key=lambda pair: order[pair[1].rating])
-        texts = [
+        every = [
             gettext(
                 "{line}: {reason}", line=line,
                 reason=message_text(each.reasons[0]) if each.reasons
                 else gettext(RATING_TEXTS[each.rating]),
             )
-            for line, each in rated[:MAX_REASONS]
+            for line, each in rated
         ]  # fmt: skip
-        if more := len(rated) - len(texts):
-            texts.append(gettext(MORE_LINES_TEXT, count=more))
+        texts, others = every[:MAX_REASONS], every[MAX_REASONS:]
+        if others:
+            texts.append(gettext(MORE_LINES_TEXT, count=len(others)))
         self.reasons.setText("\n".join(texts))
+        self.reasons.setToolTip(widgets.plain_tip("\n".join(others)))
         is_new = bool(texts) and self.reasons.isHidden()
         self.reasons.setVisible(bool(texts))
         self.is_poor = bool(qualities) and all(q.rating == "poor" for q in qualities.values())

@@ -20,7 +20,7 @@ from lispac.workflow.output.report_options import report_options
 PROGRAM_STATUS_TEXTS: dict[Status, str] = {
     "verified": N_("{program} (verified)"),
     "partly": N_("{program} (partly verified)"),
-    "unverified": N_("{program} (NOT VERIFIED)"),
+    "unverified": N_("{program} (not verified)"),
 }
 """Text with the name of a program, by the status of its convention."""
 _TRANSLATED_PROGRAM_NAMES = (

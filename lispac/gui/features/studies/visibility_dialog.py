@@ -11,7 +11,7 @@ from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
 from lispac.gui.widgets.result_tables import spreadsheet_text, window_columns, window_rows
-from lispac.language import N_, gettext
+from lispac.language import N_, degree_signs, gettext
 from lispac.present.tables import title_text
 from lispac.present.text_format import sentence_text
 
@@ -125,7 +125,8 @@ class VisibilityDialog(StudyDialog):
         self.error.blockSignals(False)
         rows = compared_configurations(found, found.site.errors)
         self._reasons = [_reason_text(row) for row in rows]
-        self._summary = fewest_lines_text(found)
+        with degree_signs():
+            self._summary = fewest_lines_text(found)
         self.show_rows(
             window_rows(
                 CONFIGURATIONS_TABLE, rows, key=lambda row: (row.best.error, ""),
@@ -144,7 +145,8 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import visibility_figure
 
         found, error, criterion = self._chart_selection
-        visibility_figure(found, error, criterion, self.figure())
+        with degree_signs():
+            visibility_figure(found, error, criterion, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
         self._clear_reading()
@@ -169,7 +171,8 @@ class VisibilityDialog(StudyDialog):
         from lispac.present.visibility import values_at_inclination
 
         if event.inaxes is not None:
-            self.reading.setText(values_at_inclination(*self._chart_selection, event.xdata))
+            with degree_signs():
+                self.reading.setText(values_at_inclination(*self._chart_selection, event.xdata))
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""

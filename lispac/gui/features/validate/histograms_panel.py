@@ -22,9 +22,10 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import units
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate import pairs_table
 from lispac.gui.features.validate.planes_table import P95, PAIRS, PlanesTable
-from lispac.gui.project.status import ProjectState
+from lispac.gui.project.status import OUTDATED_RESULT_NOTE, ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext
@@ -44,6 +45,10 @@ from lispac.validation.comparison_results import DistanceStatistics, PlaneCompar
 from lispac.validation.distance_bins import merge_bins
 from lispac.validation.distance_profile import DistanceProfile
 
+EMPTY_TEXT = N_(
+    "No comparison yet. Pick validation planes, estimate the boresight, then press Validate in "
+    "step 4."
+)
 ProfileAxis = Literal["height", "range"]
 """Horizontal axis of a distance profile."""
 
@@ -203,15 +208,10 @@ class HistogramsPanel(QWidget):
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.vertical_layout(empty)
-        layout.addWidget(
-            widgets.label(
-                gettext(
-                    "No comparison yet. Pick validation planes, estimate the boresight, then press "
-                    "Validate in step 4."
-                ),
-                "muted", wrap=True, name="histograms_empty",
-            )
-        )  # fmt: skip
+        self._empty = widgets.label(
+            gettext(EMPTY_TEXT), "muted", wrap=True, name="histograms_empty"
+        )
+        layout.addWidget(self._empty)
         layout.addStretch(1)
         self._stack.addWidget(empty)
         filled = QSplitter(Qt.Orientation.Horizontal)
@@ -344,6 +344,9 @@ class HistogramsPanel(QWidget):
         """Show the comparisons of the project."""
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
+        self._empty.setText(
+            message_text(OUTDATED_RESULT_NOTE) if state.is_outdated else gettext(EMPTY_TEXT)
+        )
         is_new, failed = comparisons is not self._comparisons, self.table.failed
         shown = self._same_plane(comparisons) if is_new else None
         if is_new:

@@ -20,6 +20,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME
 from lispac.gui.features.inspect.actions import ACTIONS, COLOUR_ACTIONS
 from lispac.gui.project.residuals import LEGEND_TITLE as RESIDUAL_TITLE
+from lispac.gui.project.residuals import colour_limit_for
 from lispac.gui.project.status import TARGETS
 from lispac.language import LANGUAGES, gettext, in_language
 from lispac.picked_targets import Target
@@ -79,6 +80,38 @@ def test_keys_and_menu_change_the_colours(opened: Driver) -> None:
     assert opened.viewport.shading.title == "Range (m)"
     line = opened.window.document.survey.lines[0]
     assert len(opened.viewport.shading.colours[line]) == len(opened.viewport.clouds[line])
+
+
+@pytest.mark.parametrize("colouring", COLOURINGS[1:-1])
+def test_targets_have_the_colours_of_their_lines_and_keep_their_halos(
+    picked: Driver, colouring: str
+) -> None:
+    plain = {each.key: each for each in picked.viewport.highlights}
+    assert all(each.shades is None for each in plain.values())
+    picked.window.actions_[COLOUR_ACTIONS[colouring]].trigger()
+    picked.rest()
+    shading, survey = picked.viewport.shading, picked.window.document.survey
+    targets = {target.name: target for target in picked.window.document.project.targets}
+    assert len(picked.viewport.highlights) == len(plain)
+    for each in picked.viewport.highlights:
+        name, line = each.key
+        sighting = next(s for s in targets[name].sightings if s.line == line)
+        assert each.halo == plain[each.key].halo
+        # All points of the demo are in the sample of their line, in the same order.
+        np.testing.assert_array_equal(each.shades, shading.colours[line][sighting.indices])
+    assert len(survey.lines) > 1
+
+
+def test_residuals_of_a_sighting_are_within_a_round_scale() -> None:
+    rng = np.random.default_rng(5)
+    agreeing = {("T1", str(k)): rng.normal(0.0, 0.002, 1000) for k in range(40)}
+    assert colour_limit_for(agreeing) == pytest.approx(0.005)
+    noisy = {key: 8.0 * values for key, values in agreeing.items()}
+    assert colour_limit_for(noisy) == pytest.approx(0.05)
+    shifted = agreeing | {("V1", str(k)): rng.normal(0.041, 0.002, 20) for k in range(3)}
+    assert colour_limit_for(shifted) == pytest.approx(0.05)
+    single = agreeing | {("V1", "0"): np.full(20, 3.0)}
+    assert colour_limit_for(single) == pytest.approx(0.005)
 
 
 def test_lines_without_intensities_are_reported_and_skipped(

@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import replace
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -118,7 +118,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert [each.get_title(loc="left").split(":")[0] for each in axes] == ["Before", "After"]
     for each in axes:
         assert each.get_aspect() == 1.0
-        lines = {drawn.get_gid() for drawn in each.lines} - {"bar"}
+        lines = {drawn.get_gid() for drawn in each.lines}
         assert lines == set(window.document.survey.lines)
     apart = [float(each.get_title(loc="left").split()[-3]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
@@ -178,13 +178,20 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         assert axes.get_xlabel() == f"Across the surface, enlarged {factor:.0f} times (m)"
         assert cut.separation < width
         for drawn in axes.lines:
-            if drawn.get_gid() == "bar":
-                continue
             points = cut.points[drawn.get_gid()] @ cut.normal / np.linalg.norm(cut.normal)
             assert np.abs(drawn.get_xdata()) == pytest.approx(np.abs(points))
     assert cuts[1].separation * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
     exaggerate(adjusted, "50")
-    assert all(axes.get_aspect() == 1 / 50 for axes in panel.canvas.figure.axes)
+    for axes, cut in zip(panel.canvas.figure.axes, window.tools.sections._cuts, strict=True):
+        assert axes.get_aspect() == 1 / 50
+        low, high = axes.get_xlim()
+        middles = [np.median(drawn.get_xdata()) for drawn in axes.lines]
+        outside = sum(not low <= middle <= high for middle in middles)
+        assert outside < len(middles), "at least one line is in the picture"
+        texts = [each.get_text() for each in axes.texts if each.get_gid() == "outside"]
+        assert bool(texts) == bool(outside), cut.which
+        if outside:
+            assert texts[0].startswith(f"{outside} of {len(middles)}")
     exaggerate(adjusted, "1")
     label = panel.canvas.figure.axes[0].get_xlabel()
     assert label == "From the middle, away from the vessel (m)"
@@ -202,6 +209,22 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     draw_section([near, nearer], colours, ("Distance", "Height"), figure)
     before, after = figure.axes
     assert before.get_aspect() == after.get_aspect() == 1 / near.automatic_exaggeration
+    for size in ((9.0, 1.8), (14.0, 2.2)):  # low and wide, as the panel is
+        figure = Figure(figsize=size, layout="constrained")
+        FigureCanvasAgg(figure)
+        draw_section(cuts, colours, ("Distance", "Height"), figure)
+        figure.canvas.draw()
+        for axes in figure.axes:
+            box = axes.get_window_extent()
+            assert box.width > 2.5 * box.height, "it fills the space between its titles"
+            labels = [
+                each.get_window_extent() for each in axes.get_xticklabels() if each.get_visible()
+            ]
+            labels = [
+                each for each in labels if box.x0 - 1 <= 0.5 * (each.x0 + each.x1) <= box.x1 + 1
+            ]
+            assert len(labels) > 1
+            assert all(a.x1 < b.x0 for a, b in pairwise(labels))
     flat = replace(near, normal=np.array([0.0, 1.0]))
     for language, height in product(LANGUAGES, (2.4, 3.0)):
         figure = Figure(figsize=(8.0, height), layout="constrained")
@@ -256,7 +279,6 @@ def test_a_section_is_cut_between_two_points(picked: Driver) -> None:
     drawn = {each.get_gid(): each.get_xdata() for each in axes.lines}
     line = max(cut.points, key=lambda each: len(cut.points[each]))
     assert drawn[line] == pytest.approx(cut.points[line][:, 0] + length / 2)
-    assert -0.01 <= drawn["bar"].min() < drawn["bar"].max() <= length
     assert np.ptp(axes.get_ylim()) == pytest.approx(panel.size.value())
     window._select("T1", "")
     assert not panel.canvas.isVisible(), "not the former section below the new selection"
@@ -429,6 +451,12 @@ def test_before_and_after_are_compared_in_one_picture(adjusted: Driver) -> None:
         view.wipe_clouds[line], window.document.survey.clouds[line].sample
     )
     assert not np.array_equal(view.wipe_clouds[line], view.clouds[line])
+    targets = {target.name: target for target in adjusted.project.targets}
+    prior = window.document.survey.clouds
+    assert {each.key for each in view.wipe_highlights} == {each.key for each in view.highlights}
+    for (name, line), points in ((each.key, each.points) for each in view.wipe_highlights):
+        sighting = next(each for each in targets[name].sightings if each.line == line)
+        np.testing.assert_array_equal(points, prior[line][sighting.indices])
     assert lit(window) == {"wipe"}
     press(adjusted, Key.Key_W)
     assert view.wipe_clouds is None

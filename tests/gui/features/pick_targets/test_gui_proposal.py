@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtWidgets import (
@@ -129,6 +130,13 @@ def test_proposed_targets_are_shown_in_the_scene_and_selected_with_the_keys(
     opened.rest()
     grey = {marker.label for marker in view.markers if marker.colour == theme.UNUSED_COLOUR}
     assert grey == {f"{names[-1]}?"}
+    view.widget.resize(1, 1)
+    view.calls.clear()
+    opened.window.scene.select_proposed(names[0])
+    ((_, (fitted,)),) = [call for call in view.calls if call[0] == "fit"]
+    key = proposed_key(names[0])
+    own = np.concatenate([each.points for each in view.highlights if each.key[0] == key])
+    assert np.ptp(fitted, axis=0) == pytest.approx(5 * np.ptp(own, axis=0)), "with surroundings"
 
 
 def test_the_buttons_stay_in_place_when_another_row_is_selected(

@@ -215,6 +215,8 @@ def test_further_lines_of_doubtful_quality_are_counted(
     shown = box.reasons.text().split("\n")
     assert [text.partition(":")[0] for text in shown[:2]] == lines[:2]
     assert shown[2:] == ([last] if last else [])
+    listed = [line for line in box.reasons.toolTip().split("\n") if line]
+    assert [text.partition(":")[0] for text in listed] == lines[2:count]
 
 
 def test_enter_does_not_accept_a_candidate_whose_lines_are_all_poor(opened: Driver) -> None:
