@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
@@ -134,21 +133,9 @@ class CheckDialog(NumberDialog):
             row.addWidget(each)
         layout.addLayout(row)
         self._form = form
-        self._layout = layout
         self.file.textChanged.connect(self._show)
         self.system.currentTextChanged.connect(self._show)
         self._show()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Fit the height to the fields."""
-        super().showEvent(event)
-        self._fit_height()
-
-    def _fit_height(self) -> None:
-        """Use the height of the texts at their width; Qt assumes that of a smaller width."""
-        height = self._layout.heightForWidth(self.width())
-        self.setMinimumHeight(height)
-        self.resize(self.width(), height)
 
     @property
     def request(self) -> CheckRequest:
@@ -163,8 +150,6 @@ class CheckDialog(NumberDialog):
     def _show(self) -> None:
         self.check.setEnabled(bool(self.file.text().strip()))
         self._form.setRowVisible(self.height, system_text(self.system) not in ("", LOCAL_FRAME))
-        if self.isVisible():
-            self._fit_height()
 
     def _browse(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
