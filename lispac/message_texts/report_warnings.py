@@ -97,7 +97,9 @@ TEXTS: Mapping[str, Template] = {
     "report.plane_on_few_lines": N_(
         "Validation plane {target} is used on only {count:n} of {total:n} lines ({lines:names})."
     ),
-    "report.not_found": N_("Targets that were not found on some lines: {items:names}. {reason}"),
+    "report.not_found": N_(
+        "Targets and validation planes that were not found on some lines: {items:names}. {reason}"
+    ),
     "report.not_found_on": N_("{target} on {lines:names}"),
     "report.sightings": N_(
         "Quality of {sightings:names}: {ratings:names}; the worst is {target} on {line}. "

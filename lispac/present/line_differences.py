@@ -76,7 +76,7 @@ LINE_DIFFERENCES_TABLE = Table[LineDifferenceValues](
         Column(
             "median_m", N_("Median"), MILLIMETRES.signed,
             N_(
-                "Median difference along the normal, positive if the second line is nearer to the "
+                "Median difference along the normal, positive if the first line is nearer to the "
                 "vessel"
             ),
         ),

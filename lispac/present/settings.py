@@ -6,7 +6,7 @@ Field names of `SettingsUsed` are the keys of ``settings`` in JSON.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from lispac.adjustment.model.stochastic_model import PosErrors
+from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL, PosErrors
 from lispac.language import N_, gettext
 from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
 from lispac.present.sigmas import SigmaValues, sigma_facts, sigmas_used
@@ -214,18 +214,20 @@ def origin_fact(origin_deg_m: tuple[float, ...] | None, *, is_given: bool) -> Fa
 def _subsampling_text(used: SettingsUsed, has_spheres: bool) -> str:
     if not used.subsample_m:
         return gettext("none: all points are used")
-    spacing = fixed_number(used.subsample_m, 3)
+    spacing, duration = fixed_number(used.subsample_m, 3), fixed_number(MAX_KNOT_INTERVAL, 2)
     if used.averaged and not has_spheres:
         return gettext(
-            "averaged: the points of a plane within a square of {spacing} m are replaced by their "
-            "mean",
+            "averaged: the points of a plane within a square of {spacing} m, measured within at "
+            "most {duration} s, are replaced by their mean",
             spacing=spacing,
+            duration=duration,
         )
     if used.averaged:
         return gettext(
-            "averaged: the points of a plane within a square of {spacing} m are replaced by their "
-            "mean; points of spheres are not averaged",
+            "averaged: the points of a plane within a square of {spacing} m, measured within at "
+            "most {duration} s, are replaced by their mean; points of spheres are not averaged",
             spacing=spacing,
+            duration=duration,
         )
     return gettext(
         "thinned: where points are closer than {spacing} m to each other, one is kept",

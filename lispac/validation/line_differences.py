@@ -45,14 +45,15 @@ MAX_LINE_POINTS = 300_000
 
 @dataclass(frozen=True, eq=False)
 class LineDifference:
-    """Signed distances from the first of two lines to the second, at common places.
+    """Signed distances of the first of two lines from the second, at common places.
 
     Attributes
     ----------
     first, second : str
     place : ndarray of shape (n, 3), metres, local frame
     distance : ndarray of shape (n,), metres
-        Along the normal, positive where the second line lies nearer to the vessel.
+        Along the normal, positive where the first line is nearer to the vessel, as on validation
+        planes.
     half_width : ndarray of shape (n,), metres
         Half the 95 % interval, from the noise of the points.
     normal : ndarray of shape (n, 3), unit vectors, local frame
@@ -88,7 +89,7 @@ class DifferenceStatistics:
     ----------
     places : int
     median : float or None, metres
-        Median along the normal, positive if the second line is nearer to the vessel; None for
+        Median along the normal, positive if the first line is nearer to the vessel; None for
         several pairs, for which the sign has no meaning.
     rmsd : float, metres
         Root mean square of the differences.
@@ -184,4 +185,4 @@ def compare_lines(
         ).before  # fmt: skip
     except NotComparable as reason:  # about one line and a reference
         raise NotComparable(error("validation.no_flat_place", line=one, other=other)) from reason
-    return LineDifference(one, other, found.cores, found.distance, found.half_width, found.normals)
+    return LineDifference(one, other, found.cores, -found.distance, found.half_width, found.normals)

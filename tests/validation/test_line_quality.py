@@ -39,11 +39,11 @@ def test_a_shift_is_measured_along_each_normal() -> None:
     found = compare_lines(("L1", still), ("L2", moved), VESSEL, noise=0.003, reach=0.5)
     wall, ground, ramp = (found.facing(way) for way in ("upright", "level", "sloped"))
     assert len(wall.distance) + len(ground.distance) + len(ramp.distance) == len(found.distance)
-    # Towards the vessel: 5 cm to the south, and 3 cm up.
-    assert np.median(wall.distance) == pytest.approx(0.05, abs=5e-4)
-    assert np.median(ground.distance) == pytest.approx(0.03, abs=5e-4)
+    # The second line is 5 cm farther south and 3 cm higher, towards the vessel.
+    assert np.median(wall.distance) == pytest.approx(-0.05, abs=5e-4)
+    assert np.median(ground.distance) == pytest.approx(-0.03, abs=5e-4)
     normal = np.array([-0.5, 0.0, 1.0]) / np.hypot(0.5, 1.0)  # the ramp rises to the north
-    assert np.median(ramp.distance) == pytest.approx(normal @ [-0.05, 0.0, 0.03], abs=5e-4)
+    assert np.median(ramp.distance) == pytest.approx(normal @ [0.05, 0.0, -0.03], abs=5e-4)
     assert np.median(np.abs(wall.normal[:, 2])) < 0.01
     same = compare_lines(("L1", still), ("L2", scene(rng, np.zeros(3))), VESSEL,
                            noise=0.003, reach=0.5)  # fmt: skip
