@@ -131,7 +131,7 @@ def test_typed_values_are_converted(
         typed.lineEdit().setText(text)
         typed.interpretText()
         assert typed.value() == pytest.approx(value, abs=1e-12)
-        assert float(typed.cleanText()) == float(text)
+        assert typed.cleanText() == f"{float(text):.{typed.decimals()}f}".replace("-", "−")
     finally:
         units.set_units("degrees", "metres")
 
@@ -190,7 +190,7 @@ def test_the_window_shows_one_unit_and_the_project_stays_metric(
     assert window.document.project is not None
 
     arm = window.data.lever_arm.fields
-    assert [f.text() for f in arm] == [f"{v / FOOT:.4f} ft" for v in lever_arm]
+    assert [f.text() for f in arm] == [f"{v / FOOT:.4f} ft".replace("-", "−") for v in lever_arm]
     for each in window.findChildren(NumberField):
         each.interpretText()
     assert window.document.project is project
