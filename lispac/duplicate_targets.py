@@ -208,8 +208,10 @@ def lidar_noise_notes(project: Project) -> tuple[Message, ...]:
     if settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None:
         is_assumed = "LiDAR" in project.assumed_sigmas
         code = "adjustment.lidar_noise_assumed" if is_assumed else "adjustment.lidar_noise"
-        if is_conservative:
-            code += "_conservative"
+        if is_conservative and is_assumed:
+            code = "adjustment.lidar_noise_assumed_conservative"
+        elif is_conservative:
+            code = "adjustment.lidar_noise_conservative"
         values = {"given": settings.used_lidar_sigma, "measured": ratio * settings.used_lidar_sigma}
         return (note(code, **values, subject=field, actions=(Action("use_lidar_noise", values),)),)
     code = "adjustment.lidar_noise_ratio"

@@ -198,7 +198,12 @@ class Settings:
         return replace(self, **values)
 
     def with_lidar_sigma(self, sigma: float) -> "Settings":
-        """Copy with this standard deviation of the LiDAR, metres; a given beam angle is kept."""
+        """Copy with this standard deviation of the LiDAR; a given beam angle is kept.
+
+        Parameters
+        ----------
+        sigma : float, metres
+        """
         beam = self.lidar_beam_sigma
         return self.with_values(
             lidar_sigma=sigma, lidar_beam_sigma=None if beam is None else (sigma, beam[1])
