@@ -317,5 +317,5 @@ def test_a_number_that_rounds_to_zero_has_no_sign(value: float, sign: bool, lang
         assert text.strip("0.,") == ""
         assert form.plain_text(value) == "0.0000"
         assert grouped_number(value, 4).strip("0.,") == ""
-    assert units.figure(value, "m", f"{plus}.4f") == f"{plus}0.0000"
+    assert units.figure(value, "m", f"{plus}.4f") == "0.0000"
     assert shortest_number(-0.0) == "0"
