@@ -140,7 +140,8 @@ def test_the_whole_point_is_shown_in_a_narrow_window(language: str, board: Drive
     shown = window.task_bar.point
     assert shown.isVisible()
     fields = shown.shown_text.split(FIELD_SEPARATOR)
-    assert {f"{gettext(name)} {values[gettext(name)]}" for name in promised} <= set(fields)
+    names = {gettext(name) for name in promised}
+    assert {gettext("{name}: {text}", name=n, text=values[n]) for n in names} <= set(fields)
     board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
     degrees = values[gettext("Incidence")].partition("°")[0].replace(",", ".")
     assert f"{float(degrees):.0f}°" in QToolTip.text()
