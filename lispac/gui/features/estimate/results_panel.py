@@ -66,7 +66,7 @@ EMPTY_TEXT = N_(
 )
 WAITING_TEXT = N_("Estimating …")
 _ROW_HEIGHT_PX = 19
-_SIGNS_HEIGHT_PX = 36
+_SIGNS_HEIGHT_PX = 37
 """Height of a header of two lines."""
 _MIN_VALUE_WIDTH_PX = 190
 """Smallest width of a value of the fit; longer texts are wrapped."""

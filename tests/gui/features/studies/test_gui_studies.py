@@ -267,12 +267,12 @@ def test_the_visibility_study_is_shown_and_copied(
         x, y = axes.transData.transform((-38.0, 0.0))
         MouseEvent("motion_notify_event", dialog.canvas, x, y)._process()
         text = dialog.reading.text()
-        assert "-40 deg" in text
+        assert "-40°" in text
         driver.bot.mouseClick(dialog.copy_numbers, Left)
         heads, *rows = QGuiApplication.clipboard().text().splitlines()
         assert heads.split("\t")[3] == "45 deg"
         (row,) = (row.split("\t") for row in rows if row.startswith("-40\t"))
-        assert f"45 deg: {float(row[3]):.4f}".replace("-", "\u2212") in text
+        assert f"45°: {float(row[3]):.4f}".replace("-", "\u2212") in text
         driver.bot.mouseClick(dialog.copy_picture, Left)
         assert QGuiApplication.clipboard().pixmap().width() >= 560
         dialog.site.setCurrentText("Marine site")
