@@ -48,7 +48,7 @@ PAIR_KIND_NAMES: dict[Kind, str] = {
 """Names of the kinds of pairs; `PAIR_SYMBOLS` are their symbols."""
 SIDE_WIDTH_PX, LIST_WIDTH_PX, PICTURE_SPACING_PX = 316, 100, 6
 """Width of both lists, width of the list of objects, and space between the pictures, pixels."""
-MIN_WIDE_PX, MAX_ANGLES_WIDTH_PX = 1160, 420
+MIN_WIDE_PX, MAX_ANGLES_WIDTH_PX = 1180, 440
 """Width from which the pictures are between lists and angles, and that of the angles then."""
 QWIDGETSIZE_MAX = 16777215
 """Largest size of a widget in Qt, which PySide6 does not export."""
