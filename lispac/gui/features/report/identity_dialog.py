@@ -62,6 +62,8 @@ SURVEY_FIELDS = ("client", "contract", "vessel", "site")
 """Fields of a survey whose texts in other reports complete what is typed."""
 COLUMNS = ((0, 1, 2, 5), (3, 4))
 """Indices of the groups in the left and in the right column, which are about equally high."""
+MAX_NAMED_FIELDS = 6
+"""Largest number of missing fields that are named; more would need a high dialogue."""
 NO_DATES_TEXT = N_(
     "The lines contain only the time of the day or week, no date. Type the dates in the field "
     "Survey dates, such as 2026-03-04 or 2026-03-04 to 2026-03-06."
@@ -244,7 +246,15 @@ class IdentityDialog(QDialog):
 
 
 def missing_details_text(missing: Sequence[str]) -> str:
-    """Text of the fields that a signed report needs and that are empty."""
+    """Text of the fields that a signed report needs and that are empty.
+
+    Many are not all named, since they are marked in the form.
+    """
+    if len(missing) > MAX_NAMED_FIELDS:
+        return gettext(
+            "{count:n} details are missing for a signed report; they are marked with *.",
+            count=len(missing),
+        )
     names = tuple(gettext(FIELD_LABELS[name]) for name in missing)
     return gettext("Missing for a signed report: {names:names}.", names=names)
 

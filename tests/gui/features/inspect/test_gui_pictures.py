@@ -93,7 +93,7 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         panel = section(picked)
         first = panel.canvas.figure.axes[0]
         assert (first.get_xlabel(), first.get_ylabel()) == (
-            "Across the surface, enlarged 2 times (ft)",
+            "Across the surface, enlarged 5 times (ft)",
             "Along the surface (ft)",
         )
         assert "\N{NO-BREAK SPACE}ft" in first.get_title(loc="left")
