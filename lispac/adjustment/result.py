@@ -397,6 +397,21 @@ class ControlTranslation:
     p_value: float
 
 
+@dataclass(frozen=True, eq=False)
+class EstimateWithoutControl:
+    """Estimate from the same observations without the control.
+
+    Attributes
+    ----------
+    angles, sigma : ndarray of shape (3,), radians; roll, pitch, yaw
+    parameters : tuple of ParameterEstimate
+    """
+
+    angles: Annotated[Array, ArrayShape(3)]
+    sigma: Annotated[Array, ArrayShape(3)]
+    parameters: tuple[ParameterEstimate, ...]
+
+
 @accept_script_names
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
@@ -465,6 +480,9 @@ class AdjustmentResult:
         Surveyed points that were used; empty without control.
     control_translations : tuple of ControlTranslation
         Tests of a common translation of the points of each source.
+    without_control : EstimateWithoutControl or None
+        Estimate without the control; None without control, or if lines and targets alone do not
+        determine the angles.
     """
 
     mounting: Mounting
@@ -502,6 +520,7 @@ class AdjustmentResult:
     sigma_at_given_times: Annotated[Array, ArrayShape(3)] | None = None
     control: tuple[ControlResidual, ...] = ()
     control_translations: tuple[ControlTranslation, ...] = ()
+    without_control: EstimateWithoutControl | None = None
 
     @property
     def surfaces(self) -> Array:

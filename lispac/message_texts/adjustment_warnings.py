@@ -218,6 +218,16 @@ TEXTS: Mapping[str, Template] = {
         "Some sightings disagree with the others but are used: {sightings:names}. Check their "
         "points and the trajectory at these times.",
     ),
+    "adjustment.control_contradicts": N_(
+        "Control point {name} lies {shift:mm.1} mm (± {sigma:mm.1} mm, test value w = {w:x.1+}) "
+        "from the surface of {target} that all other observations give. Check its coordinates and "
+        "its name and that the target was not moved, or exclude the point and estimate again."
+    ),
+    "adjustment.control_translated": N_(
+        "The control of {source} is displaced as a whole from all other observations: "
+        "{components:names}. Check its coordinate system, height reference and epoch, or the lever "
+        "arm of the POS, or exclude this control and estimate again."
+    ),
     "adjustment.target_excluded": N_(
         "Targets were excluded because none of their points agrees with the other targets and "
         "lines: {targets:names}. Pick these targets again, or remove them."

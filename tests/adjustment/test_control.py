@@ -358,7 +358,9 @@ def test_a_wrong_point_is_named(size: float) -> None:
     assert not translated
     assert points[0].shift == pytest.approx(size, abs=4 * points[0].shift_sigma)
     warnings = [
-        each for each in result_warnings(result, None) if each.code == "control.contradicts"
+        each
+        for each in result_warnings(result, None)
+        if each.code == "adjustment.control_contradicts"
     ]
     assert warnings[0].params["name"] == control.names[2]
     # The wrong point does not increase the sigma of the form errors, nor reject sightings.
@@ -377,7 +379,7 @@ def test_a_wrong_height_reference_is_named_as_a_whole() -> None:
     assert np.isfinite(found.sigma).all()
     assert (np.abs(found.translation - shift) < 4 * found.sigma).all()
     codes = [each.code for each in result_warnings(result, None)]
-    assert codes.count("control.translated") == 1
+    assert codes.count("adjustment.control_translated") == 1
 
 
 def test_a_wrong_sphere_centre_is_named() -> None:

@@ -287,19 +287,24 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
         )
 
 
+_TRANSLATION_CODES = (
+    "control.translation_north", "control.translation_west", "control.translation_up",
+)  # fmt: skip
+
+
 def _control_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     """Warnings about surveyed points that contradict the survey."""
     points, moved = contradicting_control(result.control, result.control_translations)
     for each in moved:
         components = [
-            note(f"control.translation_{axis}", size=float(size), sigma=float(sigma))
-            for axis, size, sigma in zip(
-                ("north", "west", "up"), each.translation, each.sigma, strict=True
+            note(code, size=float(size), sigma=float(sigma))
+            for code, size, sigma in zip(
+                _TRANSLATION_CODES, each.translation, each.sigma, strict=True
             )
             if np.isfinite(sigma)
         ]
         yield warning(
-            "control.translated",
+            "adjustment.control_translated",
             source=each.source, components=components, subject=RESULT_CAUSE,
         )  # fmt: skip
     for point in points:
@@ -307,7 +312,7 @@ def _control_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterat
         assert point.shift_sigma is not None
         assert point.w is not None
         yield warning(
-            "control.contradicts",
+            "adjustment.control_contradicts",
             name=point.name, target=point.target, shift=abs(point.shift), sigma=point.shift_sigma,
             w=point.w, subject=Cause.of_target(point.target),
         )  # fmt: skip

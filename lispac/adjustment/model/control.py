@@ -1,4 +1,8 @@
-"""Surveyed control: points on targets and centres of spheres, with their covariance."""
+"""Surveyed control: points on targets and centres of spheres, with their covariance.
+
+Control enters the adjustment as observations with their own covariance, like the points of a
+weighted datum (Caspary 1987).
+"""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
@@ -129,7 +133,7 @@ class Control:
 
 
 def plane_points(centre: Array, axes: Array, moments: Array) -> Array:
-    """Three points that represent a fitted plane, shape (3, 3), metres.
+    """Three points that represent a fitted plane, shape (3, 3), metres, local frame.
 
     With independent errors of ``sigma * sqrt(3 / n)`` along the normal, where ``sigma`` is the
     noise of the ``n`` fitted points, they have the covariance of the fit: they have the same
@@ -137,9 +141,9 @@ def plane_points(centre: Array, axes: Array, moments: Array) -> Array:
 
     Parameters
     ----------
-    centre : ndarray of shape (3,), metres
+    centre : ndarray of shape (3,), metres, local frame
         Centroid of the fitted points.
-    axes : ndarray of shape (2, 3), unit vectors
+    axes : ndarray of shape (2, 3), unit vectors, local frame
         Principal axes of the fitted points in the plane.
     moments : ndarray of shape (2,), square metres
         Mean squared distances of the fitted points from the centroid along the axes.

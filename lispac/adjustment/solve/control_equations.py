@@ -2,7 +2,8 @@
 
 A surveyed point on a plane satisfies ``n . x + d = 0``, one on a sphere ``|x - c| - r = 0``, and a
 surveyed centre of a sphere ``x - c = 0`` (three equations). The conditions contain the shapes of
-the targets, but no value of the mounting, and they are not weighted by the loss function.
+the targets, but no value of the mounting, and they are not weighted by the loss function. They are
+further conditions of the Gauss-Helmert model of the points (thesis B.3).
 """
 
 from dataclasses import dataclass
@@ -31,7 +32,7 @@ class ControlEquations:
     by_unknowns : ndarray of shape (q, u)
         Derivatives by the unknowns of the normal equations.
     by_position : ndarray of shape (q, 3)
-        Derivatives by the position of the own point, unit vectors.
+        Derivatives by the position of the own point: unit vectors, no unit, local frame.
     misclosure : ndarray of shape (q,), metres
     """
 
