@@ -218,13 +218,21 @@ CONTROL_TABLE = Table[ControlPointValues](
 )  # fmt: skip
 
 
+LOCAL_FRAME_NAME = "the local frame"
+"""Value of `ControlFileValues.system` for coordinates in the local frame."""
+
+
+def _system_text(file: ControlFileValues) -> str:
+    return gettext("local frame") if file.system == LOCAL_FRAME_NAME else file.system
+
+
 FILE_KIND_TEXTS = {"points": N_("list of points"), "scan": N_("static scan")}
 CONTROL_FILES_TABLE = Table[ControlFileValues](
     N_("Files of the control"),
     (
         Column("file", N_("File")),
         Column("kind", N_("Kind"), texts=FILE_KIND_TEXTS),
-        Column("system", N_("Coordinate system")),
+        Column(_system_text, N_("Coordinate system")),
         Column("common_sigma_m", N_("Common\n1 sigma"), MILLIMETRES),
         Column("points", N_("Points"), COUNT),
         Column("used_points", N_("Points\nused"), COUNT),
