@@ -28,6 +28,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 if TYPE_CHECKING:
     from lispac.acceptance import AcceptanceCriteria as AcceptanceCriteria
     from lispac.adjustment.model.parameters import Parameter as Parameter
+    from lispac.control_points import ControlFile as ControlFile
+    from lispac.control_points import ControlPoint as ControlPoint
     from lispac.errors import LispacError as LispacError
     from lispac.identity import Identity as Identity
     from lispac.messages import Message as Message
@@ -48,6 +50,8 @@ if TYPE_CHECKING:
 # Modules are imported on first use, since the command line often needs only the version.
 _MODULE_OF_NAME = {
     "AcceptanceCriteria": "lispac.acceptance",
+    "ControlFile": "lispac.control_points",
+    "ControlPoint": "lispac.control_points",
     "ExpectedTarget": "lispac.targets.expected_target",
     "FinderChoices": "lispac.targets.finder_settings",
     "Identity": "lispac.identity",

@@ -26,6 +26,7 @@ from lispac.adjustment.model.stochastic_model import (
 )
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, SigmaGroup
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
+from lispac.control_points import ControlFile, with_renamed_target
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names
 from lispac.identity import EMPTY_IDENTITY, Identity
@@ -406,6 +407,8 @@ class Project:
     acceptance: AcceptanceCriteria = NO_CRITERIA
     settings: Settings
     targets: tuple[Target, ...] = ()
+    control: tuple[ControlFile, ...] = ()
+    """Files with surveyed points that the adjustment uses as observations."""
     result: AdjustmentResult | None = None
     cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
@@ -554,6 +557,18 @@ class Project:
             return replace(self, settings=settings)
         return replace(self.without_results(), settings=settings)
 
+    def with_control(self, control: tuple[ControlFile, ...]) -> "Project":
+        """Change the control.
+
+        Results are removed if points are used, or were used, that are not the same now.
+        """
+        before, after = (
+            [(file.path, file.common_sigma, file.used_points) for file in files if file.used_points]
+            for files in (self.control, control)
+        )
+        kept = self if before == after else self._edited(self.targets, {"target"})
+        return replace(kept, control=control)
+
     def without_results(self) -> "Project":
         """Remove all results, after a change of data or settings on which they depend."""
         return replace(
@@ -619,6 +634,7 @@ class Project:
         require_valid_target(renamed)
         targets = tuple(renamed if target.name == old else target for target in self.targets)
         edited = self._edited(targets, {renamed.role})
+        edited = replace(edited, control=with_renamed_target(self.control, old, new))
         if renamed.role == "target":
             return edited
         excluded = dict(edited.excluded_comparisons)

@@ -7,6 +7,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.diagnostics.control_tests import (
+    contradicting_control,
+    control_residuals,
+    control_translations,
+)
 from lispac.adjustment.diagnostics.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
 from lispac.adjustment.diagnostics.failure_causes import REJECTION_LEVEL, find_failure_causes
 from lispac.adjustment.diagnostics.observability import assess_observability
@@ -128,6 +133,9 @@ def adjust(
         adapts = test_model and shorten_times and model.correlated
         if not (adapts and found.is_model_rejected(REJECTION_LEVEL)):
             return found
+        # Wrong control says nothing about the correlation times.
+        if any(contradicting_control(found.control, found.control_translations)):
+            return found
         if _passes_without_cause(found, some, mounting, settings, progress):
             return found
         return _with_shorter_correlation_times(found, some, mounting, settings, progress)
@@ -144,14 +152,20 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
     linearised, correlated = solution.linearised, solution.linearised.problem.model.correlated
     factors = leave_out_sigma_factors(linearised) if raise_sigmas and correlated else None
     has_surfaces = correlated and bool(linearised.normal.layout.surfaces)
+    result = solution.result()
+    sides = np.array(
+        [1 if each.vessel_side is None else each.vessel_side for each in result.targets]
+    )
     result = replace(
-        solution.result(),
+        result,
         observability=assess_observability(
             linearised, angle_sigma_factors=factors, origins=solution.origins
         ),
         reliability=compute_reliability(linearised) if has_surfaces else (),
         contradictions=find_contradicted_parameters(linearised) if correlated else (),
         causes=find_possible_causes(linearised),
+        control=control_residuals(linearised, sides),
+        control_translations=control_translations(linearised),
     )
     return result if factors is None else with_raised_sigmas(result, factors)
 

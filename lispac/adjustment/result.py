@@ -1,5 +1,6 @@
 """Result of an adjustment."""
 
+import math
 from collections import Counter
 from dataclasses import dataclass, replace
 from typing import Annotated, Literal
@@ -333,6 +334,84 @@ class PossibleCause:
     evidence: float
 
 
+@dataclass(frozen=True)
+class ControlResidual:
+    """Residual and test of one surveyed point, after the adjustment.
+
+    Attributes
+    ----------
+    name, target, source : str
+        Name of the point, its target, and the survey from which it comes.
+    is_centre : bool
+        Whether the point is the centre of a sphere; the residual and ``shift`` are then distances.
+    residual : float, metres
+        Distance of the surveyed point from the adjusted surface, positive on the side of the vessel
+        and outside a sphere.
+    sigma : float, metres
+        Standard deviation of the surveyed point along the residual, including the common error of
+        its source.
+    redundancy : float
+        Redundancy number, from 0 (nothing checks the point) to 1; the mean of the three coordinates
+        of a centre.
+    shift, shift_sigma : float or None, metres
+        Error of the point according to all other observations, and its standard deviation; None if
+        nothing checks the point.
+    w : float or None
+        Test value (Baarda 1968), standard normal if the point is correct. For a centre, the value
+        with the same probability as the chi-square test of its coordinates.
+    """
+
+    name: str
+    target: str
+    source: str
+    is_centre: bool
+    residual: float
+    sigma: float
+    redundancy: float
+    shift: float | None = None
+    shift_sigma: float | None = None
+    w: float | None = None
+
+    @property
+    def p_value(self) -> float | None:
+        """Probability of a larger test value if the point is correct; None without a test."""
+        return None if self.w is None else math.erfc(abs(self.w) / math.sqrt(2.0))
+
+
+@dataclass(frozen=True, eq=False)
+class ControlTranslation:
+    """Common translation of the surveyed points of one source relative to all other observations.
+
+    Attributes
+    ----------
+    source : str
+    translation, sigma : ndarray of shape (3,), metres; north, west, up
+        Translation, and its standard deviation; infinite for a component that is not determined.
+    p_value : float
+        Probability of a larger translation if the points have no common error beyond the given one.
+    """
+
+    source: str
+    translation: Annotated[Array, ArrayShape(3)]
+    sigma: Annotated[Array, ArrayShape(3)]
+    p_value: float
+
+
+@dataclass(frozen=True, eq=False)
+class EstimateWithoutControl:
+    """Estimate from the same observations without the control.
+
+    Attributes
+    ----------
+    angles, sigma : ndarray of shape (3,), radians; roll, pitch, yaw
+    parameters : tuple of ParameterEstimate
+    """
+
+    angles: Annotated[Array, ArrayShape(3)]
+    sigma: Annotated[Array, ArrayShape(3)]
+    parameters: tuple[ParameterEstimate, ...]
+
+
 @accept_script_names
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
@@ -397,6 +476,13 @@ class AdjustmentResult:
         `lidar_noise_ratio`.
     assumed_sigmas : tuple of {"LiDAR", "POS position", "POS attitude"}
         Groups of errors whose standard deviations were assumed because nobody gave them.
+    control : tuple of ControlResidual
+        Surveyed points that were used; empty without control.
+    control_translations : tuple of ControlTranslation
+        Tests of a common translation of the points of each source.
+    without_control : EstimateWithoutControl or None
+        Estimate without the control; None without control, or if lines and targets alone do not
+        determine the angles.
     """
 
     mounting: Mounting
@@ -432,6 +518,9 @@ class AdjustmentResult:
     lidar_noise_ratio: float | None = None
     assumed_sigmas: tuple[SigmaGroup, ...] = ()
     sigma_at_given_times: Annotated[Array, ArrayShape(3)] | None = None
+    control: tuple[ControlResidual, ...] = ()
+    control_translations: tuple[ControlTranslation, ...] = ()
+    without_control: EstimateWithoutControl | None = None
 
     @property
     def surfaces(self) -> Array:

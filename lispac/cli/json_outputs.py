@@ -23,6 +23,7 @@ from lispac.present.calibrations import (
     CalibrationValues,
     CombinedCalibrations,
 )
+from lispac.present.control import ControlValues
 from lispac.present.conventions import ConventionRules, ConventionValues, CorrectionValues
 from lispac.present.cross_checks import CrossCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
@@ -81,11 +82,12 @@ class EstimateOutput(ProjectAdjustmentOutput):
     """Result of ``lispac estimate PROJECT``.
 
     ``origin_deg_m`` contains latitude, longitude and ellipsoidal height of the origin of the local
-    frame.
+    frame, ``control`` the surveyed points, used or not, with their residuals.
     """
 
     origin_deg_m: tuple[float, ...]
     qualities: tuple[SightingQualityValues, ...]
+    control: ControlValues
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -480,6 +482,7 @@ OUTPUTS: Mapping[str, Any] = {
     "import": ImportOutput,
     "pick": PickOutput | SeedListOutput,
     "propose": ProposeOutput,
+    "control": ControlValues,
     "estimate": EstimateOutput | AdjustmentOutput,
     "subsample": SubsampleOutput,
     "validate": ValidateOutput,

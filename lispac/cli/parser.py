@@ -46,6 +46,9 @@ COMMANDS = (
     Command("pick", "calibration", "find the plane or sphere at a seed point in every line"),
     Command("propose", "calibration",
             "detect targets and validation planes automatically and give the reasons for each"),
+    Command("control", "calibration",
+            "import surveyed points or a static scan as observations of the adjustment, or list "
+            "them"),
     Command("estimate", "calibration",
             "estimate the boresight of a project or of plane files; the options are saved in the "
             "project"),

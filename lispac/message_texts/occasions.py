@@ -33,6 +33,7 @@ OCCASIONS: Mapping[str, str] = {
     "column": N_("Column of a text file, in another message"),
     "component": N_("Variance components are estimated"),
     "content": N_("A file of the program, such as a project, is read"),
+    "control": N_("Surveyed control is imported or used in the adjustment"),
     "convention": N_("The angles are converted for another program"),
     "coordinates": N_("Coordinates of a target are entered or read from a list"),
     "cross_check": N_("Subsets of the data are adjusted separately"),

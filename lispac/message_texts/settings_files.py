@@ -47,6 +47,7 @@ TEXTS: Mapping[str, Template] = {
         "The seed, threshold or search radius of target {target} is invalid."
     ),
     "content.duplicate_target": N_("Two targets have the name {target}."),
+    "content.duplicate_control": N_("Two files of control have the name {name}."),
     "content.duplicate_line": N_("Two lines have the name {line}."),
     "content.invalid_sighting": N_(
         "The stored values of target {target} on line {line} are outside the possible range."

@@ -15,7 +15,7 @@ IMPORT_SECONDS = Format("s", 1)
 IMPORT_RATE = Format("", 2, 1e-6)
 FILE_MEGABYTES = Format("", 1, 1e-6)
 """Formats of the import of a line: time, millions of points per second, size on the disk."""
-FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
+FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"), N_("Control"))
 """Roles of the input files other than those of the lines."""
 LINE_ROLE = "Line "
 """Role of the file of a line, before the name of the line."""

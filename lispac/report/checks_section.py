@@ -4,6 +4,11 @@ from collections.abc import Sequence
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
+from lispac.present.control import (
+    CONTROL_COMPARISON_TABLE,
+    CONTROL_FILES_TABLE,
+    CONTROL_TABLE,
+)
 from lispac.present.cross_checks import SUBSETS_TABLE, halves_sigma_deg, subset_rows
 from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
 from lispac.present.sightings import (
@@ -56,6 +61,14 @@ SUBSET_DIFFERENCES_TEXT = N_(
 HALVES_TEXT = N_(
     "Each half determines the angles less precisely than all data: the sigma of the difference "
     "between the halves is {roll}° in roll, {pitch}° in pitch and {yaw}° in yaw."
+)
+CONTROL_TEXT = N_(
+    "Surveyed points entered the adjustment as observations. Residual: distance of the point from "
+    "the adjusted surface, positive if it is nearer to the vessel; of a centre, its distance from "
+    "the adjusted centre. 1 sigma: standard deviation of the point in the direction of the "
+    "residual, with the error that all points of its file share. Redundancy: share of an error of "
+    "the point that its residual shows. w: error of the point according to all other observations, "
+    "divided by its standard deviation."
 )
 METHODS_TEXT = N_(
     "Other methods applied to the same lines: adjustment with the validation planes as targets "
@@ -163,6 +176,28 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
     if reasons:
         blocks += [Paragraph(gettext("Subsets without a result:")), Bullets(reasons)]
     return blocks
+
+
+def control_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the surveyed control, and on the angles with and without it."""
+    control = content.control
+    if not control.points:
+        return []
+    blocks: list[Block] = [
+        Paragraph(gettext(CONTROL_TEXT)),
+        report_table(CONTROL_FILES_TABLE, control.files),
+        report_table(CONTROL_TABLE, control.points),
+    ]
+    if reasons := [sentence_text(each.reason) for each in control.points if each.reason]:
+        blocks.append(Bullets(tuple(reasons)))
+    return [*blocks, *control_comparison(content)]
+
+
+def control_comparison(content: ReportContent) -> list[Block]:
+    """Table of the estimates with and without the control; none without control."""
+    if not content.control.comparison:
+        return []
+    return [report_table(CONTROL_COMPARISON_TABLE, content.control.comparison)]
 
 
 def method_blocks(content: ReportContent) -> list[Block]:

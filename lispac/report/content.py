@@ -19,6 +19,7 @@ from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import adjustment_values, angle_errors
 from lispac.present.angles import angles
+from lispac.present.control import ControlValues
 from lispac.present.conventions import convention_values, scanner_to_body_matrix
 from lispac.present.cross_checks import cross_check_values
 from lispac.present.error_budget import ErrorBudgetValues
@@ -144,6 +145,7 @@ def report_content(
         trajectory=tuple(trajectory),
         methods=tuple(MethodValues.of(each) for each in methods),
         method_messages=comparison_messages(methods),
+        control=ControlValues.of(project),
     )
     also = (*also, outdated_result_warning(refused)) if refused else also
     return replace(content, warnings=report_warnings(content, all_warnings(project, also)))
@@ -158,6 +160,9 @@ def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     for k, (role, path) in enumerate(inputs):
         step = sub_progress(progress, k / len(inputs), (k + 1) / len(inputs))
         files.append(_input_file(role, path, step))
+    for file in project.control:  # size and digest at the time of the import
+        name = printable(file.path.name)
+        files.append(InputFile("Control", name, file.size_bytes, file.sha256))
     if (check := project.absolute) is not None:  # size and digest at the time of the comparison
         files.append(InputFile("Reference", check.reference, check.size_bytes, check.sha256))
     return tuple(files)

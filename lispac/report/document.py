@@ -13,7 +13,12 @@ from lispac.present.acceptance import verdict_scope_text
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections, short_report
 from lispac.report.boresight_section import boresight_blocks, convention_blocks
-from lispac.report.checks_section import cross_check_blocks, method_blocks, reliability_blocks
+from lispac.report.checks_section import (
+    control_blocks,
+    cross_check_blocks,
+    method_blocks,
+    reliability_blocks,
+)
 from lispac.report.document_blocks import (
     Block,
     Document,
@@ -123,6 +128,7 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
         _make_section(gettext("Quality of the sightings"), quality_blocks(content)),
         _make_section(gettext("Reliability of the sightings"), reliability_blocks(content)),
         _make_section(gettext("Cross-checks"), cross_check_blocks(content)),
+        _make_section(gettext("Surveyed control"), control_blocks(content)),
         _make_section(gettext("Validation"), validation_blocks(content)),
         _make_section(gettext("Alternative methods"), method_blocks(content)),
         _make_section(gettext("Check against the reference"), absolute_check_blocks(content)),
@@ -176,6 +182,8 @@ def _proper_names(content: ReportContent) -> Iterator[str]:
     yield from (file.name for file in content.files)
     if content.absolute is not None:
         yield from (point.name for point in content.absolute.points)
+    yield from (point.name for point in content.control.points)
+    yield from (file.file for file in content.control.files)
     if content.adjustment is not None:
         for sighting in content.adjustment.sightings:
             yield from (sighting.target, sighting.line)

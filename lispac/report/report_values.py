@@ -13,6 +13,7 @@ from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.acceptance import AcceptanceValues
 from lispac.present.adjustment import AdjustmentValues, AngleValues, angle_values
 from lispac.present.angles import Angles
+from lispac.present.control import NO_CONTROL, ControlValues
 from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
 from lispac.present.cross_checks import CrossCheckValues
 from lispac.present.error_budget import ErrorBudgetValues
@@ -65,6 +66,7 @@ class ReportContent:
     trajectory: tuple[LineTrajectorySummary, ...] = ()
     methods: tuple[MethodValues, ...] = ()
     method_messages: tuple[Message, ...] = ()
+    control: ControlValues = NO_CONTROL
 
     @property
     def angles(self) -> tuple[AngleValues, ...]:

@@ -20,6 +20,7 @@ from lispac.present.text_format import fixed_number
 from lispac.present.validation import ValidationPlane
 from lispac.report import sections
 from lispac.report.boresight_section import angle_tables, convention_paragraph, rule_tables
+from lispac.report.checks_section import control_comparison
 from lispac.report.document_blocks import (
     Block,
     Paragraph,
@@ -116,6 +117,7 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
         table = table.without(title)
     return [
+        *control_comparison(content),
         report_table(table, adjustment.targets),
         facts_table(gettext("Fit and standard deviations used"), facts),
     ]

@@ -9,6 +9,12 @@ import numpy as np
 
 from lispac.acceptance import Acceptance
 from lispac.adjustment.result import AdjustmentResult
+from lispac.control_points import (
+    ControlFile,
+    with_control_file,
+    with_control_use,
+    without_control_file,
+)
 from lispac.errors import ProjectError
 from lispac.former_names import accept_script_names
 from lispac.message_texts import message_text
@@ -29,7 +35,7 @@ from lispac.workflow.calibration.proposal_acceptance import (
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
-from lispac.workflow.checking import absolute_check, validation
+from lispac.workflow.checking import absolute_check, control_import, validation
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest, export
@@ -292,6 +298,55 @@ class OpenProject:
     def remove(self, name: str) -> None:
         """Remove a target or validation plane."""
         self.project = self.project.without_target(name)
+
+    # -- control -----------------------------------------------------------------------------
+
+    def control(
+        self,
+        path: AnyPath,
+        *,
+        sigma: float = control_import.DEFAULT_SIGMA,
+        common_sigma: float | None = None,
+        crs: str = "",
+        height: str = "",
+        trajectory_datum: str | None = None,
+        epoch: float | None = None,
+    ) -> ControlFile:
+        """Import surveyed control for the adjustment, as ``lispac control`` does.
+
+        Parameters
+        ----------
+        sigma : metres, standard deviation of points without one, or the common one of a scan
+        common_sigma : metres, standard deviation of a translation that all points of the file share
+        crs, height, trajectory_datum, epoch
+            As the options of ``lispac control``.
+        """
+        self.project, _ = control_import.import_control(
+            self.project, self.survey, Path(path), sigma=sigma, common_sigma=common_sigma, crs=crs,
+            height=height, trajectory_datum=trajectory_datum, epoch=epoch, progress=self._progress,
+        )  # fmt: skip
+        return self.project.control[-1]
+
+    def put_control(self, file: ControlFile) -> None:
+        """Add control with given points, or replace the control of a file of that name."""
+        file = replace(file, points=tuple(file.points))
+        file.require_sound()
+        self.project = self.project.with_control(with_control_file(self.project.control, file))
+
+    def exclude_control(self, *names: str) -> None:
+        """Exclude control points from the adjustment."""
+        control = with_control_use(self.project.control, names, used=False)
+        self.project = self.project.with_control(control)
+
+    def use_control(self, *names: str) -> None:
+        """Use control points again; the inverse of `exclude_control`."""
+        control = with_control_use(self.project.control, names, used=True)
+        self.project = self.project.with_control(control)
+
+    def remove_control(self, name: str) -> None:
+        """Remove the control of a file, by the name of the file."""
+        control = without_control_file(self.project.control, name)
+        self.project = self.project.with_control(control)
 
     # -- numbers -----------------------------------------------------------------------------
 

@@ -79,6 +79,7 @@ WORDS: dict[str, Words] = {
     "pick": lambda p, f: (p.folder, *SEED, "--name", "S1"),
     "pick a list": lambda p, f: (p.folder, "--seeds", seed_list(f)),
     "propose": lambda p, f: (p.folder,),
+    "control": lambda p, f: (p.folder, check_points(f), "--sigma", 0.01),
     "estimate": lambda p, f: (p.folder,),
     "subsample": lambda p, f: (p.folder, "--distances", 0.3),
     "validate": lambda p, f: (p.folder,),
@@ -267,8 +268,9 @@ def test_estimate_prints_the_values_of_the_report(
     assert [each["edited_by_hand"] for each in report["qualities"]].count(True) == 1
     for each in printed["warnings"]:
         assert each in report["warnings"]
-    others = {"schema_version", "elapsed_s", "cross_checks", "qualities", "warnings", *settings}
-    assert set(printed) == {*report["adjustment"], *others}
+    assert printed["control"] == report["control"]
+    others = {"schema_version", "elapsed_s", "cross_checks", "qualities", "warnings", "control"}
+    assert set(printed) == {*report["adjustment"], *others, *settings}
 
 
 def test_validate_prints_the_values_of_the_report(

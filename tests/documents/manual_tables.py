@@ -86,6 +86,7 @@ TOPIC_TITLES = {
         "Désignation des cibles et estimation des angles de visée",
     ),
     "checking": ("Validation and patch test", "Validation et patch test"),
+    "control": ("Surveyed control", "Points d’appui"),
     "commands": (
         "Command line, scripts, window and report",
         "Ligne de commande, scripts, fenêtre et rapport",

@@ -32,6 +32,7 @@ from lispac.present.adjustment import AGREE_ESTIMATED_TEXT, AGREE_TEXT, agreemen
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
+from tests.support.control_sample import with_control
 from tests.support.report_sample import sample_content, sample_project
 
 
@@ -231,6 +232,10 @@ def _assumed(project: Project) -> Project:
     )
 
 
+def _control_translated(project: Project) -> Project:
+    return with_control(project, w=7.5, translation=(0.0101, 0.0202, 0.3003))
+
+
 CASES = [
     ("assumed_sigmas", False, _assumed, "data: position 0.020 m, 0.020 m, 0.030 m (north, east, "
      "down) and attitude 0.0100 deg, 0.0100 deg, 0.0150 deg (roll, pitch, heading). Enter"),
@@ -266,6 +271,11 @@ CASES = [
     ("cross_check", False, _apart(4.1, -0.0512), "without line L2 (pitch -0.0512 deg, 4.1 times"),
     ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
+    ("control_contradicts", True, lambda project: with_control(project, w=7.5), "Control point C2 "
+     "lies 23.2 mm (+/- 3.1 mm, test value w = +7.5) from the surface of T1"),
+    ("control_translated", True, _control_translated, "control.csv is displaced as a whole "
+     "from all other observations: +10.1 mm north (+/- 4.0 mm), +20.2 mm west (+/- 4.0 mm) and "
+     "+300.3 mm up (+/- 4.0 mm). Check"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
     ("surface_held", False, _model(surface=0.0), "The form error of the targets is fixed at 0"),
     ("released", False, _sighting(rejected=True, shift=-0.0483, w=-9.34), "was rejected: "

@@ -136,7 +136,7 @@ def _cross_check_part(
     observations: Observations, start: Mounting, result: AdjustmentResult,
     parameters: tuple[Parameter, ...], kind: str, name: str, keep: NDArray[np.bool_],
 ) -> CrossCheck:  # fmt: skip
-    keep = keep & _is_target_on_two_lines(observations, keep)
+    keep = keep & _is_target_checked(observations, keep)
     if not keep.any():
         return CrossCheck(kind, name, reason=note("cross_check.no_common_target"))
     try:
@@ -153,13 +153,13 @@ def _cross_check_part(
     )
 
 
-def _is_target_on_two_lines(
-    observations: Observations, keep: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
-    """Whether the target of each sighting has at least two of the kept sightings."""
-    owners = observations.target_of_sighting
+def _is_target_checked(observations: Observations, keep: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether the target of each sighting has at least two of the kept sightings, or control."""
+    owners, control = observations.target_of_sighting, observations.control
     counts = np.bincount(owners[keep], minlength=len(observations.targets))
-    return np.asarray(counts[owners] >= 2)
+    surveyed = () if control is None else control.targets
+    has_control = np.array([target in surveyed for target in observations.targets], dtype=bool)
+    return np.asarray((counts >= 2) | has_control)[owners]
 
 
 def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:

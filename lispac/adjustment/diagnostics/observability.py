@@ -188,8 +188,9 @@ def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
 
 
 def _sigmas_without_groups(linearised: LinearisedProblem, mask: NDArray[np.bool_]) -> Array | None:
+    min_lines = 2 if linearised.control is None else 1
     if len({s.line for s, g in zip(linearised.problem.observations.sightings, mask, strict=True)
-            if not g}) < 2:  # fmt: skip
+            if not g}) < min_lines:  # fmt: skip
         return None
     information = linearised.normal_without_sightings(mask).information(3)
     if np.linalg.eigvalsh(information)[0] < MAX_ANGLE_SIGMA**-2:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.cause_warnings import KnownError, warnings_about_causes
+from lispac.adjustment.diagnostics.control_tests import contradicting_control
 from lispac.adjustment.diagnostics.sighting_warnings import (
     contradicted_sighting_warnings,
     noise_warnings,
@@ -287,6 +288,37 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
         )
 
 
+_TRANSLATION_CODES = (
+    "control.translation_north", "control.translation_west", "control.translation_up",
+)  # fmt: skip
+
+
+def _control_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warnings about surveyed points that contradict the survey."""
+    points, moved = contradicting_control(result.control, result.control_translations)
+    for each in moved:
+        components = [
+            note(code, size=float(size), sigma=float(sigma))
+            for code, size, sigma in zip(
+                _TRANSLATION_CODES, each.translation, each.sigma, strict=True
+            )
+            if np.isfinite(sigma)
+        ]
+        yield warning(
+            "adjustment.control_translated",
+            source=each.source, components=components, subject=RESULT_CAUSE,
+        )  # fmt: skip
+    for point in points:
+        assert point.shift is not None
+        assert point.shift_sigma is not None
+        assert point.w is not None
+        yield warning(
+            "adjustment.control_contradicts",
+            name=point.name, target=point.target, shift=abs(point.shift), sigma=point.shift_sigma,
+            w=point.w, subject=Cause.of_target(point.target),
+        )  # fmt: skip
+
+
 def _excluded_target_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if excluded := result.excluded_targets:
         first = Cause.of_target(excluded[0])
@@ -421,6 +453,7 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     _large_sigma_warnings,
     _one_orientation_warning,
     _correlation_notes,
+    _control_warnings,
     _exact_surface_note,
     _surface_notes,
     _steep_pitch_note,

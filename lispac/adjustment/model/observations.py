@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.model.control import Control
 from lispac.adjustment.model.threads import run_over_points
 from lispac.compiled_code import kernel
 from lispac.errors import AdjustmentError
@@ -76,6 +77,8 @@ class Observations:
     origins : mapping of str to ndarray of shape (3,), metres, local frame
         Origin of the coordinates of each target in the condition equations, zero if not given.
         ``position`` is not relative to it, because a relative copy would need as much memory.
+    control : Control or None
+        Surveyed points on the targets; those of targets without points are not used.
     """
 
     points_lidar: Array
@@ -94,6 +97,7 @@ class Observations:
     excluded_outliers: int = 0
     time_separation: Array | None = None
     origins: Mapping[str, Array] = field(default_factory=dict)
+    control: Control | None = None
 
     def __len__(self) -> int:
         return len(self.time)
@@ -182,6 +186,14 @@ class Observations:
             return self
         return self.of_sightings(np.array([s.target not in names for s in self.sightings]))
 
+    @property
+    def with_own_control(self) -> "Observations":
+        """Observations with the control of their targets only; without control if there is none."""
+        if self.control is None:
+            return self
+        keep = np.array([target in self.targets for target in self.control.targets], dtype=bool)
+        return replace(self, control=self.control.where(keep) if keep.any() else None)
+
     @cached_property
     def origin_of_target(self) -> Array:
         """Origin of each target, shape (targets, 3), metres, local frame."""
@@ -245,6 +257,8 @@ class Observations:
                 raise AdjustmentError(error(code))
         if not (self.sigma_lidar > 0).all():
             raise AdjustmentError(error("adjustment.sigma_lidar_zero"))
+        if self.control is not None:
+            self.control.require_usable(self.radii)
 
 
 def half_angle_tangents(attitude: Array) -> Array:

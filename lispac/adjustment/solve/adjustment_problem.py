@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.model.control import Control
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.robust_loss import Loss
@@ -19,6 +20,7 @@ from lispac.adjustment.model.target_shapes import (
     sphere_tangent,
     surface_tangents,
 )
+from lispac.adjustment.solve.control_equations import ControlEquations, linearise_control
 from lispac.adjustment.solve.group_sums import (
     AdjustmentState,
     PointGroups,
@@ -263,6 +265,10 @@ class AdjustmentProblem:
             self.observations.with_scaled_sigmas(lidar, position, attitude)
         )
 
+    def with_control(self, control: Control | None) -> "AdjustmentProblem":
+        """Problem with other control, or without control."""
+        return replace(self, observations=replace(self.observations, control=control))
+
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "AdjustmentProblem":
         """Problem with other values to estimate."""
         return replace(self, parameters=parameters)
@@ -311,7 +317,34 @@ class AdjustmentProblem:
             matrix[places, places] += precision
             right[places] -= found * precision
             quadratic += float((found * precision) @ found)
+        if (control := self.control_equations(state, summed, bases)) is not None:
+            matrix += control.matrix
+            right += control.right
+            quadratic += control.quadratic
         return replace(normal, quadratic=quadratic)
+
+    def control_equations(
+        self, state: AdjustmentState, summed: Array, bases: UnknownBases
+    ) -> ControlEquations | None:
+        """Equations of the control of all targets that have points; None if there are none.
+
+        Parameters
+        ----------
+        summed : ndarray of shape (sightings, a + 5, a + 5)
+            From `sums_by_sighting`.
+        """
+        if self.observations.control is None:
+            return None
+        offset = len(self.active) + 3  # the column whose square is the weight of a point
+        weights = np.bincount(
+            self.observations.target_of_sighting,
+            summed[:, offset, offset],
+            len(self.observations.targets),
+        )
+        return linearise_control(
+            self.observations, state.shapes, bases.shapes, self.layout.shapes, self.layout.size,
+            weights > 0,
+        )  # fmt: skip
 
     def sums_by_sighting(self, sums: Array) -> Array:
         """Sum the groups of each sighting, without the columns of the POS error.
@@ -374,6 +407,12 @@ class LinearisedProblem:
     def normal(self) -> NormalEquations:
         """Normal equations of all points."""
         return self.problem.build_equations(self.state, self.sums, self.bases, self.departures)
+
+    @cached_property
+    def control(self) -> ControlEquations | None:
+        """Equations of the control, which are part of ``normal``; None without control."""
+        summed = self.problem.sums_by_sighting(self.sums)
+        return self.problem.control_equations(self.state, summed, self.bases)
 
     @cached_property
     def directions(self) -> Array:

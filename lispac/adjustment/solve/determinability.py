@@ -24,6 +24,9 @@ MAX_ANGLE_SIGMA = np.radians(1.0)
 MAX_PARALLEL_ANGLE = np.radians(10.0)
 """Angle below which two lines, or two normals, are regarded as parallel, radians."""
 
+_PLANE_LIMITS = np.array([MAX_ANGLE_SIGMA, MAX_ANGLE_SIGMA, 0.1])
+"""Largest sigmas of a plane that is fixed by control: two rotations (radians), offset (metres)."""
+
 ANGLE_CODES = {
     "roll": "adjustment.angle_roll",
     "pitch": "adjustment.angle_pitch",
@@ -102,7 +105,7 @@ def require_determined(linearised: LinearisedProblem) -> None:
     """
     problem = linearised.problem
     lines = problem.observations.lines
-    if len(lines) < 2 and _is_single_heading(linearised):
+    if len(lines) < 2 and linearised.control is None and _is_single_heading(linearised):
         raise RankDeficient(error("adjustment.one_line", line=lines[0]))
     information = _with_correlated_pos_errors(linearised).normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
@@ -158,9 +161,9 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
     Raises
     ------
     RankDeficient
-        There is only one plane, or all planes are parallel.
+        There is only one plane, or all planes are parallel, and no plane is fixed by control.
     """
-    if not have_targets_one_orientation(linearised):
+    if not have_targets_one_orientation(linearised) or is_plane_fixed_by_control(linearised):
         return
     targets = linearised.problem.observations.targets
     raise RankDeficient(
@@ -168,6 +171,21 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
         if len(targets) == 1
         else error("adjustment.parallel_planes")
     )
+
+
+def is_plane_fixed_by_control(linearised: LinearisedProblem) -> bool:
+    """Whether the control of a plane alone determines its normal and offset.
+
+    Such control shows whether the plane was moved or is bent, like a plane of another orientation.
+    """
+    control = linearised.control
+    if control is None:
+        return False
+    for place in linearised.normal.layout.shapes:
+        information = control.matrix[place, place] * np.outer(_PLANE_LIMITS, _PLANE_LIMITS)
+        if np.linalg.eigvalsh(information)[0] > 1:
+            return True
+    return False
 
 
 def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:

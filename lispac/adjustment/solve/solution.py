@@ -67,7 +67,8 @@ class Solution:
         observations, layout = problem.observations, normal.layout
         unknowns = len(layout.active) + sum(s.stop - s.start for s in layout.shapes)
         known = sum(p.sigma is not None for p in problem.parameters)
-        freedom = len(observations) + known - unknowns
+        control = 0 if self.linearised.control is None else len(self.linearised.control)
+        freedom = len(observations) + control + known - unknowns
         lower, upper = chdtri(freedom, [0.975, 0.025]) if freedom > 0 else (0.0, 0.0)
         after, standardised = problem.residuals(state)
         statistic = _weighted_residual_sum(self.linearised, state, standardised)
@@ -127,6 +128,8 @@ def _weighted_residual_sum(
         )
     if problem.layout.surfaces:
         statistic += float(((linearised.departures / problem.surface_sigma) ** 2).sum())
+    if linearised.control is not None:
+        statistic += linearised.control.quadratic
     off = state.mounting.values - problem.prior.values
     return statistic + sum(
         (float(off[p.index]) / p.sigma) ** 2 for p in problem.parameters if p.sigma is not None

@@ -180,8 +180,8 @@ def solve(
     """Solve for mounting and targets in phases.
 
     A sample of the points is adjusted first, without sightings that are displaced by far. Then
-    variance components are estimated if requested, and disagreeing sightings are rejected. The last
-    iterations use all points.
+    variance components are estimated if requested, and disagreeing sightings are rejected. Control
+    is added afterwards, if the survey is determined without it. The last iterations use all points.
 
     Raises
     ------
@@ -195,6 +195,7 @@ def solve(
         The iteration diverges.
     """
     model, parameters, noise = settings.model, settings.parameters, settings.noise
+    observations = observations.with_own_control
     sampled = _sample_points(observations)
     origins = target_centroids(sampled, mounting)
     sampled = relative_to_origins(sampled, origins)
@@ -210,13 +211,17 @@ def solve(
     problem = AdjustmentProblem.of(first, mounting, model, parameters).with_known_noise(noise)
     state = problem.start(mounting, start)
     kept, fixed = _determined_parameters(problem, state)
-    problem = problem.with_parameters(kept)
+    problem = _without_control(problem, state, kept)
+    control, has_waited = first.control, problem.observations.control is not first.control
     if first is not sampled:
         state = iterate(problem, state, progress).state
-        problem = AdjustmentProblem.of(sampled, mounting, model, kept).with_known_noise(noise)
+        parameters = problem.parameters
+        problem = AdjustmentProblem.of(sampled, mounting, model, parameters).with_known_noise(noise)
+        if has_waited:
+            problem = problem.with_control(None)
         state = problem.start(state.mounting, state.shapes)
     found, rejected = iterate_with_majority(problem, state, progress)
-    if not settings.accept_single_orientation:
+    if not settings.accept_single_orientation and control is None:
         require_two_orientations(found.linearised)
     components: tuple[VarianceComponent, ...] = ()
     factors = np.ones(3)
@@ -229,6 +234,11 @@ def solve(
         found, components, factors = _iterate_variance_components(
             found, factors, settings, progress
         )
+    if has_waited:
+        problem = found.linearised.problem.with_control(control).with_parameters(kept)
+        found = iterate(problem, found.state, progress, earlier=found.path, noise_known=True)
+    if not settings.accept_single_orientation and control is not None:
+        require_two_orientations(found.linearised)
     if len(sampled) < len(observations):
         observations = relative_to_origins(observations.with_scaled_sigmas(*factors), origins)
         found = _continue_with_all_points(found, observations, progress)
@@ -256,6 +266,26 @@ def _determined_parameters(
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, undetermined
+
+
+def _without_control(
+    problem: AdjustmentProblem, state: AdjustmentState, kept: tuple[Parameter, ...]
+) -> AdjustmentProblem:
+    """Problem of the parameters ``kept``, without the control if it is determined without it.
+
+    Noise, form errors, variance components and rejected sightings are then found without the
+    control. Otherwise a wrong control point would increase the sigmas and thereby hide itself, or
+    correct sightings would be rejected because of it.
+    """
+    every = problem.with_parameters(kept)
+    if problem.observations.control is None:
+        return every
+    alone = every.with_control(None)
+    try:
+        determined, _ = _determined_parameters(alone, state)
+    except RankDeficient:
+        return every
+    return alone.with_parameters(determined)
 
 
 def _require_still_determined(linearised: LinearisedProblem) -> None:

@@ -398,6 +398,10 @@ class _RestrictedLikelihood:
                 self.diagonal[k] = parameter.sigma**-2
                 self.prior_right[k] = -off[parameter.index] * self.diagonal[k]
                 self.fixed_quadratic += float(off[parameter.index] ** 2 * self.diagonal[k])
+        self.control = linearised.control
+        if self.control is not None:
+            self.prior_right += self.control.right
+            self.fixed_quadratic += self.control.quadratic
 
     def __call__(self, given: Array) -> float:
         log_factors, log_form_factor = (
@@ -423,6 +427,8 @@ class _RestrictedLikelihood:
         matrix = normal.matrix * precision_factors[0]
         places = np.arange(len(matrix))
         matrix[places, places] += self.diagonal * (prior - precision_factors[0])
+        if self.control is not None:  # not scaled
+            matrix += self.control.matrix * (1 - precision_factors[0])
         right = (normal.right - self.prior_right) * precision_factors[0] + self.prior_right * prior
         factor = cholesky_factor(band)
         halved, halved_pull = (

@@ -183,6 +183,7 @@ def _print_json_of_project(
 ) -> None:
     from lispac.cli.calibration.result_output import project_adjustment_output
     from lispac.cli.json_outputs import EstimateOutput, extended
+    from lispac.present.control import ControlValues
     from lispac.present.sighting_quality import quality_list
 
     print_json(
@@ -190,6 +191,7 @@ def _print_json_of_project(
             EstimateOutput, project_adjustment_output(project, survey.headings_deg),
             origin_deg_m=survey.trajectory.frame.origin_deg_m,
             qualities=quality_list(qualities, project.targets),
+            control=ControlValues.of(project),
         )
     )  # fmt: skip
 
@@ -197,6 +199,7 @@ def _print_json_of_project(
 def _print_result_of_project(
     project: Project, survey: Survey, qualities: Mapping[tuple[str, str], SightingQuality]
 ) -> None:
+    from lispac.cli.calibration.control import print_control
     from lispac.cli.calibration.result_output import print_origin, print_result, print_sigmas
     from lispac.duplicate_targets import project_warnings
 
@@ -205,6 +208,8 @@ def _print_result_of_project(
         project.result, project.cross_checks, project_warnings(project),
         picked_points=project.picked_points,
     )  # fmt: skip
+    if project.control:
+        print_control(project)
     print_sigmas(project)
     print_origin(project, survey.trajectory.frame)
     print_weak_sightings(qualities)

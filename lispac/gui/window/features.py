@@ -1,5 +1,6 @@
 """The features of the window."""
 
+from lispac.gui.features.control import feature as control
 from lispac.gui.features.conventions import feature as conventions
 from lispac.gui.features.design import actions as design
 from lispac.gui.features.design.dialogs import DesignDialogs
@@ -29,6 +30,7 @@ FEATURES = (
     export.FEATURE,
     Feature(pick_targets.ACTIONS, TargetDialogs),
     Feature(estimate.ACTIONS),
+    control.FEATURE,
     conventions.FEATURE,
     patch_test.FEATURE,
     studies.FEATURE,

@@ -53,6 +53,11 @@ def require_consistent(project: Project) -> None:
                 raise InvalidContentError(
                     error("content.invalid_sighting", target=target.name, line=sighting.line)
                 )
+    names = [file.path.name for file in project.control]
+    for file in project.control:
+        file.require_sound()
+        if names.count(file.path.name) > 1:
+            raise InvalidContentError(error("content.duplicate_control", name=file.path.name))
     if project.result is not None:
         _require_consistent_result(project.result)
     for alternative in project.alternative_results:
@@ -92,6 +97,8 @@ def _stored_messages(project: Project) -> Iterator[Message]:
     """Messages stored with the targets and results of a project."""
     for target in project.targets:
         yield from target.missing.values()
+    for file in project.control:
+        yield from (point.reason for point in file.points if point.reason is not None)
     yield from project.not_compared.values()
     result, checks = project.result, project.cross_checks
     reasons: list[Message | None] = []

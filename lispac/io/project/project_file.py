@@ -412,6 +412,7 @@ def _with_paths(project: Project, convert: Callable[[Path], Path]) -> Project:
         trajectory=convert(project.trajectory),
         accuracy=project.accuracy and convert(project.accuracy),
         lines=tuple(replace(line, path=convert(line.path)) for line in project.lines),
+        control=tuple(replace(file, path=convert(file.path)) for file in project.control),
     )
 
 

@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 14
+SCHEMA_VERSION = 15
 
 
 def upgrade_content(content: Content) -> Content:
@@ -219,6 +219,11 @@ def _upgrade_from_13(content: Content) -> Content:
     return content | {"schema_version": 14}
 
 
+def _upgrade_from_14(content: Content) -> Content:
+    """Upgrade to version 15, which contains surveyed control."""
+    return content | {"schema_version": 15, "control": []}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -233,4 +238,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     11: _upgrade_from_11,
     12: _upgrade_from_12,
     13: _upgrade_from_13,
+    14: _upgrade_from_14,
 }

@@ -4,6 +4,7 @@ Each row is a point with three coordinates and optionally a name and a role. The
 columns is taken from a header row, else from their order.
 """
 
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -38,7 +39,14 @@ COORDINATES = ("x", "y", "z")
 USED_COLUMNS = (NAME, *COORDINATES, ROLE)
 """Meanings of the columns that are used."""
 SIGMA, PLANE = "sigma", "plane"
+AXIS_SIGMAS = ("sigma x", "sigma y", "sigma z")
+"""Columns with the standard deviation of each coordinate, in the order of the coordinates."""
 CHECK_COLUMN_NAMES = {
+    **{
+        f"{word}{axis}": f"sigma {axis}"
+        for word in ("s", "sigma", "sigma_", "sigma ", "std", "std_", "std ", "s_")
+        for axis in "xyz"
+    },
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
     **dict.fromkeys(("plane", "surface", "face"), PLANE),
 }
@@ -70,9 +78,12 @@ class ListedPoint:
         As in the list; None if not given.
     coordinates : three of float, in the order and unit of their coordinate system
     sigma : float or None, metres
-        Standard deviation of a check point, if given in the list.
+        Standard deviation of a check point, if given in the list; the root mean square of
+        ``axis_sigmas`` if the list gives these.
     plane : str
         Name of the plane that a check point shares with others; empty for a single point.
+    axis_sigmas : three of float or None, metres
+        Standard deviations of the three coordinates, if given in the list.
     """
 
     row: int
@@ -81,6 +92,7 @@ class ListedPoint:
     coordinates: tuple[float, float, float]
     sigma: float | None = None
     plane: str = ""
+    axis_sigmas: tuple[float, float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -344,7 +356,8 @@ def _column_factors(
         If a unit is not known or does not suit the column.
     """
     factors: dict[str, float] = {}
-    for name, axis_metres in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
+    sigmas = [(name, 1.0) for name in (SIGMA, *AXIS_SIGMAS)]
+    for name, axis_metres in (*zip(COORDINATES, metres, strict=True), *sigmas):
         title = titles.get(name, "")
         unit = title_unit(title)
         angle = degrees and name in COORDINATES[:2]
@@ -425,9 +438,20 @@ def _parse_point(
     sigma_metres = _parse_sigma(path, row, sigma)
     if sigma_metres is not None:
         sigma_metres *= factors.get(SIGMA, 1.0)
+    axis_sigmas = None
+    if all(what in column_of and column_of[what] < len(fields) for what in AXIS_SIGMAS):
+        each = [_parse_sigma(path, row, fields[column_of[what]].strip()) for what in AXIS_SIGMAS]
+        sx, sy, sz = (
+            (value or 0.0) * factors.get(what, 1.0)
+            for value, what in zip(each, AXIS_SIGMAS, strict=True)
+        )
+        if all(value is not None for value in each):
+            axis_sigmas = sx, sy, sz
+            sigma_metres = math.sqrt((sx**2 + sy**2 + sz**2) / 3)
     return ListedPoint(
-        row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), sigma_metres, plane
-    )
+        row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), sigma_metres, plane,
+        axis_sigmas,
+    )  # fmt: skip
 
 
 def _parse_sigma(path: Path, row: int, text: str) -> float | None:

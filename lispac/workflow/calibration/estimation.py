@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
 from lispac.adjustment.diagnostics.sign_check import is_sign_assumed, sign_agreement
-from lispac.adjustment.least_squares import adjust_or_explain
+from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.result import AdjustmentResult, EstimateWithoutControl
 from lispac.computing_time import computing_time
+from lispac.control_points import control_observations
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
@@ -73,6 +74,8 @@ def observations_of(
         If no target has sightings on two lines.
     RankDeficient
         If all used sightings are on one line.
+    InputError
+        If the control was imported with another origin of the local frame.
     """
     settings = settings or project.settings
     averages = settings.pos_errors == "correlated"
@@ -111,6 +114,9 @@ def observations_of(
         sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
         sightings=tuple(sightings),
         radii={each.name: each.sphere_radius for each in targets if each.shape == "sphere"},
+        control=control_observations(
+            project.control, {each.name for each in targets}, survey.trajectory.frame.origin_deg_m
+        ),
     )
     if not averages:
         return observations
@@ -348,6 +354,9 @@ def adjust_selected(
             shorten_times=model is None,
             progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
         )
+        result = replace(
+            result, without_control=_estimate_without_control(project, result, observations)
+        )
     result = replace(result, common_parts=parts)
     observations = observations.without_targets(result.excluded_targets)
     solved = project.with_result(_with_advice(result, observations) if advise else result)
@@ -356,6 +365,28 @@ def adjust_selected(
         if cross_check
         else solved
     )
+
+
+def _estimate_without_control(
+    project: Project, result: AdjustmentResult, observations: Observations
+) -> EstimateWithoutControl | None:
+    """Estimate of the same observations without the control; None if there is none."""
+    if not result.control:
+        return None
+    settings = project.settings
+    try:
+        alone = adjust(
+            replace(observations, control=None),
+            project.mounting("prior"),
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            assumed=project.assumed_sigmas,
+            accept_single_orientation=settings.accept_single_orientation,
+        )
+    except AdjustmentError:
+        return None  # the control is needed
+    return EstimateWithoutControl(alone.angles, alone.sigma, alone.parameters)
 
 
 def complete_result(

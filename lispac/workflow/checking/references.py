@@ -152,6 +152,86 @@ def read_reference(
     InputError
         If the file or its coordinates cannot be used.
     """
+    opened = open_reference(
+        path, project, survey, crs=crs, height=height, trajectory_datum=trajectory_datum,
+        epoch=epoch,
+    )  # fmt: skip
+    path, notes = opened.path, opened.notes
+    file_facts = (path, opened.size_bytes, opened.sha256)
+    if opened.is_list:
+        points, columns = read_listed_points(opened, survey.trajectory)
+        names, places, sigmas, planes, messages = _group_points(points, sigma, path)
+        messages += sigma_warnings([point for point, _ in points])
+        usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
+        return Reference(
+            *file_facts, "points", opened.system_name, usual, (*notes, columns, *messages),
+            np.zeros((0, 3)), names, places, sigmas, planes,
+        )  # fmt: skip
+    surface, used = read_surface(opened, survey, project, search_distance, progress)
+    nothing = np.zeros((0, 3))
+    return Reference(
+        *file_facts,
+        "scan",
+        opened.system_name,
+        sigma,
+        (*notes, used),
+        surface,
+        (),
+        nothing,
+        np.zeros(0),
+        (),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class OpenedReference:
+    """A file of a reference with its coordinate system, before its points are read.
+
+    Attributes
+    ----------
+    path : Path
+    size_bytes : int
+    sha256 : str
+    scan : StaticScan
+    is_list : bool
+        Whether the file is a list of surveyed points instead of a scan.
+    system : CoordinateSystem or None
+        None for the local frame.
+    notes : tuple of Message
+        Assumptions about the file, and warnings.
+    """
+
+    path: Path
+    size_bytes: int
+    sha256: str
+    scan: StaticScan
+    is_list: bool
+    system: CoordinateSystem | None
+    notes: tuple[Message, ...]
+
+    @property
+    def system_name(self) -> str:
+        """Coordinate system as text."""
+        return "the local frame" if self.system is None else self.system.name
+
+
+def open_reference(
+    path: Path,
+    project: Project,
+    survey: Survey,
+    *,
+    crs: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+) -> OpenedReference:
+    """Open a reference and determine its coordinate system; the options are as in `read_reference`.
+
+    Raises
+    ------
+    InputError
+        If the file or its coordinate system cannot be used.
+    """
     path = Path(path)
     found = open_static_scan(path)
     listed = not found.system and _is_control_point_list(path, found)
@@ -162,40 +242,16 @@ def read_reference(
         system = output_system_of(
             project, survey.trajectory, chosen, height, trajectory_datum, epoch
         )
-    system_name = "the local frame" if system is None else system.name
     notes: tuple[Message, ...] = (
         note("assumed.local_frame")
         if system is None
-        else note("assumed.list_system", system=system_name),
+        else note("assumed.list_system", system=system.name),
         *(() if system is None else system.assumptions),
         *(each for each in found.messages if not (crs and each.actions)),
     )
     with path.open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
-    file_facts = (path, path.stat().st_size, digest)
-    if listed:
-        points, columns = _read_points(path, system, survey.trajectory)
-        names, places, sigmas, planes, messages = _group_points(points, sigma, path)
-        messages += _sigma_warnings([point for point, _ in points])
-        usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
-        return Reference(
-            *file_facts, "points", system_name, usual, (*notes, columns, *messages),
-            np.zeros((0, 3)), names, places, sigmas, planes,
-        )  # fmt: skip
-    surface, used = _read_surface(found, system, survey, project, search_distance, progress)
-    nothing = np.zeros((0, 3))
-    return Reference(
-        *file_facts,
-        "scan",
-        system_name,
-        sigma,
-        (*notes, used),
-        surface,
-        (),
-        nothing,
-        np.zeros(0),
-        (),
-    )
+    return OpenedReference(path, path.stat().st_size, digest, found, listed, system, notes)
 
 
 def _system_of_file(
@@ -213,9 +269,17 @@ def _is_control_point_list(path: Path, scan: StaticScan) -> bool:
     return not scan.is_cloud and has_at_most_rows(path, MAX_ROWS)
 
 
-def _read_points(
-    path: Path, system: CoordinateSystem | None, trajectory: LocalTrajectory
+def read_listed_points(
+    opened: OpenedReference, trajectory: LocalTrajectory
 ) -> tuple[list[tuple[ListedPoint, Array]], Message]:
+    """Read surveyed points with their positions in the local frame, and a note on the columns.
+
+    Raises
+    ------
+    InputError
+        If the list is not valid, or a point is too far from the trajectory.
+    """
+    path, system = opened.path, opened.system
     geographic = system is not None and system.is_geographic
     metres = (1.0, 1.0, 1.0) if system is None else system.metres
     found = read_point_list(
@@ -258,7 +322,7 @@ def _group_points(
     )
 
 
-def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
+def sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
     """Warning about standard deviations that are probably not in metres, if there are any."""
     large = [
         (point.name or f"P{k}", point.sigma)
@@ -306,17 +370,26 @@ def _plane_reference(
     return found, warning("reference.plane_off", plane=name, distance=distance, sigma=own_sigma)
 
 
-def _read_surface(
-    scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
-    search_distance: float, progress: Progress,
-) -> tuple[Array, Message]:  # fmt: skip
+def read_surface(
+    opened: OpenedReference,
+    survey: Survey,
+    project: Project,
+    search_distance: float,
+    progress: Progress,
+) -> tuple[Array, Message]:
     """Read the part of a scan in the area of the lines, with a note on the number of its points.
+
+    Parameters
+    ----------
+    search_distance : float, metres
+        Largest distance of the points from the lines.
 
     Raises
     ------
     InputError
         If no point of the scan is near the lines.
     """
+    scan, system = opened.scan, opened.system
     seen = _CoveredCells.of(survey, project, search_distance)
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
@@ -376,7 +449,10 @@ class _CoveredCells:
         side = max(MIN_CELL_SIZE, search_distance)
         seen = [
             np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)
-            for clouds in (survey.clouds, survey.placed(project, "estimated"))
+            for clouds in (
+                survey.clouds,
+                *(() if project.result is None else (survey.placed(project, "estimated"),)),
+            )
             for cloud in clouds.values()
         ]
         cells = np.unique(np.concatenate(seen), axis=0)

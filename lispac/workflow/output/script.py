@@ -17,6 +17,7 @@ import numpy as np
 
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
+from lispac.control_points import ControlFile
 from lispac.errors import LispacError
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
@@ -100,6 +101,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         step(0.0, gettext_lazy("Checking the seed of {target}", target=target.name))
         picked += list(target_steps(project, survey, target, step))
     blocks.append(picked)
+    blocks.append([_control_step(file, files) for file in project.control])
     messages = _missing_file_notes(project)
     if project.result is not None:
         checks = project.cross_checks is not None
@@ -204,6 +206,13 @@ def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     if line.reading != DEFAULT_READING:
         options["reading"] = line.reading  # type: ignore[assignment]
     return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
+
+
+def _control_step(file: ControlFile, files: FilePaths) -> str:
+    """Step that adds the control of a file with its points."""
+    named = non_default_fields(file, but=("path", "points"))
+    code = call_text("lispac.ControlFile", path=files(file.path), **named, points=rows(file.points))
+    return call_text("project.put_control", PythonCode(code))
 
 
 def _validation_steps(project: Project) -> Iterator[str]:

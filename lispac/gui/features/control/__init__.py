@@ -1,0 +1,1 @@
+"""Surveyed control of the adjustment."""

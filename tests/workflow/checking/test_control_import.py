@@ -1,0 +1,340 @@
+"""Tests of control from its file to the result: import, assignment, storage, commands, scripts."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lispac
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.control_points import (
+    ControlFile,
+    ControlPoint,
+    control_observations,
+    with_control_use,
+    without_control_file,
+)
+from lispac.errors import InputError, LispacError, ProjectError
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
+from lispac.present.control import ControlValues
+from lispac.project import Project
+from lispac.workflow.calibration.edits import set_target_use, with_renamed_target
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.checking.control_import import import_control
+from lispac.workflow.output.script import script_of
+from lispac.workflow.project.survey import Survey
+from tests.support.few_lines import on_board, picked, site_of_few_lines
+
+CORNERS = ((-0.4, -0.3), (-0.4, 0.3), (0.4, -0.3), (0.4, 0.3))
+SIGMA = 0.002
+
+
+def surveyed(shift: np.ndarray | None = None) -> dict[str, np.ndarray]:
+    """Four points on each board with errors of 2 mm, north, west, up."""
+    generator = np.random.default_rng(3)
+    off = np.zeros(3) if shift is None else shift
+    return {
+        f"{board}.{k}": on_board(board, *corner) + SIGMA * generator.normal(size=3) + off
+        for board in ("T1", "T2")
+        for k, corner in enumerate(CORNERS, start=1)
+    }
+
+
+def write_list(path: Path, points: dict[str, np.ndarray], *, plane: bool = True) -> Path:
+    rows = ["name,north,west,up,sigma,plane" if plane else "name,north,west,up,sigma"]
+    for name, (north, west, up) in points.items():
+        row = f"{name},{north:.5f},{west:.5f},{up:.5f},{SIGMA}"
+        rows.append(f"{row},{name[:2]}" if plane else row)
+    path.write_text("\n".join(rows) + "\n")
+    return path
+
+
+@pytest.fixture
+def known() -> tuple[Project, Survey]:
+    return picked()
+
+
+@pytest.fixture
+def with_control(known: tuple[Project, Survey], tmp_path: Path) -> tuple[Project, Survey]:
+    project, _ = import_control(*known, write_list(tmp_path / "control.csv", surveyed()))
+    return project, known[1]
+
+
+# -- import ----------------------------------------------------------------------------------
+
+
+def test_points_are_assigned_by_the_names_in_the_list(
+    with_control: tuple[Project, Survey],
+) -> None:
+    (file,) = with_control[0].control
+    assert [point.target for point in file.points] == ["T1"] * 4 + ["T2"] * 4
+    assert {point.sigmas for point in file.points} == {(SIGMA,) * 3}
+    assert file.kind == "points"
+    assert file.common_sigma == 0.0
+    assert len(file.sha256) == 64
+    for point, place in zip(file.points, surveyed().values(), strict=True):
+        np.testing.assert_allclose(point.position, place, atol=6e-6)
+
+
+def test_points_are_assigned_by_their_places(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    """The prior boresight of 0 displaces the surfaces; after an estimate they are near."""
+    project, survey = known
+    project = estimate(project, survey, cross_check=False)
+    points = surveyed()
+    points["far"] = on_board("T1", 0.0, 0.0) + 20.0
+    points["off"] = on_board("T1", 0.0, 0.0) + 0.7 * site_of_few_lines().scene["T1"].normal
+    path = write_list(tmp_path / "control.csv", points, plane=False)
+    project, notes = import_control(project, survey, path)
+    found = {point.name: point for point in project.control[0].points}
+    assert [found[name].target for name in surveyed()] == ["T1"] * 4 + ["T2"] * 4
+    assert found["far"].target == found["off"].target == ""
+    assert found["far"].reason is not None
+    assert found["off"].reason is not None
+    assert found["far"].reason.code == "control.beside_targets"
+    assert found["off"].reason.code == "control.far_from_target"
+    assert found["off"].reason.params["distance"] == pytest.approx(0.7, abs=0.05)
+    assert [each.code for each in notes].count("control.far_from_target") == 1
+
+
+def test_a_named_target_far_away_is_not_used(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    path = write_list(tmp_path / "c.csv", surveyed(np.array([0.0, 20.0, 40.0])))
+    project, _ = import_control(*known, path)
+    (file,) = project.control
+    codes = {point.reason.code for point in file.points if point.reason is not None}
+    assert codes == {"control.far_from_target"}
+    assert file.used_points == ()
+
+
+def test_three_sigmas_of_a_list(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    north, west, up = on_board("T1", 0.1, 0.2)
+    path = tmp_path / "c.csv"
+    path.write_text(
+        f"name,north,west,up,sigma_x (mm),sigma_y (mm),sigma_z (mm)\nT1,{north},{west},{up},1,2,5\n"
+    )
+    project, _ = import_control(*known, path)
+    assert project.control[0].points[0].sigmas == pytest.approx((0.001, 0.002, 0.005))
+    assert project.control[0].points[0].target == "T1"
+
+
+def test_a_static_scan_gives_three_points_of_each_plane(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    generator = np.random.default_rng(1)
+    parts = []
+    for board in ("T1", "T2"):
+        normal = site_of_few_lines().scene[board].normal
+        places = np.array(
+            [on_board(board, a, u) for a, u in generator.uniform(-0.5, 0.5, (4000, 2))]
+        )
+        parts.append(places + 0.001 * generator.normal(size=(4000, 1)) * normal)
+    path = tmp_path / "tripod.txt"
+    np.savetxt(path, np.concatenate(parts), fmt="%.5f")
+    project, survey = known
+    project = estimate(project, survey, cross_check=False)
+    project, notes = import_control(project, survey, path, sigma=0.003)
+    (file,) = project.control
+    assert file.kind == "scan"
+    assert file.common_sigma == 0.003
+    assert [point.name for point in file.points] == [
+        f"{board}-{k}" for board in ("T1", "T2") for k in (1, 2, 3)
+    ]
+    assert any(each.code == "reference.points_used" for each in notes)
+    for point in file.points:
+        board = site_of_few_lines().scene[point.target]
+        off = (np.array(point.position) - board.centre) @ board.normal
+        assert abs(off) < 0.0003
+        assert 1e-5 < point.sigmas[0] < 0.001
+    result = estimate(project, survey, cross_check=False).result
+    assert result is not None
+    assert len(result.control) == 6
+    # The common error is in the sigma of each point.
+    assert all(0.003 < each.sigma < 0.0035 for each in result.control)
+
+
+@pytest.mark.parametrize(
+    ("how", "code"),
+    [
+        ({"sigma": 0.0}, "control.sigma"),
+        ({"sigma": 50.0}, "control.sigma_out_of_range"),
+        ({"common_sigma": -1.0}, "control.common_sigma_out_of_range"),
+    ],
+)
+def test_impossible_sigmas_are_refused(
+    known: tuple[Project, Survey], tmp_path: Path, how: dict[str, float], code: str
+) -> None:
+    path = tmp_path / "c.csv"
+    north, west, up = on_board("T1", 0.1, 0.2)
+    path.write_text(f"name,north,west,up\nT1,{north},{west},{up}\n")
+    with pytest.raises(InputError) as failure:
+        import_control(*known, path, **how)
+    assert failure.value.reason.code == code
+
+
+def test_control_needs_targets(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    project, survey = known
+    empty = replace(project, targets=())
+    with pytest.raises(ProjectError) as failure:
+        import_control(empty, survey, write_list(tmp_path / "c.csv", surveyed()))
+    assert failure.value.reason.code == "control.no_targets"
+
+
+# -- estimate --------------------------------------------------------------------------------
+
+
+def test_the_estimate_uses_the_control(with_control: tuple[Project, Survey]) -> None:
+    project, survey = with_control
+    solved = estimate(project, survey, cross_check=False)
+    plain = estimate(project.with_control(()), survey, cross_check=False)
+    assert solved.result is not None
+    assert plain.result is not None
+    result, alone = solved.result, solved.result.without_control
+    assert len(result.control) == 8
+    assert alone is not None
+    # The points were selected with an estimate that contains the control.
+    assert (np.abs(alone.angles - plain.result.angles) < 0.2 * alone.sigma).all()
+    np.testing.assert_allclose(alone.sigma, plain.result.sigma, rtol=0.15)
+    assert (result.sigma <= 1.01 * alone.sigma).all()
+    truth = site_of_few_lines().boresight
+    assert (np.abs(result.angles - truth) < 4 * result.sigma).all()
+    values = ControlValues.of(solved)
+    assert [row.name for row in values.comparison] == ["roll", "pitch", "yaw"]
+    assert all(point.contradicts is False for point in values.points)
+    # An excluded target takes its control along.
+    assert plain.result.without_control is None
+    assert plain.result.control == ()
+
+
+def test_excluded_points_and_targets_are_not_used(with_control: tuple[Project, Survey]) -> None:
+    project, survey = with_control
+    project = project.with_control(with_control_use(project.control, ["T1.1", "T2.4"], used=False))
+    solved = estimate(project, survey, cross_check=False)
+    assert solved.result is not None
+    names = [each.name for each in solved.result.control]
+    assert names == ["T1.2", "T1.3", "T1.4", "T2.1", "T2.2", "T2.3"]
+    without = set_target_use(project, "T1", False)
+    origin = survey.trajectory.frame.origin_deg_m
+    used = control_observations(without.control, {"T2"}, origin)
+    assert used is not None
+    assert set(used.targets) == {"T2"}
+
+
+def test_a_wrong_point_is_named(known: tuple[Project, Survey], tmp_path: Path) -> None:
+    points = surveyed()
+    points["T2.3"] = points["T2.3"] + 0.05 * site_of_few_lines().scene["T2"].normal
+    project, _ = import_control(*known, write_list(tmp_path / "c.csv", points))
+    solved = estimate(project, known[1], cross_check=False)
+    assert solved.result is not None
+    found = [each for each in result_warnings(solved.result, None)
+             if each.code == "adjustment.control_contradicts"]  # fmt: skip
+    assert found[0].params["name"] == "T2.3"
+    wrong = {point.name for point in ControlValues.of(solved).points if point.contradicts}
+    assert "T2.3" in wrong
+
+
+def test_control_of_another_origin_is_refused(with_control: tuple[Project, Survey]) -> None:
+    project, _ = with_control
+    origin = project.control[0].origin_deg_m
+    with pytest.raises(InputError) as failure:
+        control_observations(project.control, {"T1"}, (origin[0], origin[1], origin[2] + 1.0))
+    assert failure.value.reason.code == "control.other_origin"
+
+
+# -- edits and storage -----------------------------------------------------------------------
+
+
+def test_edits_of_control_remove_dependent_results(with_control: tuple[Project, Survey]) -> None:
+    project, survey = with_control
+    solved = estimate(project, survey, cross_check=False)
+    same = solved.with_control(solved.control)
+    assert same.result is solved.result
+    excluded = solved.with_control(with_control_use(solved.control, ["T1.1"], used=False))
+    assert excluded.result is None
+    unused = solved.with_control(without_control_file(solved.control, "control.csv"))
+    assert unused.control == ()
+    assert unused.result is None
+
+
+def test_a_renamed_target_keeps_its_control(with_control: tuple[Project, Survey]) -> None:
+    renamed = with_renamed_target(with_control[0], "T1", "Wall")
+    assert [p.target for p in renamed.control[0].points] == ["Wall"] * 4 + ["T2"] * 4
+
+
+def test_an_imported_file_replaces_the_one_of_its_name(
+    with_control: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    """Points that were excluded stay excluded."""
+    project, survey = with_control
+    project = project.with_control(with_control_use(project.control, ["T1.2"], used=False))
+    again, _ = import_control(project, survey, tmp_path / "control.csv", common_sigma=0.01)
+    (file,) = again.control
+    assert file.common_sigma == 0.01
+    assert [point.name for point in file.points if not point.used] == ["T1.2"]
+
+
+def test_control_is_stored_in_the_project(
+    with_control: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = with_control
+    solved = estimate(project, survey, cross_check=False)
+    stored = replace(solved, folder=tmp_path / "stored", file_digest="")
+    write_project(stored)
+    read = read_project(stored.folder)
+    assert read.control == stored.control
+    assert read.result is not None
+    assert solved.result is not None
+    assert read.result.control == solved.result.control
+    assert read.result.without_control is not None
+    path = stored.folder / PROJECT_FILE_NAME
+    content = json.loads(path.read_text())
+    assert content["control"][0]["path"] == "../control.csv"
+    content["control"][0]["points"][0]["sigmas"][1] = 0.0
+    path.write_text(json.dumps(content))
+    with pytest.raises(ProjectError) as failure:
+        read_project(stored.folder)
+    assert failure.value.reason.code == "project.invalid_value"
+
+
+def test_unknown_names_are_refused(with_control: tuple[Project, Survey]) -> None:
+    control = with_control[0].control
+    for change, code in (
+        (lambda: with_control_use(control, ["X"], used=False), "control.unknown_point"),
+        (lambda: without_control_file(control, "X"), "control.unknown_file"),
+    ):
+        with pytest.raises(LispacError) as failure:
+            change()
+        assert failure.value.reason.code == code
+
+
+# -- scripts --------------------------------------------------------------------
+
+
+def test_scripts_import_and_repeat_the_control(
+    with_control: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = with_control
+    opened = lispac.OpenProject(project.with_control(()), survey)
+    file = opened.control(tmp_path / "control.csv", common_sigma=0.001)
+    assert file.common_sigma == 0.001
+    opened.exclude_control("T1.1")
+    assert len(opened.project.control[0].used_points) == 7
+    text = script_of(opened.project, survey).text
+    assert "project.put_control(" in text
+    other = lispac.OpenProject(project.with_control(()), survey)
+    start = text.index("project.put_control(")
+    step = text[start : text.index("\n\n", start)]
+    exec(step, {"project": other, "lispac": lispac, "data": tmp_path, "Path": Path})
+    assert other.project.control == opened.project.control
+    opened.use_control("T1.1")
+    assert len(opened.project.control[0].used_points) == 8
+    opened.remove_control("control.csv")
+    assert opened.project.control == ()
+
+
+def test_public_values_are_those_of_the_project() -> None:
+    point = lispac.ControlPoint("A", "T1", (0.0, 0.0, 0.0), (0.001,) * 3)
+    file = lispac.ControlFile(Path("a.csv"), 1, "", "points", "local", (0.0,) * 3, 0.0, (point,))
+    assert isinstance(point, ControlPoint)
+    assert isinstance(file, ControlFile)
+    assert file.used_points == (point,)
