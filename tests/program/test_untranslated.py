@@ -28,11 +28,11 @@ NOT_SHOWN: dict[str, set[str]] = {
     "names of columns, and words of the headers of other programs, as they are looked for": {
         "eastsd eastingsd longitudesd lonsd longsd sdeast longitudestd eaststd",
         "heading yaw azimuth hdg trueheading cap",
-        "headingsd sdheading headingstd yawsd",
+        "headingsd sdheading hdngsd headingstd yawsd",
         "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht höhe "
         "hoehe hauteur altitudeellipsoid ellipsoidaltitude ellipsoidalaltitude "
         "altitudeellipsoidal",
-        "heightsd altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
+        "heightsd sdheigh altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
         "latitude lat breite latitudes lats",
         "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
         "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest westlongitude",
@@ -40,8 +40,8 @@ NOT_SHOWN: dict[str, set[str]] = {
         "estouest ow wo ostwest",
         "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
         "seaheight altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
-        "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec "
-        "zeit temps",
+        "time gpstime utctime corrtime timestamp seconds sec tow sow gpstow secondsofweek "
+        "timesec zeit temps",
         "time latitude longitude height roll pitch heading",
     },
     "comments of files that other programs and the command line read": {

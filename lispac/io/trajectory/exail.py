@@ -13,6 +13,7 @@ signs; iXblue's convention is roll positive port side up and pitch positive bow 
 
 import re
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from lispac.errors import InputError
@@ -123,8 +124,8 @@ def exail_layout(path: Path) -> TextLayout:
         facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
     units = [parse_unit(described.get(name.lower(), "")) for name in names]
     return TextLayout(
-        tuple(columns), names, separator, exail_rows, facts, tuple(file_warnings),
-        velocity_columns(names, units), signs,
+        tuple(columns), names, partial(split_fields, separator=separator), exail_rows, facts,
+        tuple(file_warnings), velocity_columns(names, units), signs,
     )  # fmt: skip
 
 

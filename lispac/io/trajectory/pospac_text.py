@@ -100,7 +100,7 @@ def pospac_layout(path: Path) -> TextLayout:
             facts[_FACT_NAMES[key.strip()]] = value.strip().rstrip(";").strip()
     velocities = velocity_columns(names, [units.get("velocity", "")] * len(names))
     return TextLayout(
-        tuple(columns), names, "auto", pospac_rows, facts, tuple(file_warnings), velocities
+        tuple(columns), names, split_fields, pospac_rows, facts, tuple(file_warnings), velocities
     )
 
 

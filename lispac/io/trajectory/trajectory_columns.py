@@ -66,8 +66,8 @@ For eastings, northings and heights, the coordinate system may change the factor
 *ouest* in French and *Ost* in German."""
 
 _COLUMN_NAMES = {
-    "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit "
-    "temps",
+    "time": "time gpstime utctime corrtime timestamp seconds sec tow sow gpstow secondsofweek "
+    "timesec zeit temps",
     "date": "date day",
     "latitude": "latitude lat breite latitudes lats",
     "longitude": "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest "
@@ -86,10 +86,11 @@ _COLUMN_NAMES = {
     "northing": "northing north y n",
     "north_sd": "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
     "east_sd": "eastsd eastingsd longitudesd lonsd longsd sdeast longitudestd eaststd",
-    "height_sd": "heightsd altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
+    "height_sd": "heightsd sdheigh altitudesd ellipsoidheightsd upsd downsd sdheight heightstd "
+    "altitudestd",
     "roll_sd": "rollsd sdroll rollstd",
     "pitch_sd": "pitchsd sdpitch pitchstd",
-    "heading_sd": "headingsd sdheading headingstd yawsd",
+    "heading_sd": "headingsd sdheading hdngsd headingstd yawsd",
 }
 ROLES_BY_COLUMN_NAME = {
     name: role for role, names in _COLUMN_NAMES.items() for name in names.split()

@@ -11,7 +11,10 @@ _FILE_KINDS = (
     (
         "ferry",
         N_("Trajectory"),
-        N_("SBET file, POSPac or Exail (iXblue) text file, or another text file with columns"),
+        N_(
+            "SBET file; text file of POSPac, Exail (iXblue) or Inertial Explorer, or another one "
+            "with columns"
+        ),
     ),
     (
         "chart-bell-curve",
