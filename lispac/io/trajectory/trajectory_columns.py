@@ -37,6 +37,7 @@ from lispac.io.trajectory.trajectory_projection import (
 from lispac.io.units import ANGLE_UNIT_CODES, METRES_PER_UNIT, UNITS, UNKNOWN
 from lispac.messages import Level, Message, error, note
 from lispac.survey.known_time_base import base_message
+from lispac.survey.line_source import printable
 from lispac.survey.time_base import GPS_EPOCH, base_of_key, unroll_times
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -119,6 +120,31 @@ class Column:
     index: int
     name: str
     unit: str
+
+
+def default_unit(role: str) -> str:
+    """Unit assumed for a column without a unit in the header."""
+    if role in ("time", "date"):
+        return {"time": "s", "date": "date"}[role]
+    if role in (*GRID_ROLES, *HEIGHT_ROLES):
+        return UNSPECIFIED_UNIT
+    angles = ("latitude", "longitude", "roll", "pitch", "heading")
+    return "deg" if role.removesuffix("_sd") in angles else "m"
+
+
+def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
+    """Warning that a header gives no unit for a column, so that ``unit`` is assumed."""
+    return Message(
+        _UNIT_ASSUMED_CODES[unit], Level.WARNING, {"file": printable(path.name), "column": name}
+    )
+
+
+_UNIT_ASSUMED_CODES = {
+    "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
+    "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
+    UNSPECIFIED_UNIT: "trajectory.unit_of_system_assumed",
+}  # fmt: skip
+"""Code of the warning by the unit that is assumed (`default_unit`)."""
 
 
 @dataclass(frozen=True)
