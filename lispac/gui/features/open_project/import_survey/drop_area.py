@@ -11,10 +11,7 @@ _FILE_KINDS = (
     (
         "ferry",
         N_("Trajectory"),
-        N_(
-            "SBET file; text file of POSPac, Exail (iXblue) or Inertial Explorer, or another one "
-            "with columns"
-        ),
+        N_("SBET; POSPac, Exail (iXblue) or Inertial Explorer text; other text with columns"),
     ),
     (
         "chart-bell-curve",
