@@ -57,7 +57,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.one_line": N_(
         "All targets are observed on line {line} only, and a single line does not determine the "
-        "boresight. Add lines in other directions over the same targets."
+        "boresight. Add lines in other directions over the same targets, or import surveyed "
+        "control of them."
     ),
     "adjustment.undetermined": N_(
         "These lines and targets do not determine the boresight angles (not determined: "

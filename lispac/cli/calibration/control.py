@@ -65,7 +65,7 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.control_points import with_control_use, without_control_file
     from lispac.present.control import ControlValues
-    from lispac.workflow.checking.control_import import import_control
+    from lispac.workflow.control.control_import import import_control
     from lispac.workflow.project.projects import save_project
     from lispac.workflow.project.survey import load_survey
 

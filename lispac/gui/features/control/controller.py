@@ -62,7 +62,7 @@ class ControlController(QObject):
             return
 
         def work(progress: Progress) -> tuple[Project, tuple[Message, ...]]:
-            from lispac.workflow.checking.control_import import import_control
+            from lispac.workflow.control.control_import import import_control
 
             return import_control(
                 project, survey, request.path, sigma=request.sigma,

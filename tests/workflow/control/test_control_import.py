@@ -22,7 +22,7 @@ from lispac.present.control import ControlValues
 from lispac.project import Project
 from lispac.workflow.calibration.edits import set_target_use, with_renamed_target
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.checking.control_import import import_control
+from lispac.workflow.control.control_import import import_control
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, site_of_few_lines
