@@ -77,6 +77,7 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.few_directions": N_(
         "The lines and the surfaces have too few different directions."
     ),
+    "adjustment.single_line": N_("{line} is the only line."),
     "adjustment.single_target": N_("{target} is the only target."),
     "adjustment.one_orientation": N_("All targets have the same orientation."),
     "adjustment.parallel_lines_one_target": N_(

@@ -266,7 +266,7 @@ def _point_by_place(point: ControlPoint, surfaces: Sequence[TargetSurface]) -> C
 
 
 def scanned_points(
-    cloud: Array, surfaces: Sequence[TargetSurface], progress: Progress
+    cloud: Array, surfaces: Sequence[TargetSurface], progress: Progress = no_progress
 ) -> tuple[ControlPoint, ...]:
     """Control that represents the surfaces of the targets in a static scan."""
     found: list[ControlPoint] = []
