@@ -281,25 +281,15 @@ TEXTS: Mapping[str, Template] = {
             "Check their points and the trajectory at these times.",
         ),
     ),
-    "adjustment.control_contradicts": Advised(
-        N_(
-            "Control point {name} lies {shift:mm.1} mm (± {sigma:mm.1} mm, test value "
-            "w = {w:x.1+}) from the surface of {target} that all other observations give."
-        ),
-        N_(
-            "Check its coordinates and its name and that the target was not moved, or exclude the "
-            "point and estimate again."
-        ),
+    "adjustment.control_contradicts": N_(
+        "Control point {name} lies {shift:mm.1} mm (± {sigma:mm.1} mm, test value w = {w:x.1+}) "
+        "from the surface of {target} that all other observations give. Check its coordinates and "
+        "its name and that the target was not moved, or exclude the point and estimate again."
     ),
-    "adjustment.control_translated": Advised(
-        N_(
-            "The control of {source} is displaced as a whole from all other observations: "
-            "{components:names}."
-        ),
-        N_(
-            "Check its coordinate system, height reference and epoch, or the lever arm of the POS, "
-            "or exclude this control and estimate again."
-        ),
+    "adjustment.control_translated": N_(
+        "The control of {source} is displaced as a whole from all other observations: "
+        "{components:names}. Check its coordinate system, height reference and epoch, or the "
+        "lever arm of the POS, or exclude this control and estimate again."
     ),
     "adjustment.target_excluded": Advised(
         N_(

@@ -268,7 +268,13 @@ def _point_by_place(point: ControlPoint, surfaces: Sequence[TargetSurface]) -> C
 def scanned_points(
     cloud: Array, surfaces: Sequence[TargetSurface], progress: Progress = no_progress
 ) -> tuple[ControlPoint, ...]:
-    """Control that represents the surfaces of the targets in a static scan."""
+    """Control that represents the surfaces of the targets in a static scan.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+        Points of the scan near the lines.
+    """
     found: list[ControlPoint] = []
     for k, surface in enumerate(surfaces):
         progress(
