@@ -394,8 +394,9 @@ def test_a_wrong_point_is_named(size: float) -> None:
     data = survey()
     result = adjust(replace(data, control=moved(control, shifts)), PRIOR, MODEL)
     points, translated = contradicting_control(result.control, result.control_translations)
-    assert points[0].name == control.names[2]
+    assert [each.name for each in points] == [control.names[2]]  # not its neighbours
     assert not translated
+    assert all(abs(each.w) < 4 for each in result.control if not each.contradicts)
     assert points[0].shift == pytest.approx(size, abs=4 * points[0].shift_sigma)
     warnings = [
         each
@@ -407,6 +408,33 @@ def test_a_wrong_point_is_named(size: float) -> None:
     plain = adjust(data, PRIOR, MODEL)
     assert result.surface == plain.surface
     assert result.rejected_sightings == plain.rejected_sightings == ()
+
+
+@pytest.mark.parametrize("sizes", [(0.03, 0.04), (0.5, -0.02)])
+def test_several_wrong_points_are_named(sizes: tuple[float, float]) -> None:
+    """Also a small error beside a large one."""
+    control = control_on(BOARDS, generator=np.random.default_rng(7))
+    shifts = np.zeros((len(control), 3))
+    for k, board, size in zip((2, 5), BOARDS, sizes, strict=False):
+        shifts[k] = size * board.facing
+    result = adjust(replace(survey(), control=moved(control, shifts)), PRIOR, MODEL)
+    points, translated = contradicting_control(result.control, result.control_translations)
+    assert {each.name for each in points} == {control.names[2], control.names[5]}
+    assert not translated
+    for point in points:
+        size = sizes[control.names.index(point.name) == 5]
+        assert point.shift == pytest.approx(size, abs=4 * point.shift_sigma)
+
+
+def test_a_wrong_point_of_a_displaced_source_is_named_with_it() -> None:
+    control = joined(control_on(BOARDS, generator=np.random.default_rng(7)))
+    shifts = np.tile([0.0, 0.0, 0.3], (len(control), 1))
+    shifts[3] += 0.1 * BOARDS[0].facing
+    result = adjust(replace(survey(), control=moved(control, shifts)), PRIOR, MODEL)
+    points, translated = contradicting_control(result.control, result.control_translations)
+    assert [each.name for each in points] == [control.names[3]]
+    (found,) = translated
+    assert (np.abs(found.translation - shifts[0]) < 4 * found.sigma).all()
 
 
 def test_a_wrong_height_reference_is_named_as_a_whole() -> None:
@@ -429,7 +457,7 @@ def test_a_wrong_sphere_centre_is_named() -> None:
     shifts[-1] = [0.05, -0.03, 0.04]
     result = adjust(replace(survey(targets), control=moved(control, shifts)), PRIOR, MODEL)
     points, _ = contradicting_control(result.control, result.control_translations)
-    assert points[0].name == "C1"
+    assert [each.name for each in points] == ["C1"]
     assert points[0].shift == pytest.approx(np.linalg.norm(shifts[-1]), abs=0.02)
 
 

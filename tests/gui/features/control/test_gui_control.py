@@ -95,7 +95,7 @@ def test_control_is_imported_used_and_removed(adjusted: Driver, tmp_path: Path) 
         assert dialog.comparison.rowCount() >= 3
         assert dialog.comparison.isVisible()
         rows = {dialog.table.item(row, 0).text(): row for row in range(8)}
-        assert dialog.table.item(rows["T2.4"], 7).text() == "contradicts the survey"
+        assert dialog.table.item(rows["T2.4"], 8).text() == "contradicts the survey"
         dialog.table.item(rows["T2.4"], 0).setCheckState(Qt.CheckState.Unchecked)
 
     use_dialogs(adjusted, untick)
