@@ -26,7 +26,12 @@ from lispac.adjustment.model.stochastic_model import (
 )
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, SigmaGroup
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
-from lispac.control_points import ControlFile, with_renamed_target
+from lispac.control_points import (
+    ControlFile,
+    controlled_targets,
+    with_renamed_target,
+    without_assignment,
+)
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names
 from lispac.identity import EMPTY_IDENTITY, Identity
@@ -471,6 +476,16 @@ class Project:
         return tuple(target for target in self.targets if target.role == role)
 
     @property
+    def compared_targets(self) -> tuple[Target, ...]:
+        """Targets that are used on at least two lines, or on one line and with control."""
+        controlled = controlled_targets(self.control)
+        return tuple(
+            target
+            for target in self.targets_of_role("target")
+            if len(target.used_sightings) >= (1 if target.name in controlled else 2)
+        )
+
+    @property
     def picked_points(self) -> int:
         """Number of points of all sightings of targets that are used."""
         targets = self.targets_of_role("target")
@@ -523,12 +538,19 @@ class Project:
             kept[names.index(target.name)] = target
         else:
             kept.append(target)
-        return self._edited(tuple(kept), {t.role for t in (target, old) if t is not None})
+        edited = self._edited(tuple(kept), {t.role for t in (target, old) if t is not None})
+        if old is None or _is_same_place(target, old):
+            return edited
+        return edited._without_assigned_control(target.name)
 
     def without_target(self, name: str) -> "Project":
         """Remove a target or validation plane."""
         removed = self.target(name)
-        return self._edited(tuple(t for t in self.targets if t.name != name), {removed.role})
+        edited = self._edited(tuple(t for t in self.targets if t.name != name), {removed.role})
+        return edited._without_assigned_control(name)
+
+    def _without_assigned_control(self, name: str) -> "Project":
+        return replace(self, control=without_assignment(self.control, [name]))
 
     def with_identity(self, identity: Identity) -> "Project":
         """Change the details for the report; they are not used in computations."""
@@ -704,6 +726,11 @@ class Project:
             not_compared={n: o for n, o in outcomes.items() if isinstance(o, Message)},
             excluded_comparisons=excluded,
         )
+
+
+def _is_same_place(target: Target, former: Target) -> bool:
+    """Whether a target has the role, shape and seed that it had, so that it keeps its control."""
+    return all(getattr(target, name) == getattr(former, name) for name in ("role", "shape", "seed"))
 
 
 def _is_same_surface(plane: Target, former: Target | None) -> bool:

@@ -251,12 +251,12 @@ class Document(QObject):
         self.undo_stack.push(_Edit(_EditName(name, params), self, before, after))
 
     def complete_last_edit(self, project: Project) -> None:
-        """Store the result of the last edit within the undo step of that edit."""
+        """Store what was computed after the last edit within the undo step of that edit."""
         assert self._state is not None
         self._state.project = self._with_current_folder(project)
-        self._had_result = True
+        self._had_result |= project.result is not None
         if self.undo_stack.isClean():
-            self.undo_stack.resetClean()  # the saved project lacks the result
+            self.undo_stack.resetClean()  # the saved project lacks what was computed
         self.changed.emit()
 
     def refuse(self, reason: Message | str) -> None:
