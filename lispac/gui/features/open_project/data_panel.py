@@ -41,6 +41,7 @@ EXCLUDED_TEXT = Plural(
 )
 
 
+NOISE_FROM_RESIDUALS_TEXT = N_("The LiDAR noise was estimated from the residuals.")
 NOISE_PER_AXIS_TEXT = N_("Given for each axis in step 3, under Advanced.")
 NOISE_OF_BEAM_TEXT = N_("Angular noise {angle}°, given in step 3, under Advanced.")
 
@@ -305,6 +306,8 @@ class DataPanel(QWidget):
                     file=file.name,
                 )
             )
+        if settings.is_lidar_noise_from_residuals:
+            texts.append(gettext(NOISE_FROM_RESIDUALS_TEXT))
         if project.assumed_sigmas:
             texts.append(gettext(ASSUMED_TEXT))
         text = " ".join(texts)
