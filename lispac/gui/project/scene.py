@@ -299,6 +299,13 @@ class Scene(QObject):
         """Whether no drawing is pending."""
         return not (self._lines_due.isActive() or self._targets_due.isActive())
 
+    def draw_now(self) -> None:
+        """Draw what is still to be drawn, as in a window that replaces another one."""
+        while self._lines_due.isActive():
+            self._draw_due_lines()
+        if self._targets_due.isActive():
+            self._draw_due_targets()
+
     def _schedule_lines(self) -> None:
         self._shaded = None
         self._lines_due.start()

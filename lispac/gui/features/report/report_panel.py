@@ -12,6 +12,7 @@ from lispac.gui.app.settings import ReportChoice
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.report.identity_dialog import missing_details_text
 from lispac.gui.project.status import REPORT, ProjectState
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
@@ -146,7 +147,7 @@ class ReportPanel(QWidget):
             try:
                 options = report_options(path)
             except InputError as error:
-                self.template_error.setText(str(error))
+                self.template_error.setText(exception_text(error))
             else:
                 self.extent.setCurrentIndex(list(EXTENTS).index(options.extent))
                 self.page.setCurrentIndex(list(PAGE_SIZES).index(options.page))
