@@ -60,6 +60,9 @@ DEFAULT_THRESHOLD_M = 0.01
 
 BoresightChoice = Literal["prior", "estimated"]
 """Boresight with which points are placed."""
+LidarNoiseSource = Literal["given", "residuals"]
+"""Source of a LiDAR noise that is not assumed: the user, or residuals of an earlier adjustment."""
+LIDAR_NOISE_SOURCES: tuple[LidarNoiseSource, ...] = ("given", "residuals")
 Unit = Literal["m", "deg", "s"]
 SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
@@ -105,6 +108,8 @@ class Settings:
         and `used_lidar_sigma` are then the assumed defaults.
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
+    lidar_noise_source : whether the user gave the LiDAR noise, or an earlier adjustment estimated
+        it from its residuals
     lever_arm_sigma : metres, standard deviations of the lever arm for the error budget, or None
     beam_divergence_mrad : milliradians, full angle, for the error budget, or None
     range_offset : metres
@@ -131,6 +136,7 @@ class Settings:
     lidar_sigma: float | None = None
     lidar_sigma_xyz: Triple | None = None
     lidar_beam_sigma: tuple[float, float] | None = None
+    lidar_noise_source: LidarNoiseSource = "given"
     lever_arm_sigma: Triple | None = None
     beam_divergence_mrad: float | None = None
     range_offset: float = 0.0
@@ -185,6 +191,11 @@ class Settings:
         return tuple(group for group, given in is_given.items() if not given)
 
     @property
+    def is_lidar_noise_from_residuals(self) -> bool:
+        """Whether the LiDAR noise is one that an earlier adjustment estimated."""
+        return self.lidar_noise_source == "residuals" and "LiDAR" not in self.assumed_sigmas
+
+    @property
     def stochastic_model(self) -> StochasticModel:
         """Stochastic model for these settings."""
         loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
@@ -198,9 +209,13 @@ class Settings:
         return max(DEFAULT_THRESHOLD_M, 3 * self.used_lidar_sigma)
 
     def with_values(self, **values: Any) -> "Settings":
-        """Copy with other values; one form of the LiDAR noise replaces the others."""
+        """Copy with other values; one form of the LiDAR noise replaces the others.
+
+        A LiDAR noise is given unless ``lidar_noise_source`` is one of the values.
+        """
         if any(values.get(name) is not None for name in LIDAR_NOISE_FORMS):
-            values = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None, **values}
+            former = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
+            values = {**former, "lidar_noise_source": "given", **values}
         return replace(self, **values)
 
     def with_lidar_sigma(self, sigma: float) -> "Settings":
@@ -216,7 +231,13 @@ class Settings:
         )
 
     def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
-        """Copy with the LiDAR standard deviations times ``ratio``, rounded to three digits."""
+        """Copy with the LiDAR noise that an adjustment estimated from its residuals.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio of this noise to the present one. The values are rounded to three digits.
+        """
 
         def scaled(value: float) -> float:
             return float(f"{ratio * value:.3g}")
@@ -227,6 +248,7 @@ class Settings:
             lidar_sigma=scaled(self.used_lidar_sigma),
             lidar_sigma_xyz=xyz and (scaled(xyz[0]), scaled(xyz[1]), scaled(xyz[2])),
             lidar_beam_sigma=beam and (scaled(beam[0]), scaled(beam[1])),
+            lidar_noise_source="residuals",
         )
 
     def require_sound(self) -> None:
@@ -244,6 +266,13 @@ class Settings:
             raise InputError(
                 error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
             )
+        if self.lidar_noise_source not in LIDAR_NOISE_SOURCES:
+            raise InputError(
+                error(
+                    "settings.unknown_noise_source",
+                    name=self.lidar_noise_source, known=LIDAR_NOISE_SOURCES,
+                )
+            )  # fmt: skip
         if self.loss is not None and self.loss not in LOSS_NAMES:
             raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
         if not min(self.position_time, self.attitude_time) > 0:

@@ -483,6 +483,8 @@ class AdjustmentResult:
         `lidar_noise_ratio`.
     assumed_sigmas : tuple of {"LiDAR", "POS position", "POS attitude"}
         Groups of errors whose standard deviations were assumed because nobody gave them.
+    lidar_noise_from_residuals : bool
+        Whether the given LiDAR noise was estimated from the residuals of an earlier adjustment.
     control : tuple of ControlResidual
         Surveyed points that were used; empty without control.
     control_translations : tuple of ControlTranslation
@@ -524,6 +526,7 @@ class AdjustmentResult:
     messages: tuple[Message, ...] = ()
     lidar_noise_ratio: float | None = None
     assumed_sigmas: tuple[SigmaGroup, ...] = ()
+    lidar_noise_from_residuals: bool = False
     sigma_at_given_times: Annotated[Array, ArrayShape(3)] | None = None
     control: tuple[ControlResidual, ...] = ()
     control_translations: tuple[ControlTranslation, ...] = ()

@@ -174,25 +174,25 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.lidar_noise": Advised(
         N_(
-            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the given "
-            "{given:mm.2} mm."
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the "
+            "{given:mm.2} mm used."
         ),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_ratio": Advised(
-        N_("The residuals show a LiDAR noise of {ratio:x.2} times the given one."),
+        N_("The residuals show a LiDAR noise of {ratio:x.2} times the one used."),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_conservative": Advised(
         N_(
-            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the given "
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the "
             "{given:mm.2} mm with which the standard deviations of the angles are computed."
         ),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_ratio_conservative": Advised(
         N_(
-            "The residuals show a LiDAR noise of {ratio:x.2} times the given one with which the "
+            "The residuals show a LiDAR noise of {ratio:x.2} times the one with which the "
             "standard deviations of the angles are computed."
         ),
         N_("Use the noise of the residuals and estimate again."),

@@ -106,6 +106,8 @@ class Document(QObject):
         self._report: ExportedReport | None = None
         self._reported_project: Project | None = None
         self._report_options: tuple[object, ...] | None = None
+        self.folders_asked_for_details: set[Path] = set()
+        """Folders of the projects whose missing details for the report were asked for."""
         self.unchecked_result: AdjustmentResult | None = None
         """Result without advice and cross-checks, which are computed when no task runs."""
         self._had_result = False
@@ -307,6 +309,7 @@ class Document(QObject):
         copy = Document(parent)
         copy._report, copy._reported_project = self._report, self._reported_project
         copy._had_result = self._had_result
+        copy.folders_asked_for_details = self.folders_asked_for_details
         copy._qualities = self._qualities
         copy._folder, copy.file_digest = self._folder, self.file_digest
         copy.survey, copy._key = self.survey, self._key

@@ -87,11 +87,18 @@ class PointColouring:
 
 @dataclass(frozen=True)
 class Marker:
-    """Labelled point: a seed or the name of a target."""
+    """Labelled point: a seed or the name of a target.
+
+    Attributes
+    ----------
+    is_provisional : whether it is a seed, a candidate or a proposed target, whose label gives way
+        to those of the targets
+    """
 
     label: str
     position: tuple[float, float, float]
     colour: Colour
+    is_provisional: bool = False
 
 
 @dataclass(frozen=True)

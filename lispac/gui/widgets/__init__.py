@@ -435,6 +435,20 @@ def lever_arm_sigma_fields(prefix: str) -> TripleField:
     return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
 
 
+def angle_noise_field(name: str) -> NumberField:
+    """Field of the noise of the beam direction, degrees; zero if it is not given."""
+    field = number(
+        name, suffix=" °", decimals=4, low=0, high=10, step=0.001,
+        tip=gettext(
+            "Standard deviation of the beam direction. If it is 0, the LiDAR noise is the same "
+            "along all axes."
+        ),
+        title=gettext("Beam angular noise (1 σ)"),
+    )  # fmt: skip
+    field.setSpecialValueText(gettext("none given"))
+    return field
+
+
 def divergence_field(name: str) -> NumberField:
     """Field of the beam divergence, milliradians; zero if it is not given."""
     field = number(

@@ -375,7 +375,11 @@ def adjust_selected(
         result = replace(
             result, without_control=_estimate_without_control(project, result, observations)
         )
-    result = replace(result, common_parts=parts)
+    result = replace(
+        result,
+        common_parts=parts,
+        lidar_noise_from_residuals=settings.is_lidar_noise_from_residuals,
+    )
     observations = observations.without_targets(result.excluded_targets)
     solved = project.with_result(_with_advice(result, observations) if advise else result)
     return (

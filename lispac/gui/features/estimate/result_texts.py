@@ -14,6 +14,7 @@ from lispac.messages import Message
 from lispac.present.adjustment import (
     agreement_template,
     agrees_by_construction,
+    has_passed,
     is_lidar_noise_estimated,
     large_residuals_text,
     noisier_targets,
@@ -106,8 +107,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
     interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":
         # Agreement with standard deviations estimated from the residuals is no confirmation
-        by_construction = agrees_by_construction(result)
-        title, colour = gettext("passed"), theme.MUTED if by_construction else theme.DONE
+        title = gettext("passed") if has_passed(result) else gettext("not judged")
+        colour = theme.MUTED if agrees_by_construction(result) else theme.DONE
         interval = N_("{value}, within {lower} to {upper}")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED

@@ -80,7 +80,9 @@ class IdentityDialog(QDialog):
         contain no date; None if the lines are not read yet
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
-    missing : names of empty fields to ask for before an export or a preview
+    missing : names of empty fields that a signed report needs, which are named; the first has the
+        focus
+    continues : whether an export or a preview follows
     equipment : names of sensors that the fields of the equipment offer
     """
 
@@ -94,6 +96,7 @@ class IdentityDialog(QDialog):
         *,
         missing: Sequence[str] = (),
         equipment: Mapping[str, Sequence[str]] | None = None,
+        continues: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
@@ -114,7 +117,7 @@ class IdentityDialog(QDialog):
             )
         )
         if missing:
-            text = missing_details_text(missing)
+            text = missing_details_text(missing, in_form=True)
             layout.addWidget(widgets.label(text, "warning", wrap=True, name="identity_missing"))
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
         for name, text in suggestions.items():
@@ -144,7 +147,7 @@ class IdentityDialog(QDialog):
         # Space for two lines is reserved, so that the buttons stay under the mouse.
         self.message_label.setFixedHeight(2 * self.message_label.fontMetrics().lineSpacing())
         layout.addWidget(self.message_label)
-        accept = gettext("Continue") if missing else gettext("OK")
+        accept = gettext("Continue") if continues else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
@@ -245,16 +248,18 @@ class IdentityDialog(QDialog):
         self.keep.setEnabled(not problem)
 
 
-def missing_details_text(missing: Sequence[str]) -> str:
+def missing_details_text(missing: Sequence[str], *, in_form: bool) -> str:
     """Text of the fields that a signed report needs and that are empty.
 
-    Many are not all named, since they are marked in the form.
+    Many are not all named; ``in_form``, they are marked.
     """
     if len(missing) > MAX_NAMED_FIELDS:
-        return gettext(
-            "{count:n} details are missing for a signed report; they are marked with *.",
-            count=len(missing),
+        text = (
+            N_("{count:n} details are missing for a signed report; they are marked with *.")
+            if in_form
+            else N_("{count:n} details are missing for a signed report.")
         )
+        return gettext(text, count=len(missing))
     names = tuple(gettext(FIELD_LABELS[name]) for name in missing)
     return gettext("Missing for a signed report: {names:names}.", names=names)
 
