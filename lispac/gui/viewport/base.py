@@ -87,11 +87,12 @@ class PointColouring:
 
 @dataclass(frozen=True)
 class Marker:
-    """Labelled point: a seed or the name of a target."""
+    """Labelled point: a seed or the name of a target, filled if it is selected."""
 
     label: str
     position: tuple[float, float, float]
     colour: Colour
+    is_selected: bool = False
 
 
 @dataclass(frozen=True)
