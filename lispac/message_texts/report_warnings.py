@@ -118,8 +118,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.validation_worse_explained": N_(
         "The distances between the lines are larger after the calibration than before on "
-        "{items:names}. The uncertainties of POS and boresight explain it: no shift of lines there "
-        "exceeds {ratio:x.1|limit} times its standard deviation (limit {limit:x.1|ratio})."
+        "{items:names}. No line is shifted significantly there (largest test value "
+        "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
+        "explain the distances."
     ),
     "report.validation_on_plane": N_(
         "{target} (RMS {before:mm.1|after} mm before, {after:mm.1|before} mm after)"
@@ -143,14 +144,15 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.offset_not_smaller": N_(
         "The two lines with the largest offset are not closer to each other than before on "
-        "{items:names}. The uncertainties of POS and boresight explain it: no shift of lines there "
-        "exceeds {ratio:x.1|limit} times its standard deviation (limit {limit:x.1|ratio})."
+        "{items:names}. No line is shifted significantly there (largest test value "
+        "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
+        "explain the offsets."
     ),
     "validation.offset_not_smaller_shifted": N_(
         "The two lines with the largest offset are not closer to each other than before on "
-        "{items:names}. The uncertainties of POS and boresight do not explain it: lines are "
-        "shifted by {ratio:x.1|limit} times the standard deviation of the shift (limit "
-        "{limit:x.1|ratio})."
+        "{items:names}. Lines are shifted significantly there (largest test value "
+        "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
+        "do not explain the offsets."
     ),
     "validation.offset_not_smaller_unknown": Advised(
         N_(
@@ -202,10 +204,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.cause_pos": Advised(
         N_(
-            "Probable cause on {planes:names}: errors of POS and boresight, because their "
-            "uncertainties explain all shifts of lines there and any second peak of the histograms "
-            "(most significant shift: {lines:names} on {plane}, {ratio:x.1|limit} times its "
-            "standard deviation, limit {limit:x.1|ratio})."
+            "Probable cause on {planes:names}: errors of POS and boresight, because no line is "
+            "shifted significantly there (largest test value w = {ratio:x.1|limit}, for "
+            "{lines:names} on {plane}; limit {limit:x.1|ratio})."
         ),
         N_(
             "Process the trajectory again with a more accurate solution, or check the given POS "

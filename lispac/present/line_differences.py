@@ -47,6 +47,17 @@ class LineDifferenceValues:
         )  # fmt: skip
 
 
+PAIR_TITLE, ALL_PAIRS_TITLE = N_("{first} − {second}, {facing}"), N_("All lines, {facing}")
+"""Titles of the map of a row."""
+
+
+def difference_title(row: LineDifferenceValues) -> str:
+    """Lines and orientation of the surfaces of a row."""
+    title = ALL_PAIRS_TITLE if row.first == row.second else PAIR_TITLE
+    facing = gettext(FACING_TEXTS[row.facing])
+    return gettext(title, first=row.first, second=row.second, facing=facing)
+
+
 def _line_name(name: str) -> Callable[[LineDifferenceValues], str]:
     def text(row: LineDifferenceValues) -> str:
         return gettext("all lines") if row.first == row.second else getattr(row, name)

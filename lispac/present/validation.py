@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
 from operator import attrgetter
-from typing import Any
+from typing import Any, Literal
 
 from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
@@ -188,6 +188,20 @@ class PairValues:
 
 
 @dataclass(frozen=True)
+class PairOffset:
+    """Absolute value of the offset of two lines, as in the tables of pairs."""
+
+    line_a: str
+    line_b: str
+    absolute_m: float
+
+    @property
+    def lines(self) -> str:
+        """Names of the two lines."""
+        return f"{self.line_a} / {self.line_b}"
+
+
+@dataclass(frozen=True)
 class LocalModelValues:
     """Local surface model to which distances are measured.
 
@@ -243,29 +257,33 @@ class ValidationPlane:
             shifts=tuple(map(LineShiftValues.of, plane.shifts)),
         )
 
+    def largest_offset(self, state: Literal["before", "after"]) -> PairOffset | None:
+        """Largest offset of two lines in a state; None if none is known."""
+        known = [
+            PairOffset(pair.line_a, pair.line_b, abs(signed.median_m))
+            for pair in self.pairs
+            if (signed := getattr(pair, state).signed) is not None
+        ]
+        return max(known, key=attrgetter("absolute_m"), default=None)
+
     @property
     def largest_offset_m(self) -> float | None:
         """Largest absolute offset of two lines after the calibration, metres."""
-        pair = self._pair_of_largest_offset
-        return None if pair is None else pair.absolute_offset_m
+        largest = self.largest_offset("after")
+        return None if largest is None else largest.absolute_m
 
     @property
     def former_offset_m(self) -> float | None:
         """Absolute offset before the calibration of the lines of `largest_offset_m`, metres."""
-        pair = self._pair_of_largest_offset
-        signed = None if pair is None else pair.before.signed
-        return None if signed is None else abs(signed.median_m)
+        largest = self.largest_offset("after")
+        offsets = None if largest is None else self.offsets_m(largest.line_a, largest.line_b)
+        return None if offsets is None else abs(offsets[0])
 
     @property
     def largest_offset_lines(self) -> str:
         """Names of the two lines with the largest offset; empty if it is not known."""
-        pair = self._pair_of_largest_offset
-        return "" if pair is None else f"{pair.line_a} / {pair.line_b}"
-
-    @property
-    def _pair_of_largest_offset(self) -> PairValues | None:
-        known = [pair for pair in self.pairs if pair.after.signed is not None]
-        return max(known, key=attrgetter("absolute_offset_m"), default=None)
+        largest = self.largest_offset("after")
+        return "" if largest is None else largest.lines
 
     def offsets_m(self, line: str, other: str) -> tuple[float, float] | None:
         """Offset of two lines before and after, metres; None if it is not known."""
@@ -371,8 +389,8 @@ class ShiftOnPlane:
     shift: LineShiftValues
 
     @property
-    def ratio(self) -> float | None:
-        """Shift divided by its sigma."""
+    def w(self) -> float | None:
+        """Test value: shift divided by its sigma."""
         return self.shift.offset_m / self.shift.sigma_m if self.shift.sigma_m else None
 
 
@@ -585,7 +603,7 @@ SHIFTS_TABLE = Table[ShiftOnPlane](
         Column(lambda row: ", ".join(row.shift.others), N_("Other lines")),
         Column("shift.offset_m", N_("Shift"), PLAIN_MILLIMETRES.signed),
         Column("shift.sigma_m", N_("Sigma"), PLAIN_MILLIMETRES),
-        Column("ratio", N_("Shift / sigma"), ratio(1).signed),
+        Column("w", N_("Test value w"), ratio(1).signed),
     ),
 )
 

@@ -41,6 +41,7 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 from lispac.report.section_summaries import validation_summary
+from lispac.report.validation_warnings import shift_limit
 
 DISTANCES_TEXT = N_(
     "Distances from each point of one line to the surface of the other, in both directions and for "
@@ -77,9 +78,9 @@ SHIFTS_TEXT = N_(
     "Mean distance of one line, or of several lines, from the others after the calibration; "
     "positive if nearer to the vessel. The sigma combines the POS errors of the lines, the "
     "covariance of the boresight, the form error of the surface (its change from line to line) and "
-    "the scatter of the distances. "
-    "Lines with different shifts give the histograms several modes; a warning is given only if a "
-    "shift exceeds its uncertainty."
+    "the scatter of the distances. Test value w: shift divided by sigma; a shift is significant, "
+    "with a warning, if the absolute value of w exceeds {limit:x.1}. Smaller shifts can also give "
+    "a histogram several peaks."
 )
 MAP_LEGEND_TEXT = N_(
     "Maps: distance of the first line from the second along the normal of the plane, seen from the "
@@ -170,7 +171,10 @@ def _acceptance_blocks(acceptance: AcceptanceValues) -> list[Block]:
 def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
     """Table of the shifts of lines; none if they were not computed."""
     rows = shift_rows(planes)
-    return [Paragraph(gettext(SHIFTS_TEXT)), report_table(SHIFTS_TABLE, rows)] if rows else []
+    if not rows:
+        return []
+    text = gettext(SHIFTS_TEXT, limit=shift_limit(planes))
+    return [Paragraph(text), report_table(SHIFTS_TABLE, rows)]
 
 
 def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:

@@ -68,7 +68,7 @@ def test_without_arguments_every_system_is_listed(capsys) -> None:
     text = printed_by(capsys)
     for each in SYSTEMS:
         assert f"\n{each.key} (" in text
-    assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
+    assert text.count("not verified") == sum(each.status == "unverified" for each in SYSTEMS)
     assert text.count("  Assumption ") == sum(bool(each.assumption) for each in SYSTEMS)
     assert [each["system"] for each in run_json(capsys)["systems"]] == [
         each.key for each in SYSTEMS

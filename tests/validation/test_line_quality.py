@@ -6,11 +6,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
-from lispac.validation.line_differences import DifferenceStatistics, compare_lines
+from lispac.report.line_map import line_difference_map
+from lispac.validation.line_differences import (
+    DifferenceStatistics,
+    LineDifference,
+    compare_lines,
+)
 from lispac.workflow.checking.line_quality import line_quality
 from lispac.workflow.project.survey import Survey
 from tests.cli.test_cli import run, run_json, run_refused
@@ -127,6 +134,28 @@ def test_the_quality_command_writes_map_and_table(
     )
     refusal = command_error("quality", project.folder, "--search-distance", "11")
     assert refusal.code == "check.search_distance"
+
+
+@pytest.mark.parametrize("longer", ["north", "east"])
+def test_the_map_fills_a_wide_figure(longer: str) -> None:
+    """A quay from north to south is drawn with north at the right, not as a narrow strip."""
+    rng = np.random.default_rng(1)
+    north, west = (90.0, 20.0) if longer == "north" else (20.0, 90.0)
+    place = np.column_stack([rng.uniform(0, north, 500), rng.uniform(0, west, 500), np.zeros(500)])
+    size = rng.uniform(0, 0.02, 500)
+    pair = LineDifference("L1", "L2", place, size, np.zeros(500), np.tile([0, 0, 1.0], (500, 1)))
+    figure = line_difference_map([pair], Figure(figsize=(8.0, 3.0)), shown=[pair], title="L1 − L2")
+    FigureCanvasAgg(figure).draw()
+    axes = figure.axes[0]
+    drawn = axes.collections[0].get_offsets()
+    assert np.ptp(drawn[:, 0]) > 0.8 * np.ptp(axes.get_xlim())
+    assert axes.get_aspect() == 1.0
+    if longer == "north":
+        np.testing.assert_allclose(np.sort(drawn[:, 0]), np.sort(place[:, 0]))
+        assert (axes.get_xlabel(), axes.get_ylabel()) == ("North (m)", "West (m)")
+    else:
+        np.testing.assert_allclose(np.sort(drawn[:, 0]), np.sort(-place[:, 1]))
+        assert (axes.get_xlabel(), axes.get_ylabel()) == ("East (m)", "North (m)")
 
 
 def test_a_zero_distance_and_a_missing_result_are_refused(

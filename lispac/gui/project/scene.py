@@ -1,6 +1,7 @@
 """Content of the viewport: lines before or after the adjustment, sightings and labels."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -62,6 +63,7 @@ class Scene(QObject):
         self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
         self._proposed: tuple[Target, ...] = ()
+        self._selected_proposed = ""
         self._ticked: frozenset[str] = frozenset()
         """Names of the proposed targets that the user has ticked."""
         self.selected: tuple[str, str] | None = None
@@ -152,7 +154,7 @@ class Scene(QObject):
         )
         if searched != self._searched:
             self._searched = searched
-            self._viewport.show_markers([*self._markers, *searched])
+            self._show_markers()
 
     def colour_by(self, colouring: Colouring) -> None:
         """Colour the points by line or by a value.
@@ -213,8 +215,17 @@ class Scene(QObject):
         target = next((each for each in self._proposed if each.name == name), None)
         if target is None:
             return
+        self._selected_proposed = name
         self._viewport.select((proposed_key(name), ""))
+        self._show_markers()
         self.bring_into_view(target)
+
+    def zoom_to_proposed(self, name: str) -> None:
+        """Move the view to a proposed target."""
+        target = next((each for each in self._proposed if each.name == name), None)
+        groups = {} if target is None else _points_by_line(target, self.clouds)
+        if groups:
+            self._viewport.fit(np.concatenate(list(groups.values())))
 
     def bring_into_view(self, target: Target) -> None:
         """Move the view to a target whose label is outside the picture, and its surroundings."""
@@ -230,6 +241,7 @@ class Scene(QObject):
         """Highlight a sighting, or a target if ``line`` is empty, without moving the view."""
         self.selected = (name, line)
         self._viewport.select(self.selected)
+        self._show_markers()
         self.selection_changed.emit()
 
     def focus_on(self, name: str, line: str) -> None:
@@ -240,6 +252,7 @@ class Scene(QObject):
         target = project.target(name)
         self.selected = (name, line)
         self._viewport.select((name, line))
+        self._show_markers()
         groups = _points_by_line(target, self.clouds, line)
         if groups:
             points = np.concatenate(list(groups.values()))
@@ -358,8 +371,16 @@ class Scene(QObject):
         self._targets_due.stop()
         self._viewport.show_highlights(self.highlights(self.which))
         self._markers = [self._marker(target) for target in self._shown_targets()]
-        self._viewport.show_markers([*self._markers, *self._searched])
+        self._show_markers()
         self.targets_drawn.emit()
+
+    def _show_markers(self) -> None:
+        """Show the names of the targets, that of the selected one filled, and the searches."""
+        selected = "" if self.selected is None else self.selected[0]
+        if self._proposed:
+            selected = f"{self._selected_proposed}?"
+        markers = [replace(each, is_selected=each.label == selected) for each in self._markers]
+        self._viewport.show_markers([*markers, *self._searched])
 
     def _shown_targets(self) -> list[Target]:
         project = self._document.project

@@ -82,6 +82,8 @@ class ProjectState:
         Why no estimate can be requested; it starts when the lines are georeferenced.
     is_outdated : bool
         Whether an edit has removed the result.
+    is_validating : bool
+        Whether the lines are being compared on the validation planes.
     """
 
     project: Project | None
@@ -93,6 +95,7 @@ class ProjectState:
     refused_since: Message | str = ""
     estimate_reason: Reason = Unavailable.NO_PROJECT
     is_outdated: bool = False
+    is_validating: bool = False
 
 
 OUTDATED_RESULT_NOTE = note("project.out_of_date")

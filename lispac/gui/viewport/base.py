@@ -93,12 +93,14 @@ class Marker:
     ----------
     is_provisional : whether it is a seed, a candidate or a proposed target, whose label gives way
         to those of the targets
+    is_selected : whether it is filled, because its target is selected
     """
 
     label: str
     position: tuple[float, float, float]
     colour: Colour
     is_provisional: bool = False
+    is_selected: bool = False
 
 
 @dataclass(frozen=True)

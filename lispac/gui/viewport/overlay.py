@@ -511,9 +511,9 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     if not marker.label:
         return
     painter.setPen(QPen(colour.darker(115), 1.3))
-    painter.setBrush(theme.colour("paper", 0.88))
+    painter.setBrush(colour.darker(115) if marker.is_selected else theme.colour("paper", 0.88))
     painter.drawRoundedRect(box, 4.0, 4.0)
-    painter.setPen(QColor(theme.TEXT))
+    painter.setPen(QColor(LIGHT_SCHEME.paper if marker.is_selected else theme.TEXT))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
 
 

@@ -200,6 +200,12 @@ class DiagnosticsTable(QTableWidget):
         item = self.item(row, 0)
         return None if item is None else self._rows[item.data(Qt.ItemDataRole.UserRole)].key
 
+    @property
+    def selected_row(self) -> int | None:
+        """Index of the selected row in the rows shown, whatever the sorting; None without one."""
+        rows = self.selectionModel().selectedRows()
+        return self.item(rows[0].row(), 0).data(Qt.ItemDataRole.UserRole) if rows else None
+
     def select(self, target: str, line: str) -> None:
         """Select the row of a target and line without emitting a signal."""
         for row in range(self.rowCount()):

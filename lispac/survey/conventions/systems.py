@@ -20,7 +20,7 @@ Direction = Literal["lidar_to_body", "body_to_lidar"]
 STATUS_WORDS: dict[Status, str] = {
     "verified": N_("verified"),
     "partly": N_("partly verified"),
-    "unverified": N_("NOT VERIFIED"),
+    "unverified": N_("not verified"),
 }
 SCANNER_WORDS: dict[Scanner, str] = {
     "turned": N_(

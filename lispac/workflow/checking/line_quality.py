@@ -58,6 +58,14 @@ class LineQuality:
         statistics = _difference_statistics([pair.facing(facing) for pair in self.pairs])
         return statistics and replace(statistics, median=None, robust_sigma=None)
 
+    def places(self, row: LineDifferenceValues) -> tuple[LineDifference, ...]:
+        """Differences of which a row gives the statistics."""
+        return tuple(
+            pair.facing(row.facing)
+            for pair in self.pairs
+            if row.first == row.second or (pair.first, pair.second) == (row.first, row.second)
+        )
+
     def rows(self) -> list[LineDifferenceValues]:
         """All statistics: of each pair, then of all pairs together."""
         found = [

@@ -44,9 +44,9 @@ class SectionPoints:
         Position and size of the section.
     points : mapping of line name to ndarray of shape (n, 2), metres
         Positions to the right of the centre and above it.
-    separation : float or None, metres
-        Largest distance between the means of all points of two lines on a target, along its
-        normal; None without a plane. The points in the picture may be farther apart at an edge.
+    spread : float or None, metres
+        Range of the means of the points of each line on a target, along its normal, which the
+        picture must contain; None without a plane.
     normal : ndarray of shape (2,) or None
         Part of the unit normal of the plane in the picture; None without a plane, and if the plane
         is nearly parallel to the picture.
@@ -55,7 +55,7 @@ class SectionPoints:
     which: BoresightChoice
     section: Section
     points: Mapping[str, Array]
-    separation: float | None = None
+    spread: float | None = None
     normal: Array | None = None
 
     @property
@@ -65,9 +65,9 @@ class SectionPoints:
         The largest of `EXAGGERATIONS` with which all lines are still in the picture; 1 without a
         plane.
         """
-        if self.separation is None or self.normal is None:
+        if self.spread is None or self.normal is None:
             return 1.0
-        seen = self.separation / float(np.linalg.norm(self.normal))
+        seen = self.spread / float(np.linalg.norm(self.normal))
         needed = 0.6 * seen + MIN_HALF_WIDTH_M  # more than half, for points at the edges
         half = 0.5 * min(self.section.width, self.section.height)
         return max((each for each in EXAGGERATIONS if needed * each <= half), default=1.0)
@@ -122,7 +122,7 @@ def section_at_target(
         if target.shape == "plane":
             offsets = [float((middle - centre) @ normal) for middle in middles.values()]
             cut = replace(
-                cut, separation=float(np.ptp(offsets)), normal=normal_in_picture(normal, section)
+                cut, spread=float(np.ptp(offsets)), normal=normal_in_picture(normal, section)
             )
         cuts.append(cut)
     return tuple(cuts)

@@ -165,14 +165,14 @@ def test_cuts_of_a_flat_plane_have_one_range(adjusted: Driver) -> None:
     cut = adjusted.window.tools.sections._cuts[1]
     across = np.array([0.0, 1.0])
     rough = {line: points * [1.0, 0.05] for line, points in cut.points.items()}
-    wide = replace(cut, normal=across, separation=0.05, points=rough)
+    wide = replace(cut, normal=across, spread=0.05, points=rough)
     flat = {line: points * [1.0, 0.01] for line, points in cut.points.items()}
     narrow = replace(wide, points=flat)
     assert wide.automatic_exaggeration == narrow.automatic_exaggeration > 1
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
     figure = Figure(figsize=(9.0, 1.8))
     for cuts in ([wide, narrow], [narrow, wide]):
-        draw_section(cuts, colours, ("Distance", "Height"), figure, labelled=False)
+        draw_section(cuts, colours, ("Distance", "Height"), {}, figure, labelled=False)
         before, after = figure.axes
         assert before.get_xlim() == after.get_xlim()
         assert before.get_ylim() == after.get_ylim()

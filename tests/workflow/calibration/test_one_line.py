@@ -68,11 +68,11 @@ def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
     """Unlike a plane, a sphere has no single normal to measure the separation along."""
     project, survey = picked_and_estimated()
     for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
-        assert cut.separation is not None
+        assert cut.spread is not None
     ball = replace(project.target("T1"), shape="sphere")
     round_one = replace(project, targets=(ball,))
     for cut in section_at_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
-        assert cut.separation is None
+        assert cut.spread is None
 
 
 def test_planes_on_single_lines_are_refused_by_name() -> None:

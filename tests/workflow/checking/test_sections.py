@@ -87,7 +87,7 @@ def test_misalignment_is_visible_only_before_the_calibration(
     for level in (False, True):
         before, after = section_at_target(project, survey, "T1", level=level)
         assert (before.which, after.which) == ("prior", "estimated")
-        assert after.separation < 0.04 < 0.15 < before.separation
+        assert after.spread < 0.04 < 0.15 < before.spread
         for cut in (before, after):
             assert set(cut.points) == set(survey.lines)
             clouds = survey.placed(project, cut.which)
@@ -102,7 +102,7 @@ def test_misalignment_is_visible_only_before_the_calibration(
                 for points in cut.points.values()
                 if len(points)
             ]
-            assert np.ptp(strokes) == pytest.approx(cut.separation, abs=0.03)
+            assert np.ptp(strokes) == pytest.approx(cut.spread, abs=0.03)
 
 
 def test_the_distance_of_a_section_is_that_of_the_means_of_whole_sightings(
@@ -117,7 +117,7 @@ def test_the_distance_of_a_section_is_that_of_the_means_of_whole_sightings(
         }
         along = [points.mean(axis=0) @ common_normal(groups["estimated"])
                  for points in groups[cut.which]]  # fmt: skip
-        assert cut.separation == pytest.approx(np.ptp(along), abs=1e-9)
+        assert cut.spread == pytest.approx(np.ptp(along), abs=1e-9)
 
 
 def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
@@ -130,7 +130,7 @@ def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
         assert cut.normal is not None
         assert cut.automatic_exaggeration > 1
     after = section_at_target(project, survey, name)[-1]
-    assert after.separation is not None
+    assert after.spread is not None
     flat = replace(after, normal=None)
     assert flat.automatic_exaggeration == 1
     assert after.normal is not None
@@ -144,7 +144,7 @@ def test_sections_without_a_result_show_the_prior_only(calibrated: tuple[Project
     assert [cut.which for cut in section_at_target(alone, survey, "T1")] == ["prior"]
     middle = np.median(survey.clouds[survey.lines[0]].sample, axis=0)
     (cut,) = cut_between_points(alone, survey, middle, middle + [3.0, 0.0, 0.5])
-    assert cut.separation is None
+    assert cut.spread is None
     assert cut.section.width == pytest.approx(3.0)
     assert cut.section.height == pytest.approx(3.0)
 

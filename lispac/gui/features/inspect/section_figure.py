@@ -14,6 +14,8 @@ from lispac.gui.appearance import quantities, theme
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
+from lispac.present.validation import PairOffset
+from lispac.project import BoresightChoice
 from lispac.workflow.checking.survey_sections import SectionPoints
 
 MAX_POINTS = 60_000
@@ -22,9 +24,9 @@ FONT_SIZE, SMALL_SIZE = 9, 8
 LEGEND_INCHES, AXIS_INCHES = 0.9, 0.8
 """Approximate space for the legend, and for the titles and numbers of an axis."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
-CUT_TITLES_WITH_DISTANCE = {
-    "prior": N_("Before: means of lines up to {distance} apart"),
-    "estimated": N_("After: means of lines up to {distance} apart"),
+CUT_TITLES_WITH_OFFSET = {
+    "prior": N_("Before: largest offset {offset} ({lines})"),
+    "estimated": N_("After: largest offset {offset} ({lines})"),
 }
 ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
 """Titles of the axes of an exaggerated picture of a plane."""
@@ -45,8 +47,8 @@ INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
 """Approximate width of a character of a title."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
 SHORT_EXAGGERATION_TEXT = N_("{title}; {factor:n} ×")
-SHORT_TITLES_WITH_DISTANCE = {
-    "prior": N_("Before: up to {distance}"), "estimated": N_("After: up to {distance}"),
+SHORT_TITLES_WITH_OFFSET = {
+    "prior": N_("Before: offset {offset}"), "estimated": N_("After: offset {offset}"),
 }  # fmt: skip
 """Titles in a low figure, in which the cuts are narrow."""
 
@@ -55,6 +57,7 @@ def draw_section(
     cuts: Sequence[SectionPoints],
     colours: Mapping[str, Colour],
     titles: tuple[str, str],
+    offsets: Mapping[BoresightChoice, PairOffset],
     figure: Figure,
     *,
     exaggeration: float | None = None,
@@ -68,6 +71,7 @@ def draw_section(
     ----------
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
+    offsets : largest offset of two lines in the validation, of each cut that has one
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
         the smallest automatic one, or that of each cut if small distances would not be visible
     starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
@@ -97,7 +101,8 @@ def draw_section(
         shared = first if is_shared else None
         axes = figure.add_subplot(1, len(cuts), number, sharex=shared, sharey=shared)
         first = first or axes
-        _draw_cut(axes, view, colours, view.title(short=not has_long_titles))
+        title = view.title(offsets.get(view.cut.which), short=not has_long_titles)
+        _draw_cut(axes, view, colours, title)
         across, upward = view.axis_titles(titles)
         size, pad = (FONT_SIZE, 4.0) if labelled else (SMALL_SIZE, 1.0)
         axes.set_xlabel(across, fontsize=size, color=theme.TEXT, labelpad=pad)
@@ -138,13 +143,13 @@ def _exaggerations(cuts: Sequence[SectionPoints]) -> list[float]:
     return [least] * len(cuts) if is_enough else factors
 
 
-def cut_title(cut: SectionPoints, *, short: bool = False) -> str:
-    """Title of a cut: before or after, with the largest distance between means of lines."""
-    if cut.separation is None:
-        return gettext(CUT_TITLES[cut.which])
-    distance = quantities.amount(1000 * cut.separation, "mm", 0)
-    titles = SHORT_TITLES_WITH_DISTANCE if short else CUT_TITLES_WITH_DISTANCE
-    return gettext(titles[cut.which], distance=distance)
+def cut_title(which: BoresightChoice, offset: PairOffset | None, *, short: bool = False) -> str:
+    """Title of a cut: before or after, with the largest offset of two lines if it is known."""
+    if offset is None:
+        return gettext(CUT_TITLES[which])
+    titles = SHORT_TITLES_WITH_OFFSET if short else CUT_TITLES_WITH_OFFSET
+    amount = quantities.amount(1000 * offset.absolute_m, "mm", 1)
+    return gettext(titles[which], offset=amount, lines=offset.lines)
 
 
 @dataclass(frozen=True, eq=False)
@@ -266,9 +271,9 @@ class _CutView:
             )
         return texts
 
-    def title(self, *, short: bool) -> str:
+    def title(self, offset: PairOffset | None, *, short: bool) -> str:
         """Title of the cut, with its factor if the axes have no titles."""
-        title = cut_title(self.cut, short=short)
+        title = cut_title(self.cut.which, offset, short=short)
         if self.factor == 1 or not short:
             return title
         return gettext(SHORT_EXAGGERATION_TEXT, title=title, factor=round(self.factor))

@@ -12,6 +12,8 @@ from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext, number
+from lispac.present.validation import PairOffset
+from lispac.project import BoresightChoice
 from lispac.workflow.checking.survey_sections import EXAGGERATIONS, SectionPoints
 
 if TYPE_CHECKING:
@@ -25,10 +27,9 @@ EMPTY_TEXT = N_(
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-MEANS_HINT = N_(
-    "The distance in a title is along the normal, between the means of all points of two lines on "
-    "the surface. It differs from the offset in the validation, which is a median over the part "
-    "that both lines cover."
+OFFSET_HINT = N_(
+    "Offset in a title: the largest one of two lines on the whole plane, as in the table of the "
+    "pairs of lines (step 4)."
 )
 AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
 RIGHT_LABEL = N_("From the middle to the right (m)")
@@ -222,6 +223,7 @@ class SectionPanel(QWidget):
         through: str,
         cuts: Sequence[SectionPoints],
         colours: Mapping[str, Colour],
+        offsets: Mapping[BoresightChoice, PairOffset],
         *,
         target: bool,
     ) -> None:
@@ -229,6 +231,7 @@ class SectionPanel(QWidget):
 
         Parameters
         ----------
+        offsets : largest offset of two lines in the validation, of each cut that has one
         through : text that describes the position of the section
         target : whether the section is across a target, and not between two points
         """
@@ -240,7 +243,7 @@ class SectionPanel(QWidget):
         across = RIGHT_LABEL if self.is_horizontal else AHEAD_LABEL
         upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
         axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
-        self._shown = cuts, colours, axes
+        self._shown = cuts, colours, axes, offsets
         self._starts_at_left = not target
         self._redraw()
         self.canvas.show()
@@ -273,7 +276,7 @@ class SectionPanel(QWidget):
 
         self.canvas = Chart(300, 110, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
-        tip = f"{gettext(ZOOM_HINT)}\n{gettext(MEANS_HINT)}"
+        tip = f"{gettext(ZOOM_HINT)}\n{gettext(OFFSET_HINT)}"
         self.canvas.setToolTip(widgets.wrapped_tip(tip))
         self._zooming = PlotZoom(self.canvas)
         self.canvas.mpl_connect("resize_event", lambda _event: self._fill_resized_plots())

@@ -26,7 +26,9 @@ from lispac.gui.viewport.base import (
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
+from lispac.present.validation import PairOffset, ValidationPlane
 from lispac.progress import Progress
+from lispac.project import BoresightChoice, Project
 from lispac.targets.cross_section import Section
 from lispac.workflow.checking.survey_sections import (
     SectionPoints,
@@ -165,7 +167,8 @@ class SectionTool(QObject):
             return
         level, size, thickness = panel.is_horizontal, panel.size.value(), panel.thickness.value()
         target, offset = project.target(name) if name else None, self._offset
-        inputs = (project.result, target, survey, *(ends or ()))
+        offsets = {} if ends or name is None else _largest_offsets(project, name)
+        inputs = (project.result, project.validation, target, survey, *(ends or ()))
         requested = (level, size, thickness, offset, *map(id, inputs))
         if not self._outdated and self._shown is not None and requested == self._shown[0]:
             self._draw_frame()
@@ -203,7 +206,7 @@ class SectionTool(QObject):
             else:
                 through = gettext("Across {target}", target=name)
             panel.show_cuts(
-                through, cuts, theme.line_colours(survey.lines), target=ends is None
+                through, cuts, theme.line_colours(survey.lines), offsets, target=ends is None
             )  # fmt: skip
             self._draw_frame()
 
@@ -280,6 +283,17 @@ class SectionTool(QObject):
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
             self._viewport.show_sketch(SKETCH_NAME, sketch)
+
+
+def _largest_offsets(project: Project, name: str) -> dict[BoresightChoice, PairOffset]:
+    """Largest offsets of two lines on a validation plane, if it has been compared."""
+    planes = [ValidationPlane.of(each) for each in project.validation if each.name == name]
+    found: dict[BoresightChoice, PairOffset | None] = {}
+    for plane in planes:
+        found = {
+            "prior": plane.largest_offset("before"), "estimated": plane.largest_offset("after")
+        }  # fmt: skip
+    return {which: offset for which, offset in found.items() if offset is not None}
 
 
 def section_box_sketch(section: Section, *, has_ends: bool) -> Sketch:

@@ -36,6 +36,7 @@ class ProposedTargets(SurveyDependentActions):
         self._panel.rejected.connect(self._reject)
         self._panel.ticks_changed.connect(self._show_in_scene)
         self._panel.selected.connect(self._scene.select_proposed)
+        self._panel.zoom_requested.connect(self._scene.zoom_to_proposed)
         self._document.changed.connect(self._update)
         self._controller.candidate_changed.connect(self._update)
         self._document.about_to_open.connect(self._close)

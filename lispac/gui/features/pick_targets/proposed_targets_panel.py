@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 ROLE_NAMES = {"target": N_("Target"), "validation": N_("Validation plane")}
 COLUMN_TITLES = (N_("Name"), N_("Role"), N_("Lines"))
 TITLE = N_("Proposed targets")
+ZOOM_TIP = N_("Double-click to zoom to it in the 3D view")
 ROW_HEIGHT_PX = 22
 """Height of a row of the table, pixels."""
 
@@ -45,6 +46,8 @@ class ProposedTargetsPanel(QFrame):
     ticks_changed = Signal()
     selected = Signal(str)
     """Another row was selected; its name."""
+    zoom_requested = Signal(str)
+    """The user double-clicked a row; its name."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -60,6 +63,9 @@ class ProposedTargetsPanel(QFrame):
         self.table = _ProposalTable(len(COLUMN_TITLES))
         self.table.itemChanged.connect(self._on_ticked)
         self.table.itemSelectionChanged.connect(self._on_selected)
+        self.table.cellDoubleClicked.connect(
+            lambda row, _column: self.zoom_requested.emit(self.table.item(row, 0).text())
+        )
         self.table.accepted.connect(self._accept)
         # A panel that is scrolled to its end would move if it became lower
         self.reason = ReservedLabel(name="proposal_reason")
@@ -138,6 +144,7 @@ class ProposedTargetsPanel(QFrame):
             name.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
             name.setToolTip(gettext("Untick to exclude this target or plane"))
             role = QTableWidgetItem(gettext(ROLE_NAMES[target.role]))
+            role.setToolTip(gettext(ZOOM_TIP))
             lines = [sighting.line for sighting in target.sightings]
             count_item = QTableWidgetItem(str(len(lines)))
             count_item.setToolTip(

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
 
 from lispac.alternative_methods import Method
@@ -14,6 +15,7 @@ from lispac.project import Project
 
 if TYPE_CHECKING:
     from lispac.gui.features.studies.check_dialog import CheckRequest
+    from lispac.gui.features.studies.study_dialog import LineQualityDialog
     from lispac.method_comparison import MethodResult
     from lispac.present.absolute import AbsoluteCheckValues
     from lispac.present.error_budget import ErrorBudgetValues
@@ -67,11 +69,14 @@ class StudyDialogs(Questions):
 
         run_dialog(SubsamplingDialog(results, used, self.parent))
 
-    def line_quality(self, quality: "LineQuality") -> None:
-        """Show the differences between the lines."""
+    def line_quality(self, quality: "LineQuality") -> "LineQualityDialog":
+        """Show the differences between the lines beside the usable window."""
         from lispac.gui.features.studies.study_dialog import LineQualityDialog
 
-        run_dialog(LineQualityDialog(quality, self.parent))
+        dialog = LineQualityDialog(quality, self.parent)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.show()
+        return dialog
 
     def methods(
         self,

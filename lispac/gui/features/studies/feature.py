@@ -8,8 +8,8 @@ from lispac.gui.project.features import Feature, WindowParts
 
 def _connect(window: WindowParts[StudyDialogs]) -> None:
     Studies(
-        window.document, window.runner, window.scene, window.controller, window.dialogs,
-        window.actions,
+        window.document, window.runner, window.scene, window.viewport, window.controller,
+        window.dialogs, window.actions,
     )  # fmt: skip
     AlternativeMethods(
         window.document, window.runner, window.controller, window.dialogs, window.actions

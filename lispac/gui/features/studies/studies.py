@@ -5,6 +5,7 @@ differences between lines, visibility of errors, and alternative methods.
 """
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
@@ -17,6 +18,7 @@ from lispac.gui.project.availability import data_reason, result_reason
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.messages import Message
@@ -39,6 +41,15 @@ from lispac.workflow.checking.subsampling import (
 )
 from lispac.workflow.project.survey import Survey
 
+if TYPE_CHECKING:
+    from lispac.gui.features.studies.study_dialog import LineQualityDialog
+
+SKETCH_NAME = "line_differences"
+MARK_COLOUR: Colour = (0, 90, 200)
+"""Sketch that marks the places of a row of the differences between lines, and its colour."""
+MAX_MARKED_PLACES = 400
+"""Largest number of marked places."""
+
 
 class Studies(QObject):
     """Runs the studies and shows their results in dialogues."""
@@ -48,6 +59,7 @@ class Studies(QObject):
         document: Document,
         runner: TaskRunner,
         scene: Scene,
+        viewport: Viewport,
         controller: Controller,
         dialogs: StudyDialogs,
         actions: Actions,
@@ -56,6 +68,7 @@ class Studies(QObject):
         self._document, self._runner = document, runner
         self._controller, self._dialogs = controller, dialogs
         self._actions, self._scene = actions, scene
+        self._differences = LineDifferences(document, viewport, dialogs, self)
         actions.connect_slots(
             {
                 "check": self.check,
@@ -144,8 +157,11 @@ class Studies(QObject):
             return line_quality(project, survey, which=which, progress=progress)
 
         task = self._runner.run(
-            gettext("Comparing the lines"), work, self._dialogs.line_quality, modal=True
-        )  # fmt: skip
+            gettext("Comparing the lines"),
+            work,
+            lambda found: self._differences.show(found, project, survey),
+            modal=True,
+        )
         self._controller.cancel_on_edit(task)
 
     def subsampling(self) -> None:
@@ -193,6 +209,54 @@ class Studies(QObject):
         self._actions.set_reason("line_quality", data)
         for name in ("check", "budget"):
             self._actions.set_reason(name, result_reason(document, runner))
+
+
+class LineDifferences(QObject):
+    """Shows the differences between the lines, and marks their places in the view."""
+
+    def __init__(
+        self, document: Document, viewport: Viewport, dialogs: StudyDialogs, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._viewport, self._dialogs = document, viewport, dialogs
+        self._dialog: LineQualityDialog | None = None
+        self._compared: tuple[Survey, object] | None = None
+        """Survey and result with which the lines were compared."""
+        document.changed.connect(self._close_outdated)
+        document.survey_changed.connect(self._close_outdated)
+
+    def show(self, quality: LineQuality, project: Project, survey: Survey) -> None:
+        """Show the differences instead of earlier ones."""
+        self._close()
+        self._compared = survey, project.result
+        self._dialog = self._dialogs.line_quality(quality)
+        self._dialog.row_selected.connect(self._mark)
+        self._dialog.finished.connect(self._on_closed)
+
+    def _mark(self, title: str, places: Array) -> None:
+        """Mark at most `MAX_MARKED_PLACES` of some places, evenly."""
+        marked = places[:: -(-len(places) // MAX_MARKED_PLACES)]
+        points = tuple((float(x), float(y), float(z)) for x, y, z in marked)
+        sketch = Sketch(points, (), MARK_COLOUR, True, title, points[len(points) // 2])
+        self._viewport.show_sketch(SKETCH_NAME, sketch)
+
+    def _close_outdated(self) -> None:
+        """Close the dialogue if the lines were compared with other data or another boresight."""
+        project, survey = self._document.project, self._document.survey
+        if self._compared is not None and (
+            project is None
+            or survey is not self._compared[0]
+            or project.result is not self._compared[1]
+        ):
+            self._close()
+
+    def _close(self) -> None:
+        if self._dialog is not None:
+            self._dialog.close()
+
+    def _on_closed(self) -> None:
+        self._dialog = self._compared = None
+        self._viewport.show_sketch(SKETCH_NAME, None)
 
 
 MethodRuns = tuple[Project, Mapping[str, Message]]

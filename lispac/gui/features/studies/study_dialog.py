@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, QSize
+import numpy as np
+from PySide6.QtCore import QPoint, QSize, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
@@ -17,9 +18,15 @@ from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.calibrations import HISTORY_TABLE
 from lispac.present.error_budget import ErrorBudgetValues, budget_table
-from lispac.present.line_differences import LINE_DIFFERENCES_TABLE
+from lispac.present.line_differences import (
+    ALL_PAIRS_TITLE,
+    FACING_TEXTS,
+    LINE_DIFFERENCES_TABLE,
+    difference_title,
+)
 from lispac.present.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
 from lispac.project import BoresightChoice
+from lispac.validation.line_differences import LineDifference
 from lispac.workflow.checking.calibration_history import CalibrationHistory
 from lispac.workflow.checking.line_quality import LineQuality
 
@@ -32,11 +39,13 @@ MIN_TABLE_HEIGHT_PX, MIN_PLOT_HEIGHT_PX = HEADER_HEIGHT_PX + 3 * ROW_HEIGHT_PX, 
 LINE_QUALITY_INTRODUCTIONS: dict[BoresightChoice, str] = {
     "prior": N_(
         "The table shows the differences between each pair of lines on flat surfaces, along the "
-        "surface normal and with the prior boresight. The project is not changed."
+        "surface normal and with the prior boresight. Select a row to show it in the map and in "
+        "the 3D view. The project is not changed."
     ),
     "estimated": N_(
         "The table shows the differences between each pair of lines on flat surfaces, along the "
-        "surface normal and with the estimated boresight. The project is not changed."
+        "surface normal and with the estimated boresight. Select a row to show it in the map and "
+        "in the 3D view. The project is not changed."
     ),
 }
 
@@ -267,7 +276,13 @@ class HistoryDialog(StudyDialog):
 
 
 class LineQualityDialog(StudyDialog):
-    """Dialogue with a row for each pair of lines and surface orientation, and a map."""
+    """Dialogue with a row for each pair of lines and surface orientation, and a map of one row.
+
+    It leaves the 3D view usable, in which the places of the selected row are marked.
+    """
+
+    row_selected = Signal(str, object)
+    """Title of the selected row, and its places, ndarray of shape (n, 3), metres."""
 
     def __init__(self, quality: LineQuality, parent: QWidget | None = None) -> None:
         title = dialog_title(ACTIONS["line_quality"])
@@ -277,19 +292,34 @@ class LineQualityDialog(StudyDialog):
         super().__init__(
             "line_quality", title, gettext(LINE_QUALITY_INTRODUCTIONS[quality.which]), table, parent
         )
-        self.show_rows(window_rows(LINE_DIFFERENCES_TABLE, quality.rows()))
+        self._quality, self._values = quality, quality.rows()
+        self.show_rows(window_rows(LINE_DIFFERENCES_TABLE, self._values))
         self.message_label.setText("\n".join(map(message_text, quality.not_compared)))
         self.message_label.setVisible(bool(quality.not_compared))
-        self._draw(quality)
+        self.table.itemSelectionChanged.connect(self._show_selected)
+        facing = FACING_TEXTS["all"]
+        self._draw(quality.pairs, gettext(ALL_PAIRS_TITLE, facing=gettext(facing)))
         self.resize(900, 760)
 
-    def _draw(self, quality: LineQuality) -> None:
+    def _show_selected(self) -> None:
+        """Show the places of the selected row in the map, and announce them."""
+        number = self.table.selected_row
+        if number is None:
+            return
+        row = self._values[number]
+        pairs, title = self._quality.places(row), difference_title(row)
+        self._draw(pairs, title)
+        self.row_selected.emit(title, np.concatenate([pair.place for pair in pairs]))
+
+    def _draw(self, pairs: Sequence[LineDifference], title: str) -> None:
         # Matplotlib is imported late, so that the window starts without it.
         from lispac.report.line_map import line_difference_map
 
-        line_difference_map(quality.pairs, self.figure())
+        line_difference_map(self._quality.pairs, self.figure(), shown=pairs, title=title)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
+        self.canvas.setAccessibleName(
+            gettext("Map of the differences between lines: {title}", title=title)
+        )
 
 
 class SubsamplingDialog(StudyDialog):

@@ -67,12 +67,20 @@ class AcceptanceOutcome(QWidget):
         layout.addWidget(self.notes)
         layout.addLayout(self._causes)
 
-    def show_project(self, project: Project | None, problem: Message | None = None) -> None:
+    def show_project(
+        self,
+        project: Project | None,
+        problem: Message | None = None,
+        *,
+        is_validating: bool = False,
+    ) -> None:
         """Show the verdict on the project; nothing without a result.
 
         Parameters
         ----------
-        problem : reason why a typed criterion is not accepted; there is no verdict without it
+        problem : reason why a typed criterion is not accepted, which is shown elsewhere; there is
+            no verdict without it
+        is_validating : whether the lines are being compared, so that there is no verdict yet
         """
         self.setVisible(project is not None and project.result is not None)
         if project is None or project.result is None:
@@ -80,15 +88,16 @@ class AcceptanceOutcome(QWidget):
         # Compared by identity: the objects are kept, so that none has the address of another
         source = (
             project.result, project.cross_checks, project.validation, project.targets,
-            project.acceptance, problem,
+            project.acceptance, problem, is_validating,
         )  # fmt: skip
         if len(self._shown) == len(source) and all(
             a is b for a, b in zip(source, self._shown, strict=True)
         ):
             return
         self._shown = source
-        if problem is not None:
-            self._show_problem()
+        if problem is not None or is_validating:
+            text = gettext("validating …") if problem is None else verdict_text("not judged")
+            self._show_without_verdict(text, "" if problem is None else "error")
             return
         values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(
@@ -102,13 +111,11 @@ class AcceptanceOutcome(QWidget):
         planes = [ValidationPlane.of(each) for each in project.validation]
         self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
 
-    def _show_problem(self) -> None:
+    def _show_without_verdict(self, text: str, role: str) -> None:
         """Show that there is no verdict; the text above gives the reason."""
-        verdict = verdict_text("not judged")
-        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=verdict))
-        text = gettext("A typed criterion is not used: correct it, or press Escape in its field.")
-        self._show_texts([text], ())
-        self._show_style("", "error")
+        self.verdict.setText(gettext("Acceptance: {verdict}", verdict=text))
+        self._show_texts((), ())
+        self._show_style("", role)
         self._show_causes(())
 
     def _show_texts(self, reasons: Iterable[str], notes: Iterable[str]) -> None:

@@ -297,16 +297,22 @@ class HistogramsPanel(QWidget):
         policy = self._colours.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self._colours.setSizePolicy(policy)
+        self.zoom = widgets.button(
+            gettext("Zoom to"), "zoom_to_plane",
+            tip=gettext("Zoom to the selected plane in the 3D view, as a double-click on its row"),
+        )  # fmt: skip
+        self.zoom.clicked.connect(lambda _on: self.plane_activated.emit(self.current))
         self.enlarge = widgets.enlarge_button("enlarge_histograms")
         self.enlarge.toggled.connect(self._on_enlarged)
         last = QHBoxLayout()
-        last.addWidget(self._colours, 1)
+        last.addWidget(self.zoom, 1)
         last.addWidget(self.enlarge)
         tools = QVBoxLayout()
         tools.setSpacing(2)
         for each in (self.plot, self.copy_picture, self.copy_numbers):
             tools.addWidget(each)
         tools.addLayout(last)
+        tools.addWidget(self._colours)
         tools.addStretch(1)
         return tools
 
@@ -345,7 +351,11 @@ class HistogramsPanel(QWidget):
         comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         self._empty.setText(
-            message_text(OUTDATED_RESULT_NOTE) if state.is_outdated else gettext(EMPTY_TEXT)
+            gettext("The lines are being compared on the validation planes.")
+            if state.is_validating
+            else message_text(OUTDATED_RESULT_NOTE)
+            if state.is_outdated
+            else gettext(EMPTY_TEXT)
         )
         is_new, failed = comparisons is not self._comparisons, self.table.failed
         shown = self._same_plane(comparisons) if is_new else None

@@ -157,7 +157,9 @@ class ValidatePanel(QWidget):
         if project is not None:
             self._show_last_model(project)
         self.acceptance.show_project(project)
-        self.outcome.show_project(project, first_input_error(self.acceptance))
+        self.outcome.show_project(
+            project, first_input_error(self.acceptance), is_validating=state.is_validating
+        )
         self.advice.setText(status.advice)
         busy = first_reason((state.is_busy, Unavailable.BUSY))
         self.run.set_reason(reason_text(status.reason or busy))

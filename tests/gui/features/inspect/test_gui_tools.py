@@ -19,6 +19,8 @@ from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.window.main_window import MainWindow
 from lispac.language import LANGUAGES, in_language
+from lispac.present.validation import WINDOW_PAIRS_TABLE
+from lispac.project import Project
 from lispac.warning_causes import Cause
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import (
@@ -120,8 +122,6 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
         assert each.get_aspect() == 1.0
         lines = {drawn.get_gid() for drawn in each.lines}
         assert lines == set(window.document.survey.lines)
-    apart = [float(each.get_title(loc="left").split()[-3]) for each in axes]
-    assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(
         cuts[1].section, has_ends=False
@@ -150,6 +150,37 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert not panel.canvas.isVisible()
 
 
+def test_the_section_gives_the_offsets_of_the_table_of_pairs(
+    demo: Demo, validated: Project, driver: Driver
+) -> None:
+    """Title, pairs of lines and validation planes have one definition of the offset."""
+    window = driver.window
+    window.document.open(validated, demo.survey)
+    wait_until_idle(driver)
+    panel = window.tools.sections.panel
+    press(driver, Key.Key_S)
+    driver.rest()
+    window._select("V1", "")
+    driver.rest()
+    (plane,) = [each for each in validated.validation if each.name == "V1"]
+    histograms = window.histograms
+    columns = [column.value for column in WINDOW_PAIRS_TABLE.columns]
+    for axes, state in zip(panel.canvas.figure.axes, ("before", "after"), strict=True):
+        pair = max(plane.pairs, key=lambda each: abs(getattr(each, state).signed.median))
+        offset = f"{1000 * abs(getattr(pair, state).signed.median):.1f}"
+        title = axes.get_title(loc="left")
+        assert offset in title
+        column = columns.index(f"{state}.signed.median_m")
+        listed = [
+            histograms.pairs.item(row, column).text() for row in range(histograms.pairs.rowCount())
+        ]
+        assert offset in {text.strip("+−-") for text in listed}
+    window._select("T1", "")
+    driver.rest()
+    titles = [each.get_title(loc="left") for each in panel.canvas.figure.axes]
+    assert not any("mm" in title for title in titles), "a target has not been compared"
+
+
 def exaggerate(driver: Driver, factor: str) -> None:
     """Choose a factor in the panel of the section with the keys."""
     choice = driver.window.tools.sections.panel.exaggeration_choice
@@ -176,11 +207,11 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         width = np.ptp(axes.get_xlim())
         assert factor * width == pytest.approx(panel.size.value())
         assert axes.get_xlabel() == f"Across the surface, enlarged {factor:.0f} times (m)"
-        assert cut.separation < width
+        assert cut.spread < width
         for drawn in axes.lines:
             points = cut.points[drawn.get_gid()] @ cut.normal / np.linalg.norm(cut.normal)
             assert np.abs(drawn.get_xdata()) == pytest.approx(np.abs(points))
-    assert cuts[1].separation * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
+    assert cuts[1].spread * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
     exaggerate(adjusted, "50")
     for axes, cut in zip(panel.canvas.figure.axes, window.tools.sections._cuts, strict=True):
         assert axes.get_aspect() == 1 / 50
@@ -195,24 +226,24 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     exaggerate(adjusted, "1")
     label = panel.canvas.figure.axes[0].get_xlabel()
     assert label == "From the middle, away from the vessel (m)"
-    far = replace(cuts[0], separation=10.0)
+    far = replace(cuts[0], spread=10.0)
     assert far.automatic_exaggeration == 1
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
     figure = Figure()
-    draw_section([far, cuts[1]], colours, ("Distance", "Height"), figure)
+    draw_section([far, cuts[1]], colours, ("Distance", "Height"), {}, figure)
     before, after = figure.axes
     assert before.get_xlabel() == "Across the surface (m)"
     assert after.get_xlabel().startswith("Across the surface, enlarged")
     assert before.get_ylabel() == after.get_ylabel()
-    near, nearer = replace(cuts[1], separation=0.09), replace(cuts[1], separation=0.03)
+    near, nearer = replace(cuts[1], spread=0.09), replace(cuts[1], spread=0.03)
     assert near.automatic_exaggeration < nearer.automatic_exaggeration
-    draw_section([near, nearer], colours, ("Distance", "Height"), figure)
+    draw_section([near, nearer], colours, ("Distance", "Height"), {}, figure)
     before, after = figure.axes
     assert before.get_aspect() == after.get_aspect() == 1 / near.automatic_exaggeration
     for size in ((9.0, 1.8), (14.0, 2.2)):  # low and wide, as the panel is
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
-        draw_section(cuts, colours, ("Distance", "Height"), figure)
+        draw_section(cuts, colours, ("Distance", "Height"), {}, figure)
         figure.canvas.draw()
         for axes in figure.axes:
             box = axes.get_window_extent()
@@ -230,7 +261,7 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         figure = Figure(figsize=(8.0, height), layout="constrained")
         FigureCanvasAgg(figure)
         with in_language(language):
-            draw_section([flat, flat], colours, ("Distance", "Height"), figure)
+            draw_section([flat, flat], colours, ("Distance", "Height"), {}, figure)
         figure.canvas.draw()
         label = figure.axes[0].yaxis.label.get_window_extent()
         assert 0 <= label.y0 < label.y1 <= figure.bbox.height, "not cut off"

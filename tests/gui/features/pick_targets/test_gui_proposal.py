@@ -27,7 +27,7 @@ from lispac.workflow.calibration.proposal_acceptance import (
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.project.survey import Survey
-from tests.gui.support import Demo, Driver, Left, click, open_step, seed
+from tests.gui.support import Demo, Driver, Left, click, double_click, open_step, seed
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
@@ -126,6 +126,12 @@ def test_proposed_targets_are_shown_in_the_scene_and_selected_with_the_keys(
         reasons.add(reason.text())
         opened.bot.keyClick(table, Qt.Key.Key_Down)
     assert len(reasons) == len(names)
+    assert [each.label for each in view.markers if each.is_selected] == [f"{names[-1]}?"]
+    view.calls.clear()
+    double_click(opened, table, len(names) - 1, 1)
+    (zoomed,) = [arguments[0] for call, arguments in view.calls if call == "fit"]
+    shown = [each.points for each in view.highlights if each.key[0] == proposed_key(names[-1])]
+    assert len(zoomed) == sum(map(len, shown))
     opened.bot.keyClick(table, Qt.Key.Key_Space)
     opened.rest()
     grey = {marker.label for marker in view.markers if marker.colour == theme.UNUSED_COLOUR}

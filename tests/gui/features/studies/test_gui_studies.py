@@ -9,7 +9,7 @@ import shiboken6
 from matplotlib.backend_bases import LocationEvent, MouseEvent
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 
 from lispac.gui.features.studies.check_dialog import CheckDialog, CheckResultDialog
 from lispac.gui.features.studies.study_dialog import (
@@ -299,26 +299,58 @@ def test_studies_of_a_result_are_disabled_without_targets(opened: Driver) -> Non
 
 
 def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
-    adjusted.window.computations.show("estimated")
+    """A selected row is shown in the map and marked in the view, which can be moved meanwhile."""
+    window, viewport = adjusted.window, adjusted.viewport
+    window.computations.show("estimated")
     adjusted.rest()
     project = adjusted.project
-
-    def inspect_dialog(dialog: LineQualityDialog) -> None:
-        assert isinstance(dialog, LineQualityDialog)
-        rows = [
-            [dialog.table.item(row, column).text() for column in range(9)]
-            for row in range(dialog.table.rowCount())
-        ]
-        pairs = {tuple(row[:2]) for row in rows}
-        assert len(pairs) == 15 + 1, "six lines, and all together"
-        (together,) = (row for row in rows if (row[0], row[2]) == ("all lines", "all surfaces"))
-        assert float(together[5]) < 40, "what the simulated trajectory leaves, mm"
-        assert dialog.figure().axes[0].collections[0].get_offsets().shape[0] == int(
-            together[3].replace(",", "")
-        )
-
-    action = adjusted.window.actions_["line_quality"]
+    action = window.actions_["line_quality"]
     assert action.isEnabled()
     action.trigger()
-    use_next_dialog(adjusted, inspect_dialog)
+    adjusted.rest()
+    dialog = window.findChild(LineQualityDialog)
+    adjusted.bot.waitUntil(dialog.isVisible, timeout=WAIT_MS)
+    assert QApplication.activeModalWidget() is None, "the view stays usable"
+    table = dialog.table
+    rows = [
+        [table.item(row, column).text() for column in range(9)] for row in range(table.rowCount())
+    ]
+    assert len({tuple(row[:2]) for row in rows}) == 15 + 1, "six lines, and all together"
+
+    def drawn() -> int:
+        return dialog.figure().axes[0].collections[0].get_offsets().shape[0]
+
+    def title() -> str:
+        return dialog.figure().axes[0].get_title(loc="left")
+
+    (together,) = (row for row in rows if (row[0], row[2]) == ("all lines", "all surfaces"))
+    assert float(together[5]) < 40, "what the simulated trajectory leaves, mm"
+    assert drawn() == int(together[3].replace(",", ""))
+    assert title() == "All lines, all surfaces"
+    assert "line_differences" not in viewport.sketches
+    limits = dialog.figure().axes[0].collections[0].get_clim()
+    first = table.visualItemRect(table.item(0, 0)).center()
+    adjusted.bot.mouseClick(table.viewport(), Left, pos=first)
+    for number in (0, 1):
+        row = rows[number]
+        assert title() == f"{row[0]} − {row[1]}, {row[2]}"
+        assert drawn() == int(row[3].replace(",", ""))
+        assert dialog.figure().axes[0].collections[0].get_clim() == limits, "comparable colours"
+        sketch = viewport.sketches["line_differences"]
+        assert sketch.label == title()
+        assert 0 < len(sketch.points) <= int(row[3].replace(",", ""))
+        adjusted.bot.keyClick(table, Key.Key_Down)
+    adjusted.bot.mouseClick(dialog.findChild(QPushButton, "line_quality_close"), Left)
+    adjusted.bot.waitUntil(lambda: "line_differences" not in viewport.sketches, timeout=WAIT_MS)
     assert adjusted.project is project
+
+
+def test_differences_of_another_boresight_are_closed(adjusted: Driver) -> None:
+    window = adjusted.window
+    window.actions_["line_quality"].trigger()
+    adjusted.rest()
+    dialog = window.findChild(LineQualityDialog)
+    adjusted.bot.waitUntil(dialog.isVisible, timeout=WAIT_MS)
+    window.controller.use_target("T1", False)
+    adjusted.bot.waitUntil(lambda: window.findChild(LineQualityDialog) is None, timeout=WAIT_MS)
+    adjusted.rest()

@@ -1,12 +1,14 @@
 """Tests of the acceptance criteria of step 4, typed and judged in the window."""
 
 import json
+import threading
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
 from lispac.adjustment.result import CrossCheck, CrossChecks
@@ -281,14 +283,47 @@ def test_a_typed_criterion_that_is_not_used_shows_no_verdict(judged: Driver, tex
     assert "pass" not in outcome.verdict.text()
     problem = form.fields["offset"].input_error
     assert problem is not None
-    assert judged.window.validate.advice.text() == message_text(problem)
-    assert outcome.reasons.text()
+    reason = message_text(problem)
+    shown = [
+        each.text() for each in judged.window.validate.findChildren(QLabel) if each.isVisible()
+    ]
+    assert judged.window.validate.advice.text() == reason
+    assert sum(reason in text for text in shown) == 1
+    assert not outcome.reasons.isVisible(), "the reason is given once"
     assert "pass" not in sentence(judged, VALIDATE)
     assert judged.project.judgement.verdict == "pass", "the criteria in use do not change"
     judged.bot.keyClick(form.fields["offset"], Key.Key_Escape)
     judged.rest()
     assert outcome.icon.isVisible()
     assert sentence(judged, VALIDATE) == passed
+
+
+def test_no_verdict_is_shown_while_the_lines_are_compared(
+    judged: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    goes_on = threading.Event()
+
+    def wait(project: Project, *_arguments: object, **_named: object) -> Project:
+        goes_on.wait(WAIT_MS / 1000)
+        return project.with_validation(judged_planes, {})
+
+    window, outcome = judged.window, judged.window.validate.outcome
+    judged_planes = judged.project.validation
+    criteria = NO_CRITERIA.changed(rms=1.0)
+    project = judged.project.with_acceptance(criteria).with_validation((), {})
+    window.document.edit("limits", project)
+    judged.rest()
+    assert outcome.notes.isVisible(), "nothing has been compared"
+    monkeypatch.setattr("lispac.workflow.checking.validation.validate", wait)
+    try:
+        judged.bot.mouseClick(window.validate.run, Qt.MouseButton.LeftButton)
+        judged.bot.waitUntil(lambda: not outcome.notes.isVisible(), timeout=WAIT_MS)
+        assert "validating" in outcome.verdict.text()
+        assert "validating" in sentence(judged, VALIDATE)
+    finally:
+        goes_on.set()
+    judged.rest()
+    assert outcome.verdict.text().startswith("Acceptance: pass")
 
 
 def test_the_reasons_are_below_the_text_that_refers_to_them(judged: Driver) -> None:

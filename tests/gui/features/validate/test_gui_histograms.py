@@ -495,6 +495,30 @@ def test_the_section_follows_the_plane_of_the_histograms(
     assert "T1" in section.through.text()
 
 
+def test_a_selected_plane_is_marked_in_the_view_and_zoomed_to_on_request(
+    driver: Driver, demo: Demo, validated: Project
+) -> None:
+    """The view stays until the user asks for the plane, by the button or a double-click."""
+    window, view = driver.window, driver.viewport
+    window.document.open(replace(validated), demo.survey)
+    driver.rest()
+    show_panel(window, "Histograms")
+    driver.rest()
+    view.calls.clear()
+    table = window.histograms.table
+    spot = table.visualRect(table.model().index(0, 0)).center()
+    driver.bot.mouseClick(table.viewport(), Left, pos=spot)
+    assert view.selected == ("V1", "")
+    assert [each.label for each in view.markers if each.is_selected] == ["V1"]
+    assert not [call for call in view.calls if call[0] == "fit"]
+    plane = validated.target("V1")
+    total = sum(len(sighting.indices) for sighting in plane.sightings)
+    driver.bot.mouseClick(window.histograms.zoom, Left)
+    driver.bot.mouseDClick(table.viewport(), Left, pos=spot)
+    fits = [call[1] for call in view.calls if call[0] == "fit"]
+    assert [len(points) for (points,) in fits] == [total, total]
+
+
 def test_the_table_states_how_many_pairs_its_numbers_cover(
     panel: HistogramsPanel, validated: Project
 ) -> None:
