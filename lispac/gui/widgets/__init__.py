@@ -55,6 +55,22 @@ def label(
     return widget
 
 
+def introduction(text: str, width: int, role: str = "", name: str = "") -> QLabel:
+    """Wrapped text of a dialogue that is as high as it needs at the smallest width.
+
+    The smallest height of any other wrapped label is that at the width of its size hint, which is
+    much narrower; the dialogue would have a gap.
+
+    Parameters
+    ----------
+    width : smallest width of the dialogue inside its margins, pixels
+    """
+    widget = label(text, role, wrap=True, name=name)
+    widget.ensurePolished()
+    widget.setFixedHeight(widget.heightForWidth(width))
+    return widget
+
+
 class MessageBox(QMessageBox):
     """Message box with plain text, since file names may look like HTML."""
 

@@ -84,13 +84,16 @@ FORM_ERROR_TEXT = N_(
 def fit_verdict(
     result: AdjustmentResult, checks: CrossChecks | None, further: Sequence[Message] = ()
 ) -> str:
-    """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
+    """Text on the chi-square test and, without warnings, on the validity of the uncertainties.
+
+    If the test is not judged, only the cross-checks can confirm them.
+    """
     is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
         sentences = [gettext(agreement_template(result))]
         if has_form_errors(result):
             sentences.append(gettext(FORM_ERROR_TEXT, most=float(result.surfaces.max())))
-        if is_sure:
+        if is_sure and (has_passed(result) or checks is not None):
             sentences.append(gettext(REALISTIC_TEXT))
         return " ".join(sentences)
     if result.variance_factor > 1:
