@@ -22,6 +22,7 @@ from lispac.report.checks_section import (
 from lispac.report.document_blocks import (
     Block,
     Document,
+    Group,
     Letterhead,
     PageTexts,
     Paragraph,
@@ -134,7 +135,7 @@ def _full_sections(content: ReportContent, views: Sequence[Picture]) -> list[Sec
         _make_section(gettext("Check against the reference"), absolute_check_blocks(content)),
         _make_section(gettext("Site and lines"), sections.site_blocks(content)),
         _make_section(gettext("Settings and input files"), settings_blocks(content)),
-        _make_section(gettext("Pictures"), _view_pictures(views)),
+        _make_section(gettext("Pictures"), _view_pictures(content, views)),
     ]
 
 
@@ -223,6 +224,8 @@ def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
     for block in blocks:
         if isinstance(block, UndrawnPictures):
             made += drawn(block)
+        elif isinstance(block, Group):
+            made.append(Group(_draw_pictures(block.blocks)))
         elif isinstance(block, PictureRow):
             pictures = tuple(
                 picture
@@ -264,10 +267,11 @@ VIEW_HEIGHT_MM = 57.0
 """Largest height of a view; three rows of views fit on a page."""
 
 
-def _view_pictures(views: Sequence[Picture]) -> list[Block]:
+def _view_pictures(content: ReportContent, views: Sequence[Picture]) -> list[Block]:
     """Pictures of the 3D view with their captions: before and after side by side."""
     rows = [tuple(views[k : k + 2]) for k in range(0, len(views), 2)]
-    return [PictureRow(row, tallest=VIEW_HEIGHT_MM) for row in rows]
+    legend = [sections.line_colours_paragraph(content)] if views else []
+    return [*legend, *(PictureRow(row, tallest=VIEW_HEIGHT_MM) for row in rows)]
 
 
 def _make_picture(caption: str | LazyText, path: Path) -> Picture:

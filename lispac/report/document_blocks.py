@@ -23,9 +23,10 @@ Status = Literal["bad", "fair", "good"]
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text."""
+    """Running text, and names with the colours that they have in pictures (hexadecimal)."""
 
     text: str
+    colours: tuple[tuple[str, str], ...] = ()
     kind: str = "paragraph"
 
 
@@ -183,7 +184,17 @@ class PictureRow:
     kind: str = "pictures"
 
 
-Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | PictureRow | SignatureLines
+@dataclass(frozen=True)
+class Group:
+    """Blocks that are on one page."""
+
+    blocks: tuple["Block", ...]
+    kind: str = "group"
+
+
+Block = (
+    Paragraph | Bullets | Table | Picture | UndrawnPictures | PictureRow | SignatureLines | Group
+)
 
 
 @dataclass(frozen=True)

@@ -151,18 +151,27 @@ def _write_template_input(document: Document, folder: Path) -> str:
     values = _with_break_points(asdict(document))
     pictures = 0
     for section in values["sections"]:
-        for block in section["blocks"]:
-            for picture in block["pictures"] if block["kind"] == "pictures" else [block]:
-                if picture["kind"] == "picture":
-                    picture["file"] = f"picture-{pictures}{picture['suffix']}"
-                    (folder / picture["file"]).write_bytes(picture.pop("data"))
-                    pictures += 1
+        for picture in _pictures_in(section["blocks"]):
+            picture["file"] = f"picture-{pictures}{picture['suffix']}"
+            (folder / picture["file"]).write_bytes(picture.pop("data"))
+            pictures += 1
     if logo := values["letterhead"]["logo"]:
         logo["file"] = f"logo{logo['suffix']}"
         (folder / logo["file"]).write_bytes(logo.pop("data"))
     text = json.dumps(values, ensure_ascii=False)
     (folder / "document.json").write_text(text, encoding="utf-8", errors="replace")
     return text
+
+
+def _pictures_in(blocks: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """Pictures of some blocks, also those beside each other and in groups."""
+    for block in blocks:
+        if block["kind"] == "picture":
+            yield block
+        elif block["kind"] == "pictures":
+            yield from _pictures_in(block["pictures"])
+        elif block["kind"] == "group":
+            yield from _pictures_in(block["blocks"])
 
 
 def _with_break_points(value: Any, key: str = "") -> Any:

@@ -15,6 +15,7 @@ from lispac.present.adjustment import (
     boresight_table,
 )
 from lispac.present.adjustment_fit import points_used_text
+from lispac.present.line_colours import LINE_COLOURS
 from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
 from lispac.present.settings import model_facts, system_facts
 from lispac.present.sighting_quality import QUALITY_TABLE
@@ -269,6 +270,18 @@ def site_blocks(content: ReportContent) -> list[Block]:
         values = (content.lines, content.planes)
         blocks.append(UndrawnPictures(gettext(SITE_PLAN_CAPTION), site_figure_of, values))
     return blocks
+
+
+def line_colours_paragraph(content: ReportContent) -> Paragraph:
+    """Colours of the lines in the views."""
+    colours = (LINE_COLOURS[k % len(LINE_COLOURS)] for k in range(len(content.lines)))
+    return Paragraph(
+        gettext("Colours of the lines in the views:"),
+        tuple(
+            (line.name, "#{:02x}{:02x}{:02x}".format(*colour))
+            for line, colour in zip(content.lines, colours, strict=True)
+        ),
+    )
 
 
 def identity_table(content: ReportContent) -> Table:

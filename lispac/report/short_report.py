@@ -23,6 +23,7 @@ from lispac.report.boresight_section import angle_tables, convention_paragraph, 
 from lispac.report.checks_section import control_comparison
 from lispac.report.document_blocks import (
     Block,
+    Group,
     Paragraph,
     Picture,
     PictureRow,
@@ -165,7 +166,10 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     planes = _planes_to_show(content, MAX_PICTURED_PLANES)
     histograms = _histograms(planes, is_narrow=not whole)
     beside = [_histogram(plane) for plane in planes] if len(small) == 2 * len(planes) else []
-    blocks: list[Block] = [_overview(whole, is_alone=not small)] if whole else []
+    blocks: list[Block] = []
+    if whole:
+        legend = sections.line_colours_paragraph(content)
+        blocks += [legend, _overview(whole, is_alone=not small)]
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
     if small and len(small) < 2 * len(content.validation):
@@ -175,7 +179,7 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
             shown=len(small) // 2, total=len(content.validation),
         )  # fmt: skip
         blocks.append(Paragraph(pictured))
-    blocks += [
+    rows = [
         PictureRow(
             (*small[k : k + 2], *beside[k // 2 : k // 2 + 1]),
             columns=3 if beside else 2,
@@ -184,7 +188,9 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         for k in range(0, len(small), 2)
     ]
     mapped = [plane for plane in content.validation if plane.maps]
-    shown = [plane for plane in _planes_to_show(content, MAX_PICTURED_PLANES) if plane.maps]
+    shown = [plane for plane in planes if plane.maps]
+    if not beside:
+        blocks += rows
     if whole and histograms and not beside:
         blocks.append(PictureRow(tuple(histograms), tallest=MAX_HISTOGRAM_HEIGHT_MM))
     if shown:
@@ -198,7 +204,14 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
             )  # fmt: skip
             explained = f"{explained} {omitted}"
         blocks.append(Paragraph(explained))
-    blocks += [PictureRow((_map(plane),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown]
+    maps = {
+        plane.name: PictureRow((_map(plane),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown
+    }  # fmt: skip
+    if not beside:
+        return [*blocks, *maps.values()]
+    for views, plane in zip(rows, planes, strict=True):
+        own = (views, maps[plane.name]) if plane.name in maps else (views,)
+        blocks.append(Group(own))
     return blocks
 
 

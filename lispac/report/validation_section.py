@@ -34,6 +34,7 @@ from lispac.present.validation import (
 from lispac.report.document_blocks import (
     Block,
     Bullets,
+    Group,
     Paragraph,
     PictureRow,
     UndrawnPictures,
@@ -107,7 +108,7 @@ OVERLAP_TEXT = N_(
     "heights on the ground; the differences are not compared with them."
 )
 MAX_MAP_HEIGHT_MM = 95.0
-"""Largest height of the maps of a plane; those of two planes fit on a page."""
+"""Largest height of the maps of a plane, which fit on a page with its other figures."""
 LOCAL_FRAME_NAME = "the local frame"
 """Value of `AbsoluteCheckValues.system` for a reference with coordinates in the local frame."""
 
@@ -178,15 +179,19 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
 
 
 def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Histogram, profiles and maps of each plane, after the explanation of the maps."""
+    """Histogram, profiles and maps of each plane, those of one plane on one page.
+
+    The explanation of the maps is above the first ones.
+    """
     from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
-    blocks: list[Block] = []
-    if any(plane.maps for plane in planes):
-        blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
+    groups: list[Block] = []
     for plane in planes:
+        blocks: list[Block] = []
+        if not groups and any(each.maps for each in planes):
+            blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
         caption = gettext(
             "{plane}: distances between lines before and after the calibration.", plane=plane.name
         )
@@ -202,7 +207,8 @@ def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
             )
             drawn = UndrawnPictures(caption, map_figure_of, (plane,))
             blocks.append(PictureRow((drawn,), tallest=MAX_MAP_HEIGHT_MM))
-    return blocks
+        groups.append(Group(tuple(blocks)))
+    return groups
 
 
 def _profile_caption(by_height: bool, by_range: bool) -> str:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from typing import Literal
 
@@ -18,6 +19,7 @@ from lispac.acceptance import NO_CRITERIA
 from lispac.language import LANGUAGES, LazyText, without_advice
 from lispac.message_texts import message_text
 from lispac.messages import note, sort_by_importance, warning
+from lispac.present.line_colours import LINE_COLOURS
 from lispac.project import Project
 from lispac.report import pdf
 from lispac.report.content import ReportContent
@@ -38,6 +40,7 @@ from lispac.report.figures import (
     MAX_SIGHTINGS_PER_FIGURE,
     residual_figures_of,
 )
+from lispac.report.html import html_text
 from lispac.report.options import EXTENTS, PAGE_SIZES, Extent, Page, ReportOptions
 from lispac.report.pdf import preview_of, write_pdf
 from lispac.report.short_report import (
@@ -235,6 +238,68 @@ def test_the_full_report_has_well_filled_pages_with_their_numbers(
     assert len(contents) > 8
     for section, title, number in contents:
         assert f"{section} {title}" in " ".join(pages[int(number) - 1].split())
+
+
+@pytest.mark.parametrize("planes", others_long([5, 2, 3, 4, 6]))
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("extent", "page"), list(product(EXTENTS, PAGE_SIZES)))
+def test_the_figures_of_a_validation_plane_are_on_one_page(
+    project: Project,
+    views: dict[str | LazyText, Path],
+    tmp_path: Path,
+    extent: Extent,
+    page: Page,
+    language: str,
+    planes: int,
+) -> None:
+    """No page is less than half full for that."""
+    content = _survey_content(project, planes)
+    names = [f"V{k}" for k in range(1, planes + 1)]
+    shown = {
+        each: file for each, file in views.items() if str(each).split()[0] in ("Overview", *names)
+    }
+    for pictures in (shown, {}):
+        options = ReportOptions(page, language=language, extent=extent)
+        made = preview_of(content, pictures, options, ppi=PPI)
+        assert min(_filled_shares(made.pages, page)) >= 0.5
+        (tmp_path / "r.pdf").write_bytes(made.pdf)
+        pages = _pdf_text(tmp_path / "r.pdf").split("\f")
+        for name in names:
+            # Captions begin with the name, in the first column or in another one.
+            caption = rf"(?:^ *| {{2,}}){name}\s?: "
+            if extent == "short":  # the views of a full report are in a section of their own
+                caption = rf"{caption}|\b{name} before\b"
+            captioned = [
+                k for k, text in enumerate(pages) if re.search(caption, text, re.MULTILINE)
+            ]
+            assert len(captioned) <= 1, (name, bool(pictures))
+            assert captioned or extent == "short"
+
+
+def test_the_short_report_names_the_colours_of_the_lines(
+    project: Project, views: dict[str | LazyText, Path]
+) -> None:
+    """Also the full one, where there are pictures with lines."""
+    content = _survey_content(project)
+    names = [line.name for line in content.lines]
+    for extent, pictures in product(EXTENTS, (views, {})):
+        options = ReportOptions(extent=extent)
+        document = undrawn_document(content, pictures, options)
+        legends = [
+            block.colours
+            for section in document.sections
+            for block in section.blocks
+            if isinstance(block, Paragraph) and block.colours
+        ]
+        assert len(legends) == bool(pictures)
+        for legend in legends:
+            assert [name for name, _ in legend] == names
+            assert [colour for _, colour in legend] == [
+                f"#{red:02x}{green:02x}{blue:02x}"
+                for red, green, blue in LINE_COLOURS[: len(names)]
+            ]
+        text = html_text(content, pictures, options)
+        assert ('class="swatch"' in text) == bool(pictures)
 
 
 def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project: Project) -> None:

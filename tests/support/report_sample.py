@@ -23,7 +23,7 @@ from lispac.messages import error, note
 from lispac.present.survey_data import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
-from lispac.report.document_blocks import Block, PictureRow, UndrawnPictures
+from lispac.report.document_blocks import Block, Group, PictureRow, UndrawnPictures
 from lispac.report.options import ReportOptions
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
@@ -284,7 +284,10 @@ def with_lines_of_its_own(project: Project) -> Project:
 
 
 def undrawn_pictures(blocks: Iterable[Block]) -> Iterator[UndrawnPictures]:
-    """Yield the figures of a report, also those in rows."""
+    """Yield the figures of a report, also those in rows and groups."""
     for block in blocks:
+        if isinstance(block, Group):
+            yield from undrawn_pictures(block.blocks)
+            continue
         pictures = block.pictures if isinstance(block, PictureRow) else (block,)
         yield from (each for each in pictures if isinstance(each, UndrawnPictures))
