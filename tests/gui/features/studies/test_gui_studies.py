@@ -141,10 +141,10 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
     def use_dialog(dialog: CheckDialog) -> None:
         assert isinstance(dialog, CheckDialog)
         dialogs.append(dialog)
-        assert not dialog.check.isEnabled()
+        assert not dialog.accept_button.isEnabled()
         dialog.file.setFocus()
         adjusted.bot.keyClicks(dialog.file, str(scan))
-        assert dialog.check.isEnabled()
+        assert dialog.accept_button.isEnabled()
         assert dialog.system.currentData() == ""
         assert not dialog.height.isVisible()
         dialog.system.setCurrentIndex(dialog.system.findData("local"))
