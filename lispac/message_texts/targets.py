@@ -55,12 +55,12 @@ TEXTS: Mapping[str, Template] = {
     "finder.seed": N_("The seed must be three finite numbers: north, west and up, in metres."),
     # -- search in one line ------------------------------------------------------------------------
     "finder.seed_position": N_("the point (east {east:m.2} m; north {north:m.2} m; up {up:m.2} m)"),
-    "finder.predicted_position": N_("the position predicted for the target on this line"),
+    "finder.predicted_position": N_("the position predicted on this line"),
     "finder.few_points": Plural(
-        "Only {count:n} point lies within {radius:m} m of {place}, but a target needs at least "
-        "{needed:n}. Choose another point, or increase the search radius.",
-        "Only {count:n} points lie within {radius:m} m of {place}, but a target needs at least "
-        "{needed:n}. Choose another point, or increase the search radius.",
+        "Only {count:n} point lies within {radius:m} m of {place}, but at least {needed:n} are "
+        "needed. Choose another point, or increase the search radius.",
+        "Only {count:n} points lie within {radius:m} m of {place}, but at least {needed:n} are "
+        "needed. Choose another point, or increase the search radius.",
     ),
     "finder.no_points": N_(
         "There are no points within {radius:m} m of {place}; the nearest point is {distance:m.2} m "
@@ -72,12 +72,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.no_plane": N_("No plane fits the points around {place} within {threshold:mm} mm."),
     "finder.plane_few_points": Plural(
-        "The plane around {place} has only {count:n} point within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
-        "the threshold of the search.",
-        "The plane around {place} has only {count:n} points within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
-        "the threshold of the search.",
+        "The plane around {place} has only {count:n} point within {threshold:mm} mm, but at least "
+        "{needed:n} are needed. Choose a place where the points are denser, or increase the "
+        "threshold of the search.",
+        "The plane around {place} has only {count:n} points within {threshold:mm} mm, but at least "
+        "{needed:n} are needed. Choose a place where the points are denser, or increase the "
+        "threshold of the search.",
     ),
     "finder.other_tilt": N_("The plane around {place} does not have the expected orientation."),
     "finder.sphere_of_radius": N_("sphere of radius {radius:m.3} m"),
@@ -90,12 +90,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.no_sphere": N_("No {sphere} fits the points around {place} within {threshold:mm} mm."),
     "finder.sphere_few_points": Plural(
-        "The sphere around {place} has only {count:n} point within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
-        "the threshold of the search.",
-        "The sphere around {place} has only {count:n} points within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
-        "the threshold of the search.",
+        "The sphere around {place} has only {count:n} point within {threshold:mm} mm, but at least "
+        "{needed:n} are needed. Choose a place where the points are denser, or increase the "
+        "threshold of the search.",
+        "The sphere around {place} has only {count:n} points within {threshold:mm} mm, but at "
+        "least {needed:n} are needed. Choose a place where the points are denser, or increase the "
+        "threshold of the search.",
     ),
     "finder.sphere_other_radius": N_(
         "The surface around {place} is curved with a radius of {radius:m.3} m, but a {sphere} is "
@@ -114,7 +114,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.sphere_small_part": N_(
         "The points around {place} cover only {share:percent.0} % of the surface of a sphere, but "
-        "a target needs at least {needed:percent.0} %."
+        "at least {needed:percent.0} % are needed."
     ),
     "finder.sphere_flat": N_("The surface around {place} is flat, not a sphere."),
     # -- search in all lines -----------------------------------------------------------------------
@@ -142,40 +142,38 @@ TEXTS: Mapping[str, Template] = {
         "shift of the line)."
     ),
     "finder.not_alike": N_(
-        "The surfaces found there differ from the target in shape or surroundings."
+        "The surfaces found there differ from the chosen one in shape or surroundings."
     ),
-    "finder.too_few_where_expected": N_(
-        "The line has too few points at the predicted position of the target."
-    ),
+    "finder.too_few_where_expected": N_("The line has too few points at the predicted position."),
     "finder.small_part": N_(
-        "The plane found covers only {share:percent.0} % of the outline of the target."
+        "The plane found covers only {share:percent.0} % of the outline of the chosen plane."
     ),
     "finder.too_large": N_(
-        "The plane found is {ratio:x.1} times as large as the target, so it is another surface."
+        "The plane found is {ratio:x.1} times as large as the chosen one, so it is another surface."
     ),
-    "finder.crossing": N_("The points found belong to a surface that crosses the target."),
+    "finder.crossing": N_("The points found belong to a surface that crosses the chosen one."),
     "finder.two_planes": N_(
-        "Two planes {distance:m.2} m apart resemble the target equally well. Pick the target "
-        "on this line separately."
+        "Two planes {distance:m.2} m apart resemble the chosen one equally well. Choose the right "
+        "one on this line."
     ),
     "finder.two_spheres": N_(
-        "Two spheres {distance:m.2} m apart resemble the target equally well. Pick the target "
-        "on this line separately."
+        "Two spheres {distance:m.2} m apart resemble the chosen one equally well. Choose the right "
+        "one on this line."
     ),
     "agreement.no_overlap": N_(
-        "Only {share:percent.0} % of the plane found lies within the outline of the target on the "
+        "Only {share:percent.0} % of the plane found lies within the outline of the plane on the "
         "other lines. It is another surface."
     ),
     "agreement.sphere_apart": N_(
-        "The sphere found is {distance:m.2|limit} m from the target on the other lines, farther "
+        "The sphere found is {distance:m.2|limit} m from the sphere on the other lines, farther "
         "than the limit of {limit:m.2|distance} m. It is another sphere."
     ),
     "agreement.other_plane": N_(
-        "The plane found is tilted by {tilt:deg.1}° and displaced by {offset:m.2} m from the "
-        "target on the other lines. It is another surface."
+        "The plane found is tilted by {tilt:deg.1}° and displaced by {offset:m.2} m from the plane "
+        "on the other lines. It is another surface."
     ),
     "agreement.plane_beside": N_(
-        "The plane found lies {distance:m.2|limit} m beside the target on the other lines, farther "
+        "The plane found lies {distance:m.2|limit} m beside the plane on the other lines, farther "
         "than the limit of {limit:m.2|distance} m. It is another surface."
     ),
     "finder.radius_differs": N_(
@@ -220,7 +218,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "quality.shows_more": N_(
         "On this line a larger area was found than on any other line: {sides:names}. Part of it "
-        "may not belong to the target."
+        "may not belong to the surface."
     ),
     "quality.shows_less": N_(
         "On this line only {share:percent.0} % of the area found on the other lines is visible: "
@@ -233,7 +231,7 @@ TEXTS: Mapping[str, Template] = {
     "quality.mistakable": Advised(
         N_(
             "A similar surface lies {distance:m.2} m away, and the surroundings do not determine "
-            "which of the two is the target on this line."
+            "which of the two is the right one on this line."
         ),
         N_("Check the sighting in the cross-section."),
     ),
