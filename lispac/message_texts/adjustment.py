@@ -186,11 +186,11 @@ TEXTS: Mapping[str, Template] = {
     # -- parts of the data -------------------------------------------------------------------------
     "cross_check.no_common_target": N_("None of the remaining targets is observed on two lines."),
     # -- variance components -----------------------------------------------------------------------
-    "component.larger": N_("applied: larger than the given value"),
-    "component.smaller": N_("applied: smaller than the given value"),
+    "component.larger": N_("applied: larger than the a priori value"),
+    "component.smaller": N_("applied: smaller than the a priori value"),
     "component.replaces_assumed": N_("applied: replaces the assumed value"),
     "component.confirms_assumed": N_("not applied: agrees with the assumed value"),
     "component.not_determined": N_("not applied: not determined by the data"),
-    "component.as_given": N_("not applied: the given value lies within the interval"),
+    "component.as_given": N_("not applied: the a priori value lies within the interval"),
     "component.too_small": N_("not applied: the change is too small or poorly determined"),
 }
