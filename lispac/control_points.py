@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.adjustment.model.control import Control
 from lispac.errors import InputError, ProjectError
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.picked_targets import Triple
 
 SIGMA_LIMITS = (1e-6, 10.0)
@@ -36,6 +37,10 @@ class ControlPoint:
         Whether the adjustment uses the point, if it is assigned.
     reason : Message or None
         Reason why the point was not assigned to a target; None if it was.
+    stated_target : str
+        Name of its target in the file; empty if the file does not state it.
+    correlations : no unit
+        Correlations of north and west, north and up, and west and up.
     """
 
     name: str
@@ -45,6 +50,25 @@ class ControlPoint:
     is_centre: bool = False
     used: bool = True
     reason: Message | None = None
+    stated_target: str = ""
+    correlations: Triple = (0.0, 0.0, 0.0)
+
+    @property
+    def covariance(self) -> NDArray[np.float64]:
+        """Covariance of the coordinates, shape (3, 3), square metres, local frame."""
+        first, second, third = self.correlations
+        matrix = np.array([[1.0, first, second], [first, 1.0, third], [second, third, 1.0]])
+        return np.outer(self.sigmas, self.sigmas) * matrix
+
+
+@dataclass(frozen=True)
+class ControlReading:
+    """Options with which a file of control is read; empty or None as in the file or the project."""
+
+    crs: str = ""
+    height: str = ""
+    trajectory_datum: str | None = None
+    epoch: float | None = None
 
 
 @dataclass(frozen=True)
@@ -63,6 +87,10 @@ class ControlFile:
     common_sigma : float, metres
         Standard deviation, on each axis, of a translation that all points of the file share.
     points : tuple of ControlPoint
+    reading : ControlReading
+    assigned_to : tuple of str
+        Targets to which the points were assigned, or which were searched in the scan. A target that
+        is not among them is new.
     """
 
     path: Path
@@ -73,6 +101,8 @@ class ControlFile:
     origin_deg_m: Triple
     common_sigma: float
     points: tuple[ControlPoint, ...]
+    reading: ControlReading = ControlReading()
+    assigned_to: tuple[str, ...] = ()
 
     @property
     def used_points(self) -> tuple[ControlPoint, ...]:
@@ -103,6 +133,13 @@ class ControlFile:
                             name=point.name, value=sigma, least=low, most=high,
                         )
                     )  # fmt: skip
+            if not np.linalg.eigvalsh(point.covariance)[0] > 0:
+                raise InputError(error("control.sigma_not_positive", name=point.name))
+
+
+def controlled_targets(files: Sequence[ControlFile]) -> frozenset[str]:
+    """Targets with control that is used."""
+    return frozenset(point.target for file in files for point in file.used_points)
 
 
 def control_observations(
@@ -134,7 +171,7 @@ def control_observations(
         [point.name for _, point in points],
         [point.target for _, point in points],
         np.array([point.position for _, point in points]),
-        np.array([np.diag(np.square(point.sigmas)) for _, point in points]),
+        np.array([point.covariance for _, point in points]),
         is_centre=np.array([point.is_centre for _, point in points]),
         sources=[file.path.name for file, _ in points],
         common_sigmas={file.path.name: file.common_sigma for file in files},
@@ -195,9 +232,44 @@ def with_renamed_target(
                 replace(point, target=new) if point.target == old else point
                 for point in file.points
             ),
+            assigned_to=tuple(new if name == old else name for name in file.assigned_to),
         )
         for file in files
     )
+
+
+def without_assignment(
+    files: Sequence[ControlFile], targets: Collection[str]
+) -> tuple[ControlFile, ...]:
+    """Control that is no longer assigned to some targets, which were removed or replaced.
+
+    Listed points may belong to another target, so that they are to be assigned again. The points of
+    a scan are removed, because they represent a surface.
+    """
+    return tuple(
+        _without_assignment(file, targets)
+        if {*targets} & {*file.assigned_to, *(point.target for point in file.points)}
+        else file
+        for file in files
+    )
+
+
+def _without_assignment(file: ControlFile, targets: Collection[str]) -> ControlFile:
+    if file.kind == "scan":
+        return replace(
+            file,
+            points=tuple(p for p in file.points if (p.target or p.stated_target) not in targets),
+            assigned_to=tuple(name for name in file.assigned_to if name not in targets),
+        )
+    points = tuple(
+        replace(
+            point, target="", is_centre=False,
+            reason=note("control.target_removed", name=point.name, target=point.target),
+        )
+        if point.target in targets else point
+        for point in file.points
+    )  # fmt: skip
+    return replace(file, points=points, assigned_to=())
 
 
 def _is_same_origin(one: Triple, other: Triple) -> bool:

@@ -155,7 +155,7 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
         *duplicate_warnings(project),
         *prediction_warnings(project),
         *lidar_noise_notes(project),
-        *single_line_notes(project.targets),
+        *single_line_notes(project),
         *data_warnings(project),
     )
 
@@ -234,12 +234,13 @@ def _predicted_angles(
     ]  # fmt: skip
 
 
-def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:
+def single_line_notes(project: Project) -> tuple[Message, ...]:
     """Note on targets that are not used because they were found on only one line."""
+    compared = project.compared_targets
     alone = [
         target
-        for target in targets
-        if target.role == "target" and target.used_sightings and not target.is_compared
+        for target in project.targets_of_role("target")
+        if target.used_sightings and target not in compared
     ]
     if not alone:
         return ()

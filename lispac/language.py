@@ -36,7 +36,7 @@ from functools import lru_cache
 from math import degrees, floor, isfinite, log10
 from pathlib import Path
 from string import Formatter
-from typing import Any
+from typing import Any, TypeVar
 
 LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 """Name of each language in the language itself, by its code."""
@@ -71,6 +71,8 @@ _SHOWN = "shown "
 
 _DEGREES_IN_TEXT = re.compile("(?:(?<=[}\\d])[ \u00a0]|^)deg\\b|(?<=\\()deg(?=\\))")
 """Abbreviation of degrees after a number in a template, alone, or in brackets."""
+
+Value = TypeVar("Value")
 
 _program_language = "en"
 _block_language: ContextVar[str | None] = ContextVar("language", default=None)
@@ -167,6 +169,16 @@ def current_language() -> str:
 
 
 @contextmanager
+def _value_in_block(variable: ContextVar[Value], value: Value) -> Iterator[None]:
+    """Set a variable in a block of code and in this thread only."""
+    token = variable.set(value)
+    try:
+        yield
+    finally:
+        variable.reset(token)
+
+
+@contextmanager
 def in_language(code: str) -> Iterator[None]:
     """Use another language in a block of code and in this thread only.
 
@@ -177,11 +189,8 @@ def in_language(code: str) -> Iterator[None]:
     """
     if code not in LANGUAGES:
         raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
-    token = _block_language.set(code)
-    try:
+    with _value_in_block(_block_language, code):
         yield
-    finally:
-        _block_language.reset(token)
 
 
 @contextmanager
@@ -190,41 +199,29 @@ def degree_signs() -> Iterator[None]:
 
     The English texts have the abbreviation, which every terminal can show.
     """
-    token = _has_degree_signs.set(True)
-    try:
+    with _value_in_block(_has_degree_signs, True):
         yield
-    finally:
-        _has_degree_signs.reset(token)
 
 
 @contextmanager
 def minus_signs() -> Iterator[None]:
     """Write numbers in texts with a minus sign, not a hyphen, in a block and in this thread."""
-    token = _has_minus_signs.set(True)
-    try:
+    with _value_in_block(_has_minus_signs, True):
         yield
-    finally:
-        _has_minus_signs.reset(token)
 
 
 @contextmanager
 def without_advice() -> Iterator[None]:
     """Write only the statements of `Advised` texts in a block of code and in this thread only."""
-    token = _has_advice.set(False)
-    try:
+    with _value_in_block(_has_advice, False):
         yield
-    finally:
-        _has_advice.reset(token)
 
 
 @contextmanager
 def with_advice() -> Iterator[None]:
     """Write `Advised` texts completely, in a block within one of `without_advice`."""
-    token = _has_advice.set(True)
-    try:
+    with _value_in_block(_has_advice, True):
         yield
-    finally:
-        _has_advice.reset(token)
 
 
 def in_english(value: object) -> str:

@@ -88,11 +88,6 @@ class Target:
         """Sightings that are used."""
         return tuple(s for s in self.sightings if s.used) if self.used else ()
 
-    @property
-    def is_compared(self) -> bool:
-        """True if the target is used on at least two lines, so that they can be compared."""
-        return len(self.used_sightings) >= 2
-
 
 MAX_NAME_LENGTH = 40
 """Largest number of characters in the name of a target."""

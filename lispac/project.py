@@ -26,7 +26,12 @@ from lispac.adjustment.model.stochastic_model import (
 )
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, SigmaGroup
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
-from lispac.control_points import ControlFile, with_renamed_target
+from lispac.control_points import (
+    ControlFile,
+    controlled_targets,
+    with_renamed_target,
+    without_assignment,
+)
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names
 from lispac.identity import EMPTY_IDENTITY, Identity
@@ -55,6 +60,9 @@ DEFAULT_THRESHOLD_M = 0.01
 
 BoresightChoice = Literal["prior", "estimated"]
 """Boresight with which points are placed."""
+LidarNoiseSource = Literal["given", "residuals"]
+"""Source of a LiDAR noise that is not assumed: the user, or residuals of an earlier adjustment."""
+LIDAR_NOISE_SOURCES: tuple[LidarNoiseSource, ...] = ("given", "residuals")
 Unit = Literal["m", "deg", "s"]
 SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
@@ -100,6 +108,8 @@ class Settings:
         and `used_lidar_sigma` are then the assumed defaults.
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
+    lidar_noise_source : whether the user gave the LiDAR noise, or an earlier adjustment estimated
+        it from its residuals
     lever_arm_sigma : metres, standard deviations of the lever arm for the error budget, or None
     beam_divergence_mrad : milliradians, full angle, for the error budget, or None
     range_offset : metres
@@ -126,6 +136,7 @@ class Settings:
     lidar_sigma: float | None = None
     lidar_sigma_xyz: Triple | None = None
     lidar_beam_sigma: tuple[float, float] | None = None
+    lidar_noise_source: LidarNoiseSource = "given"
     lever_arm_sigma: Triple | None = None
     beam_divergence_mrad: float | None = None
     range_offset: float = 0.0
@@ -180,6 +191,11 @@ class Settings:
         return tuple(group for group, given in is_given.items() if not given)
 
     @property
+    def is_lidar_noise_from_residuals(self) -> bool:
+        """Whether the LiDAR noise is one that an earlier adjustment estimated."""
+        return self.lidar_noise_source == "residuals" and "LiDAR" not in self.assumed_sigmas
+
+    @property
     def stochastic_model(self) -> StochasticModel:
         """Stochastic model for these settings."""
         loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
@@ -193,9 +209,13 @@ class Settings:
         return max(DEFAULT_THRESHOLD_M, 3 * self.used_lidar_sigma)
 
     def with_values(self, **values: Any) -> "Settings":
-        """Copy with other values; one form of the LiDAR noise replaces the others."""
+        """Copy with other values; one form of the LiDAR noise replaces the others.
+
+        A LiDAR noise is given unless ``lidar_noise_source`` is one of the values.
+        """
         if any(values.get(name) is not None for name in LIDAR_NOISE_FORMS):
-            values = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None, **values}
+            former = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
+            values = {**former, "lidar_noise_source": "given", **values}
         return replace(self, **values)
 
     def with_lidar_sigma(self, sigma: float) -> "Settings":
@@ -211,7 +231,13 @@ class Settings:
         )
 
     def with_lidar_noise_scaled(self, ratio: float) -> "Settings":
-        """Copy with the LiDAR standard deviations times ``ratio``, rounded to three digits."""
+        """Copy with the LiDAR noise that an adjustment estimated from its residuals.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio of this noise to the present one. The values are rounded to three digits.
+        """
 
         def scaled(value: float) -> float:
             return float(f"{ratio * value:.3g}")
@@ -222,6 +248,7 @@ class Settings:
             lidar_sigma=scaled(self.used_lidar_sigma),
             lidar_sigma_xyz=xyz and (scaled(xyz[0]), scaled(xyz[1]), scaled(xyz[2])),
             lidar_beam_sigma=beam and (scaled(beam[0]), scaled(beam[1])),
+            lidar_noise_source="residuals",
         )
 
     def require_sound(self) -> None:
@@ -239,6 +266,13 @@ class Settings:
             raise InputError(
                 error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
             )
+        if self.lidar_noise_source not in LIDAR_NOISE_SOURCES:
+            raise InputError(
+                error(
+                    "settings.unknown_noise_source",
+                    name=self.lidar_noise_source, known=LIDAR_NOISE_SOURCES,
+                )
+            )  # fmt: skip
         if self.loss is not None and self.loss not in LOSS_NAMES:
             raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
         if not min(self.position_time, self.attitude_time) > 0:
@@ -471,6 +505,16 @@ class Project:
         return tuple(target for target in self.targets if target.role == role)
 
     @property
+    def compared_targets(self) -> tuple[Target, ...]:
+        """Targets that are used on at least two lines, or on one line and with control."""
+        controlled = controlled_targets(self.control)
+        return tuple(
+            target
+            for target in self.targets_of_role("target")
+            if len(target.used_sightings) >= (1 if target.name in controlled else 2)
+        )
+
+    @property
     def picked_points(self) -> int:
         """Number of points of all sightings of targets that are used."""
         targets = self.targets_of_role("target")
@@ -523,12 +567,19 @@ class Project:
             kept[names.index(target.name)] = target
         else:
             kept.append(target)
-        return self._edited(tuple(kept), {t.role for t in (target, old) if t is not None})
+        edited = self._edited(tuple(kept), {t.role for t in (target, old) if t is not None})
+        if old is None or _is_same_place(target, old):
+            return edited
+        return edited._without_assigned_control(target.name)
 
     def without_target(self, name: str) -> "Project":
         """Remove a target or validation plane."""
         removed = self.target(name)
-        return self._edited(tuple(t for t in self.targets if t.name != name), {removed.role})
+        edited = self._edited(tuple(t for t in self.targets if t.name != name), {removed.role})
+        return edited._without_assigned_control(name)
+
+    def _without_assigned_control(self, name: str) -> "Project":
+        return replace(self, control=without_assignment(self.control, [name]))
 
     def with_identity(self, identity: Identity) -> "Project":
         """Change the details for the report; they are not used in computations."""
@@ -704,6 +755,11 @@ class Project:
             not_compared={n: o for n, o in outcomes.items() if isinstance(o, Message)},
             excluded_comparisons=excluded,
         )
+
+
+def _is_same_place(target: Target, former: Target) -> bool:
+    """Whether a target has the role, shape and seed that it had, so that it keeps its control."""
+    return all(getattr(target, name) == getattr(former, name) for name in ("role", "shape", "seed"))
 
 
 def _is_same_surface(plane: Target, former: Target | None) -> bool:

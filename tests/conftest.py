@@ -28,12 +28,16 @@ hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
 LONG_FILES = {
-    "test_absolute.py", "test_cli_acceptance.py", "test_cloud.py", "test_coverage.py",
-    "test_gui_adjust.py", "test_gui_histograms.py", "test_gui_manual.py", "test_gui_monkey.py",
+    "test_absolute.py", "test_campaign.py", "test_cli_acceptance.py", "test_cli_noise.py",
+    "test_cloud.py", "test_coverage.py", "test_gui_adjust.py", "test_gui_assumed.py",
+    "test_gui_diagnostics.py", "test_gui_first_use.py", "test_gui_french.py",
+    "test_gui_histograms.py", "test_gui_layout.py", "test_gui_manual.py", "test_gui_monkey.py",
     "test_gui_point_readout.py", "test_gui_proposal.py", "test_gui_script.py",
-    "test_gui_tour_by_hand.py", "test_gui_view_state.py", "test_gui_warnings.py", "test_kill.py",
-    "test_omitted.py", "test_proposed_targets.py", "test_report_pages.py", "test_script.py",
-    "test_scripting.py", "test_targetless.py", "test_two_programs.py",
+    "test_gui_tour_by_hand.py", "test_gui_tutorial.py", "test_gui_typed_values.py",
+    "test_gui_view_state.py", "test_gui_warnings.py", "test_kill.py", "test_natural_scenes.py",
+    "test_omitted.py", "test_proposed_targets.py", "test_report_options.py",
+    "test_report_pages.py", "test_script.py", "test_scripting.py", "test_targetless.py",
+    "test_two_programs.py",
 }  # fmt: skip
 """Files with a few long tests, which take as long as `LONG_FILE_TESTS` short ones."""
 LONG_FILE_TESTS = 40

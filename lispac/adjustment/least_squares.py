@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.control_tests import (
+    assess_control,
     contradicting_control,
-    control_residuals,
-    control_translations,
 )
 from lispac.adjustment.diagnostics.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
 from lispac.adjustment.diagnostics.failure_causes import REJECTION_LEVEL, find_failure_causes
@@ -156,6 +155,7 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
     sides = np.array(
         [1 if each.vessel_side is None else each.vessel_side for each in result.targets]
     )
+    control, translations = assess_control(linearised, sides)
     result = replace(
         result,
         observability=assess_observability(
@@ -164,8 +164,8 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
         reliability=compute_reliability(linearised) if has_surfaces else (),
         contradictions=find_contradicted_parameters(linearised) if correlated else (),
         causes=find_possible_causes(linearised),
-        control=control_residuals(linearised, sides),
-        control_translations=control_translations(linearised),
+        control=control,
+        control_translations=translations,
     )
     return result if factors is None else with_raised_sigmas(result, factors)
 

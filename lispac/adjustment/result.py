@@ -357,8 +357,11 @@ class ControlResidual:
         Error of the point according to all other observations, and its standard deviation; None if
         nothing checks the point.
     w : float or None
-        Test value (Baarda 1968), standard normal if the point is correct. For a centre, the value
-        with the same probability as the chi-square test of its coordinates.
+        Test value (Baarda 1968) besides the control that contradicts the survey, standard normal
+        if the point is correct. For a centre, the value with the same probability as the chi-square
+        test of its coordinates.
+    contradicts : bool
+        Whether the point contradicts the survey.
     """
 
     name: str
@@ -371,6 +374,7 @@ class ControlResidual:
     shift: float | None = None
     shift_sigma: float | None = None
     w: float | None = None
+    contradicts: bool = False
 
     @property
     def p_value(self) -> float | None:
@@ -389,12 +393,15 @@ class ControlTranslation:
         Translation, and its standard deviation; infinite for a component that is not determined.
     p_value : float
         Probability of a larger translation if the points have no common error beyond the given one.
+    contradicts : bool
+        Whether the control of the source contradicts the survey as a whole.
     """
 
     source: str
     translation: Annotated[Array, ArrayShape(3)]
     sigma: Annotated[Array, ArrayShape(3)]
     p_value: float
+    contradicts: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -476,6 +483,8 @@ class AdjustmentResult:
         `lidar_noise_ratio`.
     assumed_sigmas : tuple of {"LiDAR", "POS position", "POS attitude"}
         Groups of errors whose standard deviations were assumed because nobody gave them.
+    lidar_noise_from_residuals : bool
+        Whether the given LiDAR noise was estimated from the residuals of an earlier adjustment.
     control : tuple of ControlResidual
         Surveyed points that were used; empty without control.
     control_translations : tuple of ControlTranslation
@@ -517,6 +526,7 @@ class AdjustmentResult:
     messages: tuple[Message, ...] = ()
     lidar_noise_ratio: float | None = None
     assumed_sigmas: tuple[SigmaGroup, ...] = ()
+    lidar_noise_from_residuals: bool = False
     sigma_at_given_times: Annotated[Array, ArrayShape(3)] | None = None
     control: tuple[ControlResidual, ...] = ()
     control_translations: tuple[ControlTranslation, ...] = ()

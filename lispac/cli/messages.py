@@ -60,7 +60,7 @@ ACTION_OPTIONS = {
     "split_line": "--split-by {by}",
     "shift_times": "--time-shift {shift:g}",
     "bridge_gaps": "--longest-gap {gap:g}",
-    "use_lidar_noise": "--lidar-sigma {measured:.3g}",
+    "use_lidar_noise": "--lidar-sigma {measured:.3g} --lidar-noise-source residuals",
 }
 """Option by the code of an action that is not about an option of a file."""
 TRAJECTORY_ACTION_CODES = {"use_degrees", "swap_coordinates", "check_sign"}

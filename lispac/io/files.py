@@ -32,6 +32,7 @@ TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "text": note("file.kind_text"),
     "Exail text": note("file.kind_exail_text"),
     "POSPac text": note("file.kind_pospac_text"),
+    "Inertial Explorer text": note("file.kind_inertial_explorer_text"),
     "CIDCO binary": note("file.kind_cidco"),
     "LAS or LAZ": note("file.kind_las"),
     "plane": note("file.kind_plane"),

@@ -15,6 +15,10 @@ from lispac.io.trajectory.ascii_trajectory import ASCII_FORMAT
 from lispac.io.trajectory.cidco import CIDCO_FORMAT
 from lispac.io.trajectory.cidco_states import CIDCO_ACCURACY_FORMAT, CIDCO_STATES_FORMAT
 from lispac.io.trajectory.exail import EXAIL_ACCURACY_FORMAT, EXAIL_FORMAT
+from lispac.io.trajectory.inertial_explorer import (
+    INERTIAL_EXPLORER_ACCURACY_FORMAT,
+    INERTIAL_EXPLORER_FORMAT,
+)
 from lispac.io.trajectory.pospac_text import POSPAC_ACCURACY_FORMAT, POSPAC_FORMAT
 from lispac.io.trajectory.sbet_formats import SBET_FORMAT, SMRMSG_FORMAT
 from lispac.messages import error
@@ -33,6 +37,7 @@ TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
     SBET_FORMAT,
     EXAIL_FORMAT,
     POSPAC_FORMAT,
+    INERTIAL_EXPLORER_FORMAT,
     ASCII_FORMAT,
     CIDCO_STATES_FORMAT,
 )
@@ -40,6 +45,7 @@ ACCURACY_FORMATS: tuple[FileFormat, ...] = (
     SMRMSG_FORMAT,
     EXAIL_ACCURACY_FORMAT,
     POSPAC_ACCURACY_FORMAT,
+    INERTIAL_EXPLORER_ACCURACY_FORMAT,
     CIDCO_ACCURACY_FORMAT,
 )
 

@@ -74,11 +74,11 @@ UNKNOWN = "?"
 """Code of a unit that is given but not known, and of an ambiguous direction."""
 
 _UNIT_PATTERNS = (
-    (r"hh\W*mm", "clock"),
+    (r"hh\W*mm|\bh ?m ?s\b", "clock"),
     (r"yyyy\W*mm", "date"),
     (r"arc.?min", "arcmin"),
     (r"arc.?sec", "arcsec"),
-    (r"degr?[ée]?s?\W+min|\bdms\b", "dms"),
+    (r"degr?[ée]?s?\W+min|\bd ?m ?s\b", "dms"),
     (r"\bddd?mm", "ddmm"),
     (r"\bgons?\b|\bgrades\b", "gon"),
     (r"\bgrads?\b|\bgrd\b", UNKNOWN),  # gon in English and French, degree in German

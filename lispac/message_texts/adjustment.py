@@ -57,7 +57,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.one_line": N_(
         "All targets are observed on line {line} only, and a single line does not determine the "
-        "boresight. Add lines in other directions over the same targets."
+        "boresight. Add lines in other directions over the same targets, or import surveyed "
+        "control of them."
     ),
     "adjustment.undetermined": N_(
         "These lines and targets do not determine the boresight angles (not determined: "
@@ -76,6 +77,7 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.few_directions": N_(
         "The lines and the surfaces have too few different directions."
     ),
+    "adjustment.single_line": N_("{line} is the only line."),
     "adjustment.single_target": N_("{target} is the only target."),
     "adjustment.one_orientation": N_("All targets have the same orientation."),
     "adjustment.parallel_lines_one_target": N_(

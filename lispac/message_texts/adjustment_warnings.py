@@ -174,25 +174,25 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.lidar_noise": Advised(
         N_(
-            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the given "
-            "{given:mm.2} mm."
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma) instead of the "
+            "{given:mm.2} mm used."
         ),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_ratio": Advised(
-        N_("The residuals show a LiDAR noise of {ratio:x.2} times the given one."),
+        N_("The residuals show a LiDAR noise of {ratio:x.2} times the one used."),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_conservative": Advised(
         N_(
-            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the given "
+            "The residuals show a LiDAR noise of {measured:mm.2} mm (1 sigma), less than the "
             "{given:mm.2} mm with which the standard deviations of the angles are computed."
         ),
         N_("Use the noise of the residuals and estimate again."),
     ),
     "adjustment.lidar_noise_ratio_conservative": Advised(
         N_(
-            "The residuals show a LiDAR noise of {ratio:x.2} times the given one with which the "
+            "The residuals show a LiDAR noise of {ratio:x.2} times the one with which the "
             "standard deviations of the angles are computed."
         ),
         N_("Use the noise of the residuals and estimate again."),
@@ -281,25 +281,15 @@ TEXTS: Mapping[str, Template] = {
             "Check their points and the trajectory at these times.",
         ),
     ),
-    "adjustment.control_contradicts": Advised(
-        N_(
-            "Control point {name} lies {shift:mm.1} mm (± {sigma:mm.1} mm, test value "
-            "w = {w:x.1+}) from the surface of {target} that all other observations give."
-        ),
-        N_(
-            "Check its coordinates and its name and that the target was not moved, or exclude the "
-            "point and estimate again."
-        ),
+    "adjustment.control_contradicts": N_(
+        "Control point {name} lies {shift:mm.1} mm (± {sigma:mm.1} mm, test value w = {w:x.1+}) "
+        "from the surface of {target} that all other observations give. Check its coordinates and "
+        "its name and that the target was not moved, or exclude the point and estimate again."
     ),
-    "adjustment.control_translated": Advised(
-        N_(
-            "The control of {source} is displaced as a whole from all other observations: "
-            "{components:names}."
-        ),
-        N_(
-            "Check its coordinate system, height reference and epoch, or the lever arm of the POS, "
-            "or exclude this control and estimate again."
-        ),
+    "adjustment.control_translated": N_(
+        "The control of {source} is displaced as a whole from all other observations: "
+        "{components:names}. Check its coordinate system, height reference and epoch, or the lever "
+        "arm of the POS, or exclude this control and estimate again."
     ),
     "adjustment.target_excluded": Advised(
         N_(

@@ -16,7 +16,8 @@ TEXTS: Mapping[str, Template] = {
     "estimate.no_target": N_("{project}: there is no target to adjust. Pick planar targets first."),
     "estimate.one_line": N_(
         "All targets are observed on line {line} only, and a single line does not determine the "
-        "boresight. Add lines in other directions over the same targets."
+        "boresight. Add lines in other directions over the same targets, or import surveyed "
+        "control of them."
     ),
     "estimate.no_common_part": N_(
         "The lines cover different areas of every target ({targets:names}), and these areas are "

@@ -41,7 +41,7 @@ TEXTS: Mapping[str, Template] = {
     "control.unknown_file": N_("The project has no control from a file {name}."),
     "control.far_from_target": N_(
         "Control point {name} is not used: it lies {distance:m.2} m from the surface of {target}. "
-        "Check its coordinates and their system, or import the control again after an estimate."
+        "Check its coordinates and their system, or estimate the boresight."
     ),
     "control.beside_targets": N_(
         "Control point {name} is not used: it lies on no target. Check its coordinates, or name "
@@ -51,6 +51,12 @@ TEXTS: Mapping[str, Template] = {
         "Control point {name} is not used: it lies near {targets:names}. Name its target in a "
         "column plane."
     ),
+    "control.target_removed": N_(
+        "Control point {name} is not used: {target} was removed or picked again. It is assigned "
+        "again at the next estimate."
+    ),
     "control.not_in_scan": N_("{target} has no control from the static scan: {reason}"),
+    "control.scan_changed": N_("{file} has changed since it was imported. Import it again."),
+    "control.scan_not_readable": N_("{file} cannot be read. Import it again."),
     "control.few_scan_points": N_("The scan has only {count:n} points near {target}."),
 }

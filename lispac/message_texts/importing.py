@@ -86,6 +86,11 @@ TEXTS: Mapping[str, Template] = {
         "errors of up to {shift:mm} mm and {turn:deg}° ({share:percent} % of the given "
         "accuracy). Export the trajectory at a higher rate."
     ),
+    "trajectory.position_held": N_(
+        "{line}: the trajectory repeats the same position for up to {longest:s.2} s while the "
+        "vessel moves, so points are displaced by up to {shift:m.2} m. Export the trajectory "
+        "again, with the position at the time of each state."
+    ),
     # -- recovery of georeferenced lines -----------------------------------------------------
     "recovery.height_offset": N_(
         "{line}: heights above sea level seem to be combined with an ellipsoidal trajectory "

@@ -108,5 +108,6 @@ TEXTS: Mapping[str, Template] = {
     "cause.lever_arm": N_("a cloud computed with another lever arm"),
     "cause.attitude_sign": N_("a wrong sign of the attitude"),
     "cause.off_the_beams": N_("recovered points that do not lie on the scanner beams"),
+    "cause.position_held": N_("positions that are repeated while the vessel moves"),
     "cause.rate_too_low": N_("a trajectory with too low a rate"),
 }

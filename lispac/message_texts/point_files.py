@@ -13,6 +13,7 @@ TEXTS: Mapping[str, Template] = {
     "file.kind_text": N_("text"),
     "file.kind_exail_text": N_("Exail text"),
     "file.kind_pospac_text": N_("POSPac text"),
+    "file.kind_inertial_explorer_text": N_("Inertial Explorer text"),
     "file.kind_cidco": N_("CIDCO binary"),
     "file.kind_las": N_("LAS or LAZ"),
     "file.kind_plane": N_("plane"),

@@ -93,6 +93,9 @@ TEXTS: Mapping[str, Template] = {
     "settings.negative": N_(
         "A standard deviation or the point spacing is negative. Give values of zero or more."
     ),
+    "settings.unknown_noise_source": N_(
+        "There is no source {name} of the LiDAR noise. Choose {known:choices}."
+    ),
     "settings.unknown_pos_errors": N_(
         "There is no POS error model {name}. Choose {known:choices}."
     ),

@@ -54,29 +54,29 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.seed": N_("The seed must be three finite numbers: north, west and up, in metres."),
     # -- search in one line ------------------------------------------------------------------------
-    "finder.seed_position": N_("(east {east:m.2} m; north {north:m.2} m; up {up:m.2} m)"),
+    "finder.seed_position": N_("the point (east {east:m.2} m; north {north:m.2} m; up {up:m.2} m)"),
     "finder.predicted_position": N_("the position predicted for the target on this line"),
     "finder.few_points": Plural(
         "Only {count:n} point lies within {radius:m} m of {place}, but a target needs at least "
-        "{needed:n}. Move the seed, or increase the search radius.",
+        "{needed:n}. Choose another point, or increase the search radius.",
         "Only {count:n} points lie within {radius:m} m of {place}, but a target needs at least "
-        "{needed:n}. Move the seed, or increase the search radius.",
+        "{needed:n}. Choose another point, or increase the search radius.",
     ),
     "finder.no_points": N_(
         "There are no points within {radius:m} m of {place}; the nearest point is {distance:m.2} m "
-        "away. Move the seed, or increase the search radius."
+        "away. Choose another point, or increase the search radius."
     ),
     "finder.no_points_near": N_(
-        "There are no points within {radius:m} m of {place}. Move the seed, or increase the search "
-        "radius."
+        "There are no points within {radius:m} m of {place}. Choose another point, or increase the "
+        "search radius."
     ),
     "finder.no_plane": N_("No plane fits the points around {place} within {threshold:mm} mm."),
     "finder.plane_few_points": Plural(
         "The plane around {place} has only {count:n} point within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
         "the threshold of the search.",
         "The plane around {place} has only {count:n} points within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
         "the threshold of the search.",
     ),
     "finder.other_tilt": N_("The plane around {place} does not have the expected orientation."),
@@ -84,17 +84,17 @@ TEXTS: Mapping[str, Template] = {
     "finder.sphere_of_radii": N_("sphere with a radius from {least:m.3} to {most:m.3} m"),
     "finder.sphere_few_nearby": Plural(
         "Only {count:n} point lies within {radius:m} m of {place}, too few for a {sphere} (at "
-        "least {needed:n} are needed). Set the seed on the sphere.",
+        "least {needed:n} are needed). Choose a point on the sphere.",
         "Only {count:n} points lie within {radius:m} m of {place}, too few for a {sphere} (at "
-        "least {needed:n} are needed). Set the seed on the sphere.",
+        "least {needed:n} are needed). Choose a point on the sphere.",
     ),
     "finder.no_sphere": N_("No {sphere} fits the points around {place} within {threshold:mm} mm."),
     "finder.sphere_few_points": Plural(
         "The sphere around {place} has only {count:n} point within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
         "the threshold of the search.",
         "The sphere around {place} has only {count:n} points within {threshold:mm} mm, but a "
-        "target needs at least {needed:n}. Set the seed where the points are denser, or increase "
+        "target needs at least {needed:n}. Choose a place where the points are denser, or increase "
         "the threshold of the search.",
     ),
     "finder.sphere_other_radius": N_(
@@ -102,7 +102,7 @@ TEXTS: Mapping[str, Template] = {
         "searched for."
     ),
     "finder.sphere_far": N_(
-        "The nearest sphere is {distance:m.2} m from {place}. Set the seed on the sphere."
+        "The nearest sphere is {distance:m.2} m from {place}. Choose a point on the sphere."
     ),
     "finder.sphere_continues": Plural(
         "A {sphere} around {place} fits {count:n} point, but {beside:n} points beside it belong "
@@ -126,19 +126,19 @@ TEXTS: Mapping[str, Template] = {
         "There is no line in which to search for a sphere. Import a line first."
     ),
     "finder.no_plane_in_lines": N_(
-        "No plane was found at the seed on any line. On the nearest line, {line}: {reason}"
+        "No plane was found at the chosen point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.no_sphere_in_lines": N_(
-        "No sphere was found at the seed on any line. On the nearest line, {line}: {reason}"
+        "No sphere was found at the chosen point on any line. On the nearest line, {line}: {reason}"
     ),
     "finder.line_few_points": Plural(
-        "There is only {count:n} point within {radius:m} m of the seed (search radius plus "
+        "There is only {count:n} point within {radius:m} m of the chosen point (search radius plus "
         "possible shift of the line).",
-        "There are only {count:n} points within {radius:m} m of the seed (search radius "
+        "There are only {count:n} points within {radius:m} m of the chosen point (search radius "
         "plus possible shift of the line).",
     ),
     "finder.line_no_points": N_(
-        "There are no points within {radius:m} m of the seed (search radius plus possible "
+        "There are no points within {radius:m} m of the chosen point (search radius plus possible "
         "shift of the line)."
     ),
     "finder.not_alike": N_(

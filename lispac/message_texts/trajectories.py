@@ -143,7 +143,7 @@ TEXTS: Mapping[str, Template] = {
         '{file}: the coordinate system "{system}" cannot be used ({reason}). Give an EPSG code '
         "(EPSG:32619 for example)."
     ),
-    # -- text of POSPac and Exail ------------------------------------------------------------
+    # -- text of other programs -------------------------------------------------------------
     "trajectory.pospac_header": N_(
         "{file}: the row of column names (TIME, ..., LATITUDE, LONGITUDE, ...) is missing. Export "
         "the file with its header, or choose the generic text format and name the columns."
@@ -152,8 +152,16 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {column} is in degrees, minutes and seconds, or in hours. Export decimal degrees "
         "and seconds."
     ),
+    "trajectory.inertial_explorer_header": N_(
+        "{file}: the row of column names (GPSTime, Latitude, Longitude, H-Ell, ...) is missing. "
+        "Export the file with its header, or choose the generic text format and name the columns."
+    ),
     "trajectory.not_a_row": N_(
         '{file}, row {row:n}: "{text}" is not a row of numbers. Export the file again.'
+    ),
+    "trajectory.uneven_row": N_(
+        "{file}, row {row:n}: the number of columns differs from that of the header. Export the "
+        "file again, with a value or a separator for each column."
     ),
     "trajectory.exail_header": N_(
         "{file}: the row of column names, which starts with #, is missing. Export the file with "

@@ -7,6 +7,7 @@ of the JSON report.
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -109,6 +110,7 @@ AGREE_TEXT = N_("The residuals agree with the given standard deviations.")
 AGREE_ESTIMATED_TEXT = N_(
     "The residuals agree with the standard deviations used, which were partly estimated from them."
 )
+NOT_JUDGED_TEXT = N_("Not judged: the LiDAR noise was estimated from the same residuals.")
 TOO_LARGE_TEXT = N_(
     "Failed: the residuals are larger than the standard deviations used allow. Possible causes: "
     "standard deviations are too small, a target is rough, or there are outliers."
@@ -153,8 +155,10 @@ TOO_SMALL_RAISED_TEXT = N_(
 class VarianceFactorTest:
     """Two-sided test of the variance factor at 95 %; bounds are None without redundancy.
 
-    ``lidar_noise_ratio`` is that of `AdjustmentResult`; ``has_assumed_sigmas`` is True if sigmas
-    were used that nobody gave and that were not estimated.
+    ``outcome`` is "not judged" and ``passed`` None if the statistic is within its bounds because
+    the LiDAR noise was estimated from the same residuals. ``lidar_noise_ratio`` is that of
+    `AdjustmentResult`; ``has_assumed_sigmas`` is True if sigmas were used that nobody gave and that
+    were not estimated.
     """
 
     statistic: float
@@ -162,18 +166,40 @@ class VarianceFactorTest:
     upper: float | None
     passed: bool | None
     text: LazyText
-    outcome: FitOutcome | None = None
+    outcome: FitOutcome | Literal["not judged"] | None = None
     lidar_noise_ratio: float | None = None
     has_assumed_sigmas: bool = False
 
 
 def agrees_by_construction(result: AdjustmentResult) -> bool:
     """Whether standard deviations were estimated from the residuals that the test compares."""
-    return any(c.applied for c in result.components) or has_form_errors(result)
+    return (
+        result.lidar_noise_from_residuals
+        or any(c.applied for c in result.components)
+        or has_form_errors(result)
+    )
+
+
+def is_lidar_noise_from_residuals(result: AdjustmentResult) -> bool:
+    """Whether the LiDAR noise was estimated from the residuals, in this or in a former adjustment.
+
+    The chi-square test then agrees with it and confirms nothing.
+    """
+    return result.lidar_noise_from_residuals or is_lidar_noise_estimated(result.components)
+
+
+def has_passed(result: AdjustmentResult) -> bool | None:
+    """Whether the chi-square test is passed; None if it is not judged or not tested."""
+    test = result.chi_square
+    if result.degrees_of_freedom <= 0 or (test.passed and is_lidar_noise_from_residuals(result)):
+        return None
+    return test.passed
 
 
 def agreement_template(result: AdjustmentResult) -> Template:
-    """Text of a passed chi-square test."""
+    """Text of a chi-square test whose statistic lies within its bounds."""
+    if is_lidar_noise_from_residuals(result):
+        return NOT_JUDGED_TEXT
     return AGREE_ESTIMATED_TEXT if agrees_by_construction(result) else AGREE_TEXT
 
 
@@ -223,16 +249,20 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     if result.degrees_of_freedom <= 0:
         return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
     sentences = []
+    outcome: FitOutcome | Literal["not judged"] = test.outcome
     if test.outcome == "passed":
-        sentences = [gettext_lazy(PASSED_TEXT)]
+        if has_passed(result):
+            sentences = [gettext_lazy(PASSED_TEXT)]
+        else:
+            outcome = "not judged"
         finding = gettext_lazy(agreement_template(result))
     elif test.outcome == "conservative":
         finding = gettext_lazy(small_residuals_template(result))
     else:
         finding = large_residuals_text(result)
     return VarianceFactorTest(
-        test.statistic, test.lower, test.upper, test.passed,
-        join_sentences([*sentences, finding]), test.outcome,
+        test.statistic, test.lower, test.upper, has_passed(result),
+        join_sentences([*sentences, finding]), outcome,
         result.lidar_noise_ratio, bool(result.unestimated_sigmas),
     )  # fmt: skip
 

@@ -103,7 +103,7 @@ class ControlValues:
         if result is not None:
             points, moved = contradicting_control(result.control, result.control_translations)
             sources = {each.source for each in moved}
-            wrong = {(c.source, c.name) for c in (*points, *result.control)
+            wrong = {(c.source, c.name) for c in result.control
                      if c in points or c.source in sources}  # fmt: skip
         return cls(
             tuple(map(_file_values, project.control)),
@@ -193,6 +193,7 @@ CONTROL_TABLE = Table[ControlPointValues](
     N_("Surveyed control"),
     (
         Column("name", N_("Point"), tip=N_("Name of the surveyed point")),
+        Column("source", N_("File"), tip=N_("File from which the point was imported")),
         Column("target", N_("Target"), tip=N_("Target to which the point belongs"), unknown="-"),
         Column("kind", N_("Kind"), texts=KIND_TEXTS, tip=N_("What was surveyed")),
         Column("used", N_("Used"), texts=YES_NO_TEXTS, tip=N_("Whether the adjustment uses it")),
@@ -211,7 +212,8 @@ CONTROL_TABLE = Table[ControlPointValues](
         ),
         Column(
             "w", N_("w"), ratio(2).signed,
-            N_("Test value: standard normal if the point is correct"), unknown="-",
+            N_("Test value, standard normal if the point is correct; control that contradicts the "
+               "survey and the common uncertainty of a file are taken into account"), unknown="-",
         ),
         Column(control_finding, N_("Finding"), tip=N_("Finding that should be checked")),
     ),

@@ -58,6 +58,7 @@ FACT_LABELS: Mapping[str, str] = {
     "Columns": N_("Columns"),
     "comments": N_("Comments"),
     "coordinate system": N_("Coordinate system"),
+    "Datum": N_("Datum"),
     "Date of mission": N_("Date of the survey"),
     "decimal": N_("Decimal separator"),
     "Duration": N_("Duration"),

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL, PosErrors
 from lispac.language import N_, gettext
-from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
+from lispac.present.adjustment import AdjustmentValues, noisier_targets
 from lispac.present.sigmas import SigmaValues, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
@@ -280,21 +280,13 @@ def _noise_factor_text(adjustment: AdjustmentValues) -> str:
     factors = {target.target: target.noise_factor or 1.0 for target in adjustment.targets}
     larger = noisier_targets(factors)
     if not larger:
-        if is_lidar_noise_estimated(adjustment.components):
-            return gettext("not larger than the sigma from the variance components on any target")
-        return gettext("not larger than the given noise on any target")
+        return gettext("not larger than the noise used on any target")
     found = [
         gettext("{target}: {factor}\u00a0times", factor=fixed_number(factors[name], 2), target=name)
         for name in larger
     ]
-    if is_lidar_noise_estimated(adjustment.components):
-        return gettext(
-            "{factors:names} the sigma from the variance components; the sigmas of the angles are "
-            "computed with this noise",
-            factors=found,
-        )
     return gettext(
-        "{factors:names} the given noise; the sigmas of the angles are computed with this noise",
+        "{factors:names} the noise used; the sigmas of the angles are computed with this noise",
         factors=found,
     )
 

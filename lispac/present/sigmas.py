@@ -34,16 +34,21 @@ _SCALED_FILE_RANGES_TEXT = N_(
 _SOURCE_TEXTS: Mapping[SigmaSource, str] = {
     "given": N_("{values} (given)"),
     "assumed": N_("{values} (assumed, not given)"),
+    "estimated": N_("{values} (estimated from the residuals)"),
 }
 _SCALED_FILE_TEXT = N_("{factor} times those of the trajectory accuracy file (estimated)")
 _ESTIMATED_TEXTS: Mapping[SigmaSource, str] = {
     "given": N_("{values} (estimated from the data; given: {before})"),
     "assumed": N_("{values} (estimated from the data; assumed before: {before})"),
+    "estimated": N_("{values} (estimated from the data; in the estimate before: {before})"),
 }
 _COMPONENT_TEXTS: Mapping[SigmaSource, str] = {
     "given": N_("{errors}: {factor:x.2} × the given standard deviation = {values}"),
     "assumed": N_("{errors}: {factor:x.2} × the assumed standard deviation = {values}"),
     "file": N_("{errors}: {factor:x.2} × the standard deviations of the accuracy file"),
+    "estimated": N_(
+        "{errors}: {factor:x.2} × the standard deviation from earlier residuals = {values}"
+    ),
 }
 
 
@@ -84,7 +89,9 @@ def _sigmas_of_group(project: Project, group: SigmaGroup) -> SigmaValues:
     else:
         before, units = settings.used_attitude_sigma_deg, ("deg",) * 3
     source: SigmaSource = "assumed" if group in project.assumed_sigmas else "given"
-    if project.accuracy is not None and group != "LiDAR":
+    if group == "LiDAR" and settings.is_lidar_noise_from_residuals:
+        source = "estimated"
+    elif project.accuracy is not None and group != "LiDAR":
         before, source = None, "file"
     return SigmaValues(
         group, source if factor == 1.0 else "estimated", source, factor, units, before,
@@ -108,7 +115,7 @@ def sigma_text(sigmas: SigmaValues, sightings: Sequence[SightingValues] = ()) ->
             return gettext(template, values=_ranges_text(sigmas.group, errors), factor=factor)
         return gettext(_SCALED_FILE_TEXT if is_scaled else _FILE_TEXT, factor=factor)
     used = _values_text(sigmas, sigmas.used)
-    if sigmas.source != "estimated":
+    if sigmas.factor == 1.0:
         return gettext(_SOURCE_TEXTS[sigmas.source], values=used)
     before = _values_text(sigmas, sigmas.before)
     return gettext(_ESTIMATED_TEXTS[sigmas.source_before], values=used, before=before)

@@ -67,8 +67,8 @@ CONTROL_TEXT = N_(
     "the adjusted surface, positive if it is nearer to the vessel; of a centre, its distance from "
     "the adjusted centre. 1 sigma: standard deviation of the point in the direction of the "
     "residual, with the error that all points of its file share. Redundancy: share of an error of "
-    "the point that its residual shows. w: error of the point according to all other observations, "
-    "divided by its standard deviation."
+    "the point that its residual shows. w: error of the point according to all other observations "
+    "except contradicting control, divided by its standard deviation."
 )
 METHODS_TEXT = N_(
     "Other methods applied to the same lines: adjustment with the validation planes as targets "

@@ -144,9 +144,9 @@ def _chi_square_warnings(adjustment: AdjustmentValues, independent: bool) -> Ite
     factors = {target.target: target.noise_factor or 1.0 for target in adjustment.targets}
     noisy = noisier_targets(factors)
     is_estimated = is_lidar_noise_estimated(adjustment.components)
-    if test.passed is None:
+    if test.outcome is None:
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
-    elif test.passed:
+    elif test.outcome in ("passed", "not judged"):
         return
     elif test.outcome == "conservative":
         yield note(

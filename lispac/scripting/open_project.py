@@ -35,7 +35,8 @@ from lispac.workflow.calibration.proposal_acceptance import (
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
-from lispac.workflow.checking import absolute_check, control_import, validation
+from lispac.workflow.checking import absolute_check, validation
+from lispac.workflow.control import control_import
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest, export

@@ -40,6 +40,8 @@ class DenseStates:
         Components whose derivatives contradict the states; they are interpolated linearly.
     parts : int
         Number of intervals into which each interval between given states, except gaps, was divided.
+    given : ndarray of shape (n,), int, or None
+        Indices of the given states; None if no states were inserted.
     """
 
     time: Array
@@ -47,6 +49,7 @@ class DenseStates:
     error: Array | None = None
     unused: tuple[int, ...] = ()
     parts: int = 1
+    given: NDArray[np.int64] | None = None
 
 
 def insert_states(
@@ -114,7 +117,7 @@ def _insert_parts(
     times = np.append(time[first] + u[:, 0] * span[:, 0], time[-1])
     times[own] = time[first[own]]
     error = np.repeat(np.maximum(np.abs(off[:-1]), np.abs(off[1:])), counts, axis=0)
-    return DenseStates(times, dense, error, unused, parts)
+    return DenseStates(times, dense, error, unused, parts, np.append(own, len(times) - 1))
 
 
 def hermite_cubic(

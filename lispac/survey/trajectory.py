@@ -187,6 +187,8 @@ class LocalTrajectory:
         Estimated error of the states that were inserted between those of the file.
     parts : int
         Number of intervals into which each interval of the file was divided.
+    given : ndarray of shape (m,), int, or None
+        Indices of the states of the file; None if no states were inserted.
     """
 
     frame: LocalFrame
@@ -197,6 +199,7 @@ class LocalTrajectory:
     messages: tuple[Message, ...] = ()
     curve_error: Array | None = None
     parts: int = 1
+    given: NDArray[np.int64] | None = None
 
     @classmethod
     def of(
@@ -241,7 +244,7 @@ class LocalTrajectory:
             messages += (Message("trajectory.rates_not_used", Level.NOTE, {"names": names}),)
         return cls(
             frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
-            dense.error, dense.parts,
+            dense.error, dense.parts, dense.given,
         )  # fmt: skip
 
     @cached_property

@@ -1,4 +1,7 @@
-"""Check whether the states of a trajectory are dense enough for the motion of the vessel."""
+"""Check whether the states of a trajectory follow the motion of the vessel.
+
+They have to be dense enough for linear interpolation, and none may repeat an earlier position.
+"""
 
 from collections.abc import Mapping
 
@@ -17,6 +20,11 @@ AVERAGING_TIME_S = 0.25
 """Averaging time, which removes vibration but not the motion in waves."""
 ERROR_QUANTILE = 0.95
 """Quantile over the points of a line of the error that is reported."""
+SAME_POSITION_M = 1e-6
+"""Largest horizontal distance of two states with the same position, metres."""
+MIN_STEP_RATIO = 2.0
+"""Smallest ratio of the step after a held position to the next one. It is 1 when a vessel at rest
+starts to move; after n states with a held position it is n, or infinite if it is held again."""
 
 
 def interpolation_error(trajectory: LocalTrajectory) -> Array:
@@ -100,6 +108,60 @@ def interpolation_messages(
                         "shift": position,
                         "turn": turn,
                         "share": share,
+                    },
+                    Cause.of_line(name),
+                )
+            )
+    return tuple(found)
+
+
+def held_position_messages(
+    trajectory: LocalTrajectory,
+    accuracy: TrajectoryAccuracy,
+    times: Mapping[str, Array],
+) -> tuple[Message, ...]:
+    """Messages about lines on which states repeat a position while the vessel moves.
+
+    A position that is written more often than it is measured, or that is frozen for some time, is
+    followed by a step. At the mean speed until the end of the step, the last state with the held
+    position is displaced by the part of the step that corresponds to its age. Only displacements
+    beyond the given accuracy are reported.
+
+    Parameters
+    ----------
+    times : mapping of str to ndarray of shape (n,), seconds
+        Times of a sample of the points of each line, by its name.
+    """
+    if len(trajectory.time) < 3:
+        return ()
+    given = slice(None) if trajectory.given is None else trajectory.given
+    time, position = trajectory.time[given], trajectory.position[given, :2]
+    distance = np.linalg.norm(np.diff(position, axis=0), axis=1)
+    held = distance < SAME_POSITION_M
+    # First and last state of each held position, and the state after the step
+    last = np.flatnonzero(held[:-1] & ~held[1:]) + 1
+    first = np.flatnonzero(held & ~np.concatenate([[False], held[:-1]]))[: len(last)]
+    after = last + 1
+    step, following = distance[last], np.append(distance, 0.0)[after]
+    age = time[last] - time[first]
+    shift = step * age / (time[after] - time[first])
+    sigma = accuracy.at(time[last])[0][:, :2].max(axis=1)
+    moved = (step > MIN_STEP_RATIO * following) & (shift > sigma)
+    moved &= time[after] - time[last] <= trajectory.longest_gap
+    first, after, age, shift = first[moved], after[moved], age[moved], shift[moved]
+    found = []
+    for name, own in times.items():
+        own = np.sort(own)
+        used = np.searchsorted(own, time[after], "right") > np.searchsorted(own, time[first])
+        if used.any():
+            found.append(
+                Message(
+                    "trajectory.position_held",
+                    Level.WARNING,
+                    {
+                        "line": name,
+                        "longest": float(age[used].max()),
+                        "shift": float(shift[used].max()),
                     },
                     Cause.of_line(name),
                 )

@@ -12,6 +12,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import SIGMA_GROUPS
 from lispac.adjustment.solve.noise_estimation import assign_surface_blocks
 from lispac.messages import Level
+from lispac.present.adjustment import adjustment_values
 from lispac.project import Settings
 from tests.studies.assumed_sigmas import row, study
 from tests.studies.coverage_study import PRIOR, TRUTH
@@ -101,6 +102,37 @@ def test_settings_know_which_sigmas_nobody_gave() -> None:
     assert replace(settings, lidar_beam_sigma=(0.004, 0.01)).assumed_sigmas == SIGMA_GROUPS[1:]
     assert settings.with_lidar_noise_scaled(0.4).assumed_sigmas == SIGMA_GROUPS[1:]
     assert settings.with_lidar_noise_scaled(0.4).lidar_sigma == 0.002
+
+
+def test_settings_know_that_a_noise_comes_from_residuals() -> None:
+    settings = Settings((0.0, 0.0, 1.0), lidar_sigma=0.005)
+    assert not settings.is_lidar_noise_from_residuals
+    taken = settings.with_lidar_noise_scaled(0.4)
+    assert taken.is_lidar_noise_from_residuals
+    assert taken.with_values(latency=0.1).is_lidar_noise_from_residuals
+    assert not taken.with_lidar_sigma(0.002).is_lidar_noise_from_residuals
+    beam = taken.with_values(lidar_beam_sigma=(0.002, 0.01))
+    assert beam.lidar_noise_source == "given"
+    by_script = settings.with_values(lidar_sigma=0.002, lidar_noise_source="residuals")
+    assert by_script == taken
+    assumed = replace(taken, lidar_sigma=None)
+    assert "LiDAR" in assumed.assumed_sigmas
+    assert not assumed.is_lidar_noise_from_residuals
+
+
+def test_a_noise_from_the_residuals_is_not_judged_by_them() -> None:
+    data = _survey()
+    result = adjust(data, PRIOR, StochasticModel(), diagnostics=False)
+    assert result.chi_square.passed
+    assert adjustment_values(result).chi_square.outcome == "passed"
+    taken = adjustment_values(replace(result, lidar_noise_from_residuals=True)).chi_square
+    assert (taken.outcome, taken.passed) == ("not judged", None)
+    estimated = adjust(
+        data.with_scaled_sigmas(0.5, 1.0, 1.0), PRIOR, StochasticModel(), components=None,
+        assumed=("LiDAR",), diagnostics=False,
+    )  # fmt: skip
+    assert estimated.chi_square.passed
+    assert adjustment_values(estimated).chi_square.outcome == "not judged"
 
 
 def test_one_form_of_the_lidar_noise_replaces_another() -> None:

@@ -34,7 +34,16 @@ from lispac.simulation.closed_form_survey import (
     six_courses,
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from tests.studies.control_coverage import BOARDS, MODEL, PRIOR, SIGMA, TRUTH, control_on, study
+from tests.studies.control_coverage import (
+    BOARDS,
+    MODEL,
+    PRIOR,
+    SIGMA,
+    SINGLE_LINE_BOARDS,
+    TRUTH,
+    control_on,
+    study,
+)
 from tests.support.surveys import TARGETS, disturbed, planar_survey
 
 BALL = Ball("S1", (1.5, 12.0, 3.0), 0.1, radius_known=False)
@@ -333,7 +342,7 @@ def test_control_allows_planes_of_one_orientation() -> None:
 
 
 def test_control_determines_the_angles_on_one_heading() -> None:
-    boards = (*BOARDS[:2], replace(BOARDS[2], centre=(9.0, 13.0, -1.0)))
+    boards = SINGLE_LINE_BOARDS
     data = survey(boards, courses=six_courses()[:1])
     with pytest.raises(RankDeficient) as failure:
         adjust(data, TRUTH, MODEL)
@@ -341,6 +350,37 @@ def test_control_determines_the_angles_on_one_heading() -> None:
     control = control_on(boards, generator=np.random.default_rng(5))
     result = adjust(replace(data, control=control), TRUTH, MODEL)
     assert (np.abs(result.boresight - TRUTH.boresight) < 4 * result.sigma).all()
+
+
+def test_control_on_one_heading_is_refused_if_an_angle_is_not_determined() -> None:
+    """One point or one board on one line determines no yaw and no pitch."""
+    data = survey(SINGLE_LINE_BOARDS, courses=six_courses()[:1])
+    control = control_on(SINGLE_LINE_BOARDS)
+    for keep in (np.arange(len(control)) == 0, np.arange(len(control)) < 4):
+        with pytest.raises(RankDeficient) as failure:
+            adjust(replace(data, control=control.where(keep)), TRUTH, MODEL)
+        assert failure.value.reason.code == "adjustment.undetermined_because"
+        assert failure.value.reason.params["reason"].code == "adjustment.single_line"
+        direction = failure.value.reason.params["direction"]
+        assert direction.code != "adjustment.angle_roll"
+
+
+def test_control_on_vertical_targets_does_not_determine_the_height_of_the_lever_arm() -> None:
+    data = disturbed(planar_survey(TRUTH, scatter=False), correlated=True, seed=4)
+    centre, normal = TARGETS["T1"]
+    assert normal[2] == 0.0
+    axes = np.array([[1.0, 0.0, 0.0], np.cross(normal, [1.0, 0.0, 0.0])])
+    corners = 0.5 * np.array([[-1, -1], [-1, 1], [1, -1], [1, 1]])
+    control = Control.of(
+        [f"C{k}" for k in range(4)], ["T1"] * 4, centre + corners @ axes,
+        np.tile(SIGMA**2 * np.eye(3), (4, 1, 1)),
+    )  # fmt: skip
+    result = adjust(replace(data, control=control), TRUTH, StochasticModel(), parameters=LEVER_Z)
+    found = result.parameters[0]
+    assert found.value is None
+    assert found.reason is not None
+    assert found.reason.code == "parameter.raises_all_lines"
+    assert len(result.control) == 4
 
 
 # -- contradictions --------------------------------------------------------------------------
@@ -354,8 +394,9 @@ def test_a_wrong_point_is_named(size: float) -> None:
     data = survey()
     result = adjust(replace(data, control=moved(control, shifts)), PRIOR, MODEL)
     points, translated = contradicting_control(result.control, result.control_translations)
-    assert points[0].name == control.names[2]
+    assert [each.name for each in points] == [control.names[2]]  # not its neighbours
     assert not translated
+    assert all(abs(each.w) < 4 for each in result.control if not each.contradicts)
     assert points[0].shift == pytest.approx(size, abs=4 * points[0].shift_sigma)
     warnings = [
         each
@@ -367,6 +408,33 @@ def test_a_wrong_point_is_named(size: float) -> None:
     plain = adjust(data, PRIOR, MODEL)
     assert result.surface == plain.surface
     assert result.rejected_sightings == plain.rejected_sightings == ()
+
+
+@pytest.mark.parametrize("sizes", [(0.03, 0.04), (0.5, -0.02)])
+def test_several_wrong_points_are_named(sizes: tuple[float, float]) -> None:
+    """Also a small error beside a large one."""
+    control = control_on(BOARDS, generator=np.random.default_rng(7))
+    shifts = np.zeros((len(control), 3))
+    for k, board, size in zip((2, 5), BOARDS, sizes, strict=False):
+        shifts[k] = size * board.facing
+    result = adjust(replace(survey(), control=moved(control, shifts)), PRIOR, MODEL)
+    points, translated = contradicting_control(result.control, result.control_translations)
+    assert {each.name for each in points} == {control.names[2], control.names[5]}
+    assert not translated
+    for point in points:
+        size = sizes[control.names.index(point.name) == 5]
+        assert point.shift == pytest.approx(size, abs=4 * point.shift_sigma)
+
+
+def test_a_wrong_point_of_a_displaced_source_is_named_with_it() -> None:
+    control = joined(control_on(BOARDS, generator=np.random.default_rng(7)))
+    shifts = np.tile([0.0, 0.0, 0.3], (len(control), 1))
+    shifts[3] += 0.1 * BOARDS[0].facing
+    result = adjust(replace(survey(), control=moved(control, shifts)), PRIOR, MODEL)
+    points, translated = contradicting_control(result.control, result.control_translations)
+    assert [each.name for each in points] == [control.names[3]]
+    (found,) = translated
+    assert (np.abs(found.translation - shifts[0]) < 4 * found.sigma).all()
 
 
 def test_a_wrong_height_reference_is_named_as_a_whole() -> None:
@@ -389,7 +457,7 @@ def test_a_wrong_sphere_centre_is_named() -> None:
     shifts[-1] = [0.05, -0.03, 0.04]
     result = adjust(replace(survey(targets), control=moved(control, shifts)), PRIOR, MODEL)
     points, _ = contradicting_control(result.control, result.control_translations)
-    assert points[0].name == "C1"
+    assert [each.name for each in points] == ["C1"]
     assert points[0].shift == pytest.approx(np.linalg.norm(shifts[-1]), abs=0.02)
 
 
@@ -481,20 +549,20 @@ def test_bad_control_is_refused(change, code: str) -> None:
 # -- coverage --------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("common", [0.0, 0.01])
-def test_most_intervals_contain_the_truth(common: float) -> None:
+@pytest.mark.parametrize(("common", "single_line"), [(0.0, False), (0.01, False), (0.005, True)])
+def test_most_intervals_contain_the_truth(common: float, single_line: bool) -> None:
     """Bounds of the binomial distribution at one in a thousand."""
     count = 12
-    found = study(count, common=common, workers=1)
+    found = study(count, common=common, single_line=single_line, workers=1)
     fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
     assert (found.hits >= fewest).all(), found
 
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-@pytest.mark.parametrize("common", [0.0, 0.01])
-def test_coverage_of_300_surveys_with_control(common: float) -> None:
-    found = study(300, common=common)
+@pytest.mark.parametrize(("common", "single_line"), [(0.0, False), (0.01, False), (0.005, True)])
+def test_coverage_of_300_surveys_with_control(common: float, single_line: bool) -> None:
+    found = study(300, common=common, single_line=single_line)
     print(found)
     assert (found.hits.mean() > 0.93) & (found.hits.mean() < 0.97), found
     # Of one value, 300 intervals have a standard error of 1.3 %.

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.project import Project
+from lispac.workflow.project.projects import open_project, save_project
 from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import refused_with
 from tests.support.static_scans import on_plane
@@ -59,6 +60,23 @@ def test_an_estimate_contains_the_control(
     code, out, _ = run(capsys, "control", copy.folder)
     assert code == 0
     assert "T2.4" in out
+
+
+def test_control_is_listed_with_targets_added_since(
+    copy: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The list shows the assignment that the next estimate uses."""
+    folder, late = copy.folder, copy.target("T2")
+    project = open_project(folder)
+    save_project(project.without_target("T2"))
+    found = run_json(capsys, "control", folder, control_list(tmp_path / "control.csv"))
+    assert [each["target"] for each in found["points"]] == ["T1"] * 4 + [None] * 4
+    save_project(open_project(folder).with_target(late))
+    found = run_json(capsys, "control", folder)
+    assert [each["target"] for each in found["points"]] == ["T1"] * 4 + ["T2"] * 4
+    assert [each["used"] for each in found["points"]] == [True] * 8
+    found = run_json(capsys, "estimate", folder, "--no-cross-checks")
+    assert all(each["residual_m"] is not None for each in found["control"]["points"])
 
 
 @pytest.mark.parametrize(

@@ -135,6 +135,20 @@ def test_assumed_noise_is_estimated_unless_refused(
     assert code == 0
     assert "assumed before: 5.0 mm on each axis" in " ".join(out.split())
 
+    words = ("estimate", project, "--no-cross-checks", "--lidar-sigma", lidar["used"][0])
+    taken = run_json(capsys, *words, "--lidar-noise-source", "residuals")
+    assert taken["standard_deviations"][0]["source"] == "estimated"
+    assert taken["chi_square"]["outcome"] != "passed"
+    assert projects.open_project(project).settings.is_lidar_noise_from_residuals
+    given = run_json(capsys, *words)
+    assert given["standard_deviations"][0]["source"] == "given"
+    assert given["chi_square"]["statistic"] == pytest.approx(taken["chi_square"]["statistic"])
+    assert given["chi_square"]["outcome"] == (
+        "passed" if taken["chi_square"]["outcome"] == "not judged" else "conservative"
+    )
+    assumed = projects.open_project(project)
+    projects.save_project(assumed.with_settings(settings))
+
     none = run_json(capsys, "estimate", project, "--no-cross-checks", "--no-components")
     assert none["components"] == []
     assert none["standard_deviations"][0]["source"] == "assumed"

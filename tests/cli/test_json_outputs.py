@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import re
 import shutil
 from collections.abc import Callable
 from contextlib import redirect_stdout
@@ -24,13 +25,11 @@ from lispac.simulation.thesis_site import MARINE_SITE
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.project.projects import save_project
 from lispac.workflow.project.survey import Survey
-from tests.cli.test_cli import import_workflow, new_words, run, run_json
+from tests.cli.test_cli import import_workflow, run, run_json
 from tests.documents.schemas import COMMANDS_PATH, commands_schema_text, followed_output
-from tests.support.narrow_site import narrow_site
 
 import_workflow()
 PLAN = Path(__file__).parents[1] / "data" / "port-plan.toml"
-SEED = ("--seed", 1.15, -14.7, 8.1)
 Words = Callable[[Project, Path], tuple[object, ...]]
 
 
@@ -43,12 +42,6 @@ def seed_list(folder: Path) -> Path:
 def check_points(folder: Path) -> Path:
     path = folder / "points.csv"
     path.write_text("name,x,y,z\nP1,1.15,-14.7,8.1\nP2,-1.1,-14.38,7.7\nP3,29.75,-24.6,5.0\n")
-    return path
-
-
-def small_site(folder: Path) -> Path:
-    path = folder / "site.toml"
-    path.write_text(narrow_site({}), encoding="utf-8")
     return path
 
 
@@ -68,38 +61,37 @@ def few_lines(project: Project) -> Path:
     return few.folder
 
 
+def few_targets(project: Project) -> Path:
+    """Reduce a calibrated project to two targets and a validation plane; return its folder."""
+    targets = [*project.targets_of_role("target")[:2], *project.targets_of_role("validation")[:1]]
+    save_project(replace(project, targets=tuple(targets), validation=()))
+    return project.folder
+
+
 WORDS: dict[str, Words] = {
     "simulate": lambda p, f: ("marine", "--output", f / "s", "--points-per-second", 5_000),
     "simulate --list": lambda p, f: ("--list",),
     "sensors": lambda p, f: (),
     "inspect": lambda p, f: (p.trajectory,),
     "inspect a line": lambda p, f: (p.lines[0].path,),
-    "new": lambda p, f: tuple(new_words(f / "new", p.folder / "raw")[1:]),
     "import": lambda p, f: (p.folder, "--lines", p.lines[0].name),
-    "pick": lambda p, f: (p.folder, *SEED, "--name", "S1"),
     "pick a list": lambda p, f: (p.folder, "--seeds", seed_list(f)),
-    "propose": lambda p, f: (p.folder,),
+    "propose": lambda p, f: (few_lines(p),),
     "control": lambda p, f: (p.folder, check_points(f), "--sigma", 0.01),
-    "estimate": lambda p, f: (p.folder,),
-    "subsample": lambda p, f: (p.folder, "--distances", 0.3),
-    "validate": lambda p, f: (p.folder,),
     "check": lambda p, f: (p.folder, "--reference", check_points(f), "--reference-sigma", 0.02),
     "compare": lambda p, f: (p.folder, twin(p)),
     "compare methods": lambda p, f: (p.folder,),
     "targetless": lambda p, f: (few_lines(p),),
     "history": lambda p, f: (p.folder,),
     "budget": lambda p, f: (p.folder,),
-    "patchtest": lambda p, f: (p.folder, "--count", 4),
-    "quality": lambda p, f: (p.folder,),
     "georeference": lambda p, f: (
         p.folder, "--output", f / "g", "--crs", "EPSG:32619", "--lines", p.lines[0].name,
     ),
     "export": lambda p, f: ("--what", "targets", p.folder, "--output", f / "t"),
     "identity": lambda p, f: (p.folder, "--vessel", "Saucier"),
     "acceptance": lambda p, f: (p.folder, "--rms", 0.02),
-    "script": lambda p, f: (p.folder,),
-    "batch": lambda p, f: (p.folder,),
-    "warnings": lambda p, f: (p.folder,),
+    "script": lambda p, f: (few_lines(p),),
+    "batch": lambda p, f: (few_targets(p),),
     "angles": lambda p, f: (p.folder, "--to", "qinsy"),
     "angles with current settings": lambda p, f: (
         1, 2, 3, "--to", "qinsy", "--current", 1.1, 2.1, 3.1,
@@ -108,11 +100,18 @@ WORDS: dict[str, Words] = {
     "visibility": lambda p, f: ("marine", "--output", f / "v", "--error", "roll"),
     "predict": lambda p, f: (PLAN,),
     "scenarios": lambda p, f: (PLAN, "--only", "speed"),
-    "design": lambda p, f: (small_site(f), "--plans", 20),
-    "campaign": lambda p, f: (PLAN, "--surveys", 2),
     "compare-plan": lambda p, f: (p.folder, "--plan", PLAN),
 }  # fmt: skip
 """Words after each command, for a project and a folder for files; more than a word names a case."""
+
+RUN_ELSEWHERE = {
+    "pick": "cli/test_cli.py", "new": "cli/test_cli.py", "subsample": "cli/test_cli.py",
+    "estimate": "cli/test_json_outputs.py", "validate": "cli/test_json_outputs.py",
+    "warnings": "cli/test_cli_small.py", "design": "cli/test_cli_design.py",
+    "campaign": "design/test_campaign.py", "patchtest": "patchtest/test_patch_test.py",
+    "quality": "validation/test_line_quality.py",
+}  # fmt: skip
+"""Files of the tests that run a long command by `run_json`, which checks the schema too."""
 
 
 def commands_with_json() -> set[str]:
@@ -128,7 +127,13 @@ def commands_with_json() -> set[str]:
 
 def test_each_command_with_json_has_a_schema_and_is_run_here() -> None:
     assert set(OUTPUTS) == commands_with_json()
-    assert {case.split()[0] for case in WORDS} | {"demo"} == set(OUTPUTS)
+    run_here = {case.split()[0] for case in WORDS} | {"demo"}
+    assert run_here | set(RUN_ELSEWHERE) == set(OUTPUTS)
+    assert run_here & set(RUN_ELSEWHERE) == {"pick"}  # here with a list of seeds
+    for command, file in RUN_ELSEWHERE.items():
+        text = (Path(__file__).parents[1] / file).read_text(encoding="utf-8")
+        assert re.search(rf'run_json\(\s*capsys, (\*new_words|\*words|"{command}")', text), command
+        assert f'"{command}"' in text or command == "new", command
 
 
 def test_published_schema_is_up_to_date() -> None:

@@ -131,10 +131,13 @@ class ScriptedDialogs(Dialogs):
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),
         equipment: Mapping[str, Sequence[str]] | None = None,
+        continues: bool = False,
     ) -> Identity | None:
-        if missing and not self.fills_in_details:
+        if continues and not self.fills_in_details:
             return identity
-        return super().identity(identity, dates, companies, suggestions, missing, equipment)
+        return super().identity(
+            identity, dates, companies, suggestions, missing, equipment, continues
+        )
 
     def report_template(self, start: Path) -> Path | None:
         return self.path

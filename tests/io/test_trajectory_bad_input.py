@@ -241,7 +241,13 @@ def field(row: int, column: int, value: str) -> Callable[[list[str]], list[str]]
 
 @pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e999", "", "x", "12:30"])
 @pytest.mark.parametrize(
-    ("key", "column"), [("exail-text", 2), ("pospac-text", 5), ("ascii-trajectory", 1)]
+    ("key", "column"),
+    [
+        ("exail-text", 2),
+        ("pospac-text", 5),
+        ("inertial-explorer-text", 8),
+        ("ascii-trajectory", 1),
+    ],
 )
 def test_a_value_that_is_not_a_number_is_refused(
     tmp_path: Path, key: str, column: int, value: str
@@ -256,6 +262,7 @@ def test_a_value_that_is_not_a_number_is_refused(
     [
         ("exail-text", 1, "14:00:01.0000"),
         ("pospac-text", 0, "486001.0"),
+        ("inertial-explorer-text", 0, "486001.0"),
         ("ascii-trajectory", 0, "486001"),
     ],
 )
@@ -270,7 +277,10 @@ def test_backward_times_in_text_are_reported(
     assert "0 repeated and 1 decreasing times among 200" in refusal
 
 
-@pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])
+@pytest.mark.parametrize(
+    ("key", "name"),
+    [("exail-text", "pitch"), ("pospac-text", "PITCH"), ("inertial-explorer-text", "Pitch")],
+)
 def test_a_missing_column_is_refused(tmp_path: Path, key: str, name: str) -> None:
     def edit(lines: list[str]) -> list[str]:
         return [line.replace(name, "other") for line in lines]
@@ -285,10 +295,13 @@ def test_a_missing_column_is_refused(tmp_path: Path, key: str, name: str) -> Non
     assert [each.params["missing"] for each in lacking] == [("pitch",)]
 
 
-@pytest.mark.parametrize("key", ["exail-text", "pospac-text"])
+@pytest.mark.parametrize("key", ["exail-text", "pospac-text", "inertial-explorer-text"])
 def test_text_without_its_header_is_refused(tmp_path: Path, key: str) -> None:
     path = edited(key, tmp_path / "a.txt", lambda lines: lines[-200:])
-    assert error_of(key, path).code == f"trajectory.{key.removesuffix('-text')}_header"
+    assert (
+        error_of(key, path).code
+        == f"trajectory.{key.removesuffix('-text').replace('-', '_')}_header"
+    )
 
 
 def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:

@@ -28,7 +28,12 @@ from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
-from lispac.present.adjustment import AGREE_ESTIMATED_TEXT, AGREE_TEXT, agreement_template
+from lispac.present.adjustment import (
+    AGREE_ESTIMATED_TEXT,
+    AGREE_TEXT,
+    NOT_JUDGED_TEXT,
+    agreement_template,
+)
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
@@ -368,7 +373,9 @@ def test_a_good_result_has_no_warning(
     assert result_texts.fit_verdict(result, checks) == sure
     lidar = VarianceComponent("LiDAR", 0.7, 0.65, 0.75, applied=True)
     estimated = result_texts.fit_verdict(replace(result, components=(lidar,)), checks)
-    assert estimated == f"{AGREE_ESTIMATED_TEXT} {result_texts.REALISTIC_TEXT}"
+    assert estimated == f"{NOT_JUDGED_TEXT} {result_texts.REALISTIC_TEXT}"
+    unchecked = result_texts.fit_verdict(replace(result, components=(lidar,)), None)
+    assert unchecked == NOT_JUDGED_TEXT, "neither the test nor the cross-checks confirm the sigmas"
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 
@@ -383,12 +390,13 @@ def test_an_agreement_by_construction_is_not_shown_as_a_confirmation(project: Pr
     for given in (unused, fixed):
         assert agreement_template(given) == AGREE_TEXT
         assert theme.DONE in result_texts.chi_square_text(given)
-    for estimated in (
-        replace(result, components=(lidar,)),
-        replace(result, surface=0.124),
-        replace(result, surface=0.0, offset=0.124),
+    for estimated, template in (
+        (replace(result, components=(lidar,)), NOT_JUDGED_TEXT),
+        (replace(result, lidar_noise_from_residuals=True), NOT_JUDGED_TEXT),
+        (replace(result, surface=0.124), AGREE_ESTIMATED_TEXT),
+        (replace(result, surface=0.0, offset=0.124), AGREE_ESTIMATED_TEXT),
     ):
-        assert agreement_template(estimated) == AGREE_ESTIMATED_TEXT
+        assert agreement_template(estimated) == template
         text = result_texts.chi_square_text(estimated)
         assert theme.MUTED in text
         assert theme.DONE not in text

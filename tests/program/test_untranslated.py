@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from lispac.io.trajectory.trajectory_columns import ROLES_BY_COLUMN_NAME
 from tests.support.french_catalogue import FRENCH
 from tests.support.source_texts import displayed_texts
 
@@ -24,25 +25,6 @@ NOT_SHOWN: dict[str, set[str]] = {
         "(bow|nose) down|down (bow|nose)",
         "(bow|nose) up|up (bow|nose)",
         "POS Export Utility|Applanix|POSPac|POSPROC",
-    },
-    "names of columns, and words of the headers of other programs, as they are looked for": {
-        "eastsd eastingsd longitudesd lonsd longsd sdeast longitudestd eaststd",
-        "heading yaw azimuth hdg trueheading cap",
-        "headingsd sdheading headingstd yawsd",
-        "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht höhe "
-        "hoehe hauteur altitudeellipsoid ellipsoidaltitude ellipsoidalaltitude "
-        "altitudeellipsoidal",
-        "heightsd altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
-        "latitude lat breite latitudes lats",
-        "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
-        "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest westlongitude",
-        "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew we eo oe "
-        "estouest ow wo ostwest",
-        "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
-        "seaheight altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
-        "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec "
-        "zeit temps",
-        "time latitude longitude height roll pitch heading",
     },
     "comments of files that other programs and the command line read": {
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
@@ -117,12 +99,16 @@ _MIN_WORDS = 4
 
 
 def _literals(module: str) -> list[tuple[int, str]]:
-    """Return line and text of strings that may be shown, without style sheets and bare tags."""
+    """Return line and text of strings that may be shown.
+
+    Style sheets, bare tags and lists of column names of other programs are left out.
+    """
     return [
         (line, text)
         for line, text in displayed_texts(ROOT / module, at_once=True)
         if not text.rstrip().endswith((";", "}"))
         and len(_WORD.findall(_TAG.sub("", text))) >= _MIN_WORDS
+        and not ROLES_BY_COLUMN_NAME.keys() >= set(text.split())
     ]
 
 

@@ -31,7 +31,7 @@ def test_the_full_report_shows_residuals_and_both_estimates(content: ReportConte
     found = tables(content, FULL_REPORT)
     points = found["Surveyed control"]
     assert [row[0] for row in points.plain_rows] == ["C1", "C2", "C3"]
-    assert points.plain_rows[1][4] == "+2.2"
+    assert points.plain_rows[1][5] == "+2.2"
     both = found["Estimates with and without the control"]
     assert [row[0] for row in both.plain_rows][:3] == ["Roll", "Pitch", "Yaw"]
     assert both.plain_rows[3][3] == "not determined"

@@ -95,7 +95,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
         "0.4\u00a0mm, estimated from the data"
     )
     assert rows["LiDAR noise, 1 sigma"] == "5.0 mm on each axis (assumed, not given)"
-    assert rows["Estimated LiDAR noise"] == "not larger than the given noise on any target"
+    assert rows["Estimated LiDAR noise"] == "not larger than the noise used on any target"
     first, second = _result(project).targets
     noisy = changed(
         targets=(first, replace(second, noise=1.42)),
@@ -103,7 +103,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     )
     rows = _settings(noisy)
     assert rows["Estimated LiDAR noise"].startswith(
-        "T2: 1.42\u00a0times the given noise; the sigmas"
+        "T2: 1.42\u00a0times the noise used; the sigmas"
     )
     assert "T1" not in rows["Estimated LiDAR noise"]
     assert rows["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")

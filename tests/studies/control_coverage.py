@@ -34,6 +34,8 @@ MODEL = StochasticModel(
     position_time=HYDROGRAPHIC_INS.time_position, attitude_time=HYDROGRAPHIC_INS.time_attitude
 )
 BOARDS = (*THESIS_BOARDS, Board("T5", (4.0, 15.0, 3.0), (1.0, -2.0, 0.5)))
+SINGLE_LINE_BOARDS = (*THESIS_BOARDS, Board("T5", (9.0, 13.0, -1.0), (1.0, -2.0, 0.5)))
+"""Boards with control on which a single line determines all angles."""
 SIGMA = 0.003
 """Standard deviation of the control, metres."""
 
@@ -45,7 +47,7 @@ class Coverage:
     Attributes
     ----------
     hits, spread : ndarray of shape (4,)
-        Of roll, pitch, yaw and the height of the lever arm.
+        Of roll, pitch, yaw and the height of the lever arm; of a single line, the angles alone.
     sigma : ndarray of shape (4,), degrees and metres
         Mean standard deviations.
     """
@@ -80,25 +82,36 @@ def control_on(
     )  # fmt: skip
 
 
-def normalised_errors(seed: int, common: float) -> tuple[np.ndarray, np.ndarray]:
-    """Errors of the angles and the lever-arm height in their sigmas, and the sigmas, (4,) each."""
+def normalised_errors(
+    seed: int, common: float, *, single_line: bool = False
+) -> tuple[np.ndarray, np.ndarray]:
+    """Errors of the angles and the lever-arm height in their sigmas, and the sigmas, (4,) each.
+
+    Of a single line, the height of the lever arm is not estimated, and the arrays have 3 values.
+    """
     generator = np.random.default_rng([seed, 40])
-    exact = error_free_survey(TRUTH, BOARDS, six_courses(), 0.1, generator)
+    boards, courses = BOARDS, six_courses()
+    parameters: tuple[Parameter, ...] = (Parameter("lever_z"),)
+    if single_line:
+        boards, courses, parameters = SINGLE_LINE_BOARDS, six_courses()[:1], ()
+    exact = error_free_survey(TRUTH, boards, courses, 0.1, generator)
     data = add_errors(exact, HYDROGRAPHIC_INS, generator)
-    control = control_on(BOARDS, generator=generator, common=common)
+    control = control_on(boards, generator=generator, common=common)
     result = adjust(
-        replace(data, control=control), PRIOR, MODEL, parameters=(Parameter("lever_z"),),
-        diagnostics=False,
-    )  # fmt: skip
-    errors = np.append(result.boresight, result.mounting.lever_arm[2])
-    errors -= np.append(TRUTH.boresight, TRUTH.lever_arm[2])
+        replace(data, control=control), PRIOR, MODEL, parameters=parameters, diagnostics=False
+    )
+    errors = result.boresight - TRUTH.boresight
+    if not single_line:
+        errors = np.append(errors, result.mounting.lever_arm[2] - TRUTH.lever_arm[2])
     sigma = np.sqrt(np.diag(result.covariance_all))
     return errors / sigma, sigma
 
 
-def study(count: int, *, common: float = 0.0, workers: int | None = None) -> Coverage:
+def study(
+    count: int, *, common: float = 0.0, single_line: bool = False, workers: int | None = None
+) -> Coverage:
     """Simulate surveys and count the intervals that contain the truth."""
-    one = partial(normalised_errors, common=common)
+    one = partial(normalised_errors, common=common, single_line=single_line)
     if workers == 1:
         found = [one(seed) for seed in range(count)]
     else:
@@ -114,3 +127,4 @@ if __name__ == "__main__":
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 300
     for shared in (0.0, 0.01):
         print(f"common sigma {shared} m", study(surveys, common=shared))
+    print("single line, common sigma 0.005 m", study(surveys, common=0.005, single_line=True))

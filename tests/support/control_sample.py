@@ -27,13 +27,23 @@ def with_control(
     assert project.result is not None
     residuals = tuple(
         ControlResidual(
-            f"C{k}", "T1", SOURCE, False, 0.0011 * k, 0.003, 0.62, 0.0031 * value, 0.0031, value
+            f"C{k}",
+            "T1",
+            SOURCE,
+            False,
+            0.0011 * k,
+            0.003,
+            0.62,
+            0.0031 * value,
+            0.0031,
+            value,
+            contradicts=translation is None and abs(value) > 4.0,
         )
         for k, value in ((1, -0.4), (2, w))
     )
     moved: tuple[ControlTranslation, ...] = ()
     if translation is not None:
-        found = ControlTranslation(SOURCE, np.array(translation), np.full(3, 0.004), 1e-30)
+        found = ControlTranslation(SOURCE, np.array(translation), np.full(3, 0.004), 1e-30, True)
         moved = (found,)
     points = [
         ControlPoint(f"C{k}", "T1", (0.6, -14.7, 5.0 + k), (0.003, 0.003, 0.003)) for k in (1, 2)

@@ -130,6 +130,60 @@ def write_pospac(path: Path, records: np.ndarray) -> Path:
     return path
 
 
+INERTIAL_EXPLORER_HEADER = """
+Project:     harbour
+Program:     Inertial Explorer Version 8.90.2428
+Profile:     Survey
+Source:      GNSS/INS Epochs(Smoothed TC Combined)
+
+Datum:       WGS84, (processing datum)
+Master 1:    Name quay, Status ENABLED
+             Antenna height 0.055 m, to L1-PC (Generic)
+             Position 45 30 00.00000, -73 30 00.00000, 31.000 m (WGS84, Ellipsoidal hgt)
+UTC Offset:  18 s
+
+"""
+
+
+def write_inertial_explorer(
+    path: Path, records: np.ndarray, *, dms: bool = True, separator: str = " "
+) -> Path:
+    """Write a text export of NovAtel Inertial Explorer; blanks as separator align the columns."""
+    place = "(+/-D M S)" if dms else "(deg)"
+    titles = [
+        ("GPSTime", "(sec)"), ("Date", "(MDY)"), ("Latitude", place), ("Longitude", place),
+        ("H-Ell", "(m)"), ("VEast", "(m/s)"), ("VNorth", "(m/s)"), ("Roll", "(Deg)"),
+        ("Pitch", "(Deg)"), ("Heading", "(Deg)"), ("Q", ""), ("SDNorth", "(m)"), ("SDEast", "(m)"),
+        ("SDHeigh", "(m)"), ("RollSD", "(Deg)"), ("PitchSD", "(Deg)"), ("HdngSD", "(Deg)"),
+    ]  # fmt: skip
+    north, east, height, of_heading, of_roll, of_pitch = SIGMAS
+    rows = [[name for name, _ in titles], [unit for _, unit in titles]]
+    for row in records:
+        lat, lon, roll, pitch, heading = np.degrees([row[1], row[2], row[7], row[8], row[9]])
+        rows.append([
+            f"{row[0]:.3f}", "6/27/2023", *(_angle(value, dms=dms) for value in (lat, lon)),
+            f"{row[3]:.4f}", f"{-row[5]:.4f}", f"{row[4]:.4f}", f"{roll:.10f}", f"{pitch:.10f}",
+            f"{heading % 360:.10f}", "1",
+            *(str(value) for value in (north, east, height, of_roll, of_pitch, of_heading)),
+        ])  # fmt: skip
+    lines = [
+        "".join(f"{value:>18}" for value in fields) if separator == " " else separator.join(fields)
+        for fields in rows
+    ]
+    path.write_text(INERTIAL_EXPLORER_HEADER + "\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def _angle(degrees: float, *, dms: bool) -> str:
+    """Decimal degrees, or degrees, minutes and seconds with one sign: ``-73 29 59.87650``."""
+    if not dms:
+        return f"{degrees:.10f}"
+    seconds = round(abs(degrees) * 3600, 6)
+    minutes, seconds = divmod(seconds, 60)
+    sign = "-" if degrees < 0 else ""
+    return f"{sign}{int(minutes // 60)} {int(minutes % 60):02d} {seconds:09.6f}"
+
+
 def truth(records: np.ndarray) -> dict[str, np.ndarray]:
     """Position and attitude in the convention of the program."""
     attitude = np.stack([records[:, 7], -records[:, 8], records[:, 9] - records[:, 10]], axis=1)
@@ -165,6 +219,8 @@ VALID_FILES: dict[str, Callable[[Path], Path]] = {
     "exail-sigmas": lambda path: write_delph(path, vessel(200), sigmas=True),
     "pospac-text": lambda path: write_pospac(path, vessel(200)),
     "pospac-sigmas": lambda path: write_pospac(path, vessel(200)),
+    "inertial-explorer-text": lambda path: write_inertial_explorer(path, vessel(200)),
+    "inertial-explorer-sigmas": lambda path: write_inertial_explorer(path, vessel(200)),
     "ascii-trajectory": _write_columns,
     "smrmsg": _write_smrmsg,
     "cidco-states": cidco,

@@ -1,13 +1,21 @@
-"""Tests of the bound of the error of linear interpolation, and of the warning about it."""
+"""Tests of the bound of the error of linear interpolation, of held positions, and the warnings."""
+
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from lispac.geometry.frames import LocalFrame
+from lispac.io.formats import format_of
 from lispac.messages import Level
 from lispac.survey.state_densification import insert_states
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.survey.trajectory_sampling import interpolation_error, interpolation_messages
+from lispac.survey.trajectory_sampling import (
+    held_position_messages,
+    interpolation_error,
+    interpolation_messages,
+)
+from lispac.warning_causes import Cause
 
 FRAME = LocalFrame(0.8, -1.2, 0.0)
 ACCURACY = TrajectoryAccuracy.constant(np.full(3, 0.02), np.radians([0.01, 0.01, 0.02]))
@@ -89,3 +97,89 @@ def test_intervals_without_points_are_ignored() -> None:
     track = LocalTrajectory(FRAME, time, position, np.round(attitude, 7))
     assert interpolation_messages(track, ACCURACY, {"L1": time + 1e-7}) == ()
     assert interpolation_messages(track, ACCURACY, {"L1": np.arange(10.1, 20, 0.4)}) != ()
+
+
+def held(time: np.ndarray, period: float, *, still: float = 0.0) -> LocalTrajectory:
+    """Trajectory whose horizontal position is measured every ``period`` seconds only.
+
+    The vessel is at rest for the first ``still`` seconds, and attitude and height vary throughout.
+    """
+    position, attitude = states(time)
+    measured = np.floor(np.round(time / period, 6)) * period if period else time
+    position[:, :2] = states(np.maximum(measured - still, 0.0))[0][:, :2]
+    return LocalTrajectory(FRAME, time, position, attitude)
+
+
+@pytest.mark.parametrize(("rate", "period"), [(50.0, 1.0), (50.0, 0.2), (10.0, 0.2), (200.0, 0.1)])
+def test_positions_that_are_repeated_give_a_warning(rate: float, period: float) -> None:
+    """At 2 m/s, a position that is 0.98 s old is wrong by 1.96 m."""
+    track = held(np.arange(0, 60, 1 / rate), period)
+    first, second = held_position_messages(track, ACCURACY, LINES)
+    assert [str(each.subject) for each in (first, second)] == [
+        str(Cause.of_line(name)) for name in ("L1", "L2")
+    ]
+    assert (first.code, first.level) == ("trajectory.position_held", Level.WARNING)
+    age = period - 1 / rate
+    assert first.params["longest"] == pytest.approx(age, abs=1e-6)
+    assert first.params["shift"] == pytest.approx(2 * age, rel=0.01)
+
+
+def test_a_position_that_is_frozen_once_gives_a_warning_on_its_line_only() -> None:
+    time = np.arange(0, 60, 0.02)
+    position, attitude = states(time)
+    frozen = (time >= 45.0) & (time < 46.5)
+    position[frozen] = position[np.argmax(frozen)]
+    track = LocalTrajectory(FRAME, time, position, attitude)
+    (message,) = held_position_messages(track, ACCURACY, LINES)
+    assert message.params["line"] == "L2"
+    assert message.params["longest"] == pytest.approx(1.48)
+    assert message.params["shift"] == pytest.approx(2.96, rel=0.01)
+    assert held_position_messages(track, ACCURACY, {"L1": LINES["L1"]}) == ()
+    between = {"L1": np.concatenate([np.linspace(40, 44.9, 99), np.linspace(46.6, 55, 99)])}
+    assert held_position_messages(track, ACCURACY, between) == ()
+
+
+@pytest.mark.parametrize(
+    "track",
+    [
+        pytest.param(trajectory(50.0), id="moving"),
+        pytest.param(held(np.arange(0, 60, 0.02), 0.0, still=10.0), id="starts from rest"),
+        pytest.param(held(np.arange(0, 60, 0.5), 0.0, still=10.0), id="starts at 2 Hz"),
+        pytest.param(held(np.arange(0, 60, 0.02), 0.0, still=60.0), id="at rest"),
+        pytest.param(held(np.arange(0, 60, 0.0005), 0.005), id="within the accuracy"),
+    ],
+)
+def test_sound_positions_give_no_warning(track: LocalTrajectory) -> None:
+    assert held_position_messages(track, ACCURACY, LINES) == ()
+
+
+def test_positions_rounded_to_centimetres_give_no_warning() -> None:
+    track = trajectory(200.0)
+    rounded = LocalTrajectory(FRAME, track.time, np.round(track.position, 2), track.attitude)
+    assert held_position_messages(rounded, ACCURACY, LINES) == ()
+
+
+def test_bursts_of_states_in_millimetres_give_no_warning() -> None:
+    """States 0.2 us apart, in bursts every 0.4 s, have the same position within each burst."""
+    time = np.concatenate([0.4 * k + 2e-7 * np.arange(200) for k in range(150)])
+    position, attitude = states(time)
+    track = LocalTrajectory(FRAME, time, np.round(position, 3), attitude)
+    assert held_position_messages(track, ACCURACY, LINES) == ()
+
+
+def test_a_step_after_a_gap_gives_no_warning() -> None:
+    """Points in a gap are not used."""
+    time = np.concatenate([np.arange(0, 20, 0.02), np.arange(22, 60, 0.02)])
+    position, attitude = states(time)
+    position[990:1000] = position[990]
+    track = LocalTrajectory(FRAME, time, position, attitude)
+    assert held_position_messages(track, ACCURACY, LINES) == ()
+
+
+@pytest.mark.parametrize("name", ["harbour", "lanl_truck", "lanl_tent"])
+def test_the_reference_surveys_have_no_held_positions(shared_data: Path, name: str) -> None:
+    read = format_of("sbet").read(shared_data / name / "trajectory.sbet", {})
+    frame = LocalFrame(read.latitude[0], read.longitude[0], read.height[0])
+    times = {name: np.linspace(read.time[0], read.time[-1], 20_000)}
+    track = LocalTrajectory.of(read, frame)
+    assert held_position_messages(track, ACCURACY, times) == ()

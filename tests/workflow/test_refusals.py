@@ -380,6 +380,10 @@ def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
         ),
         ({"position_sigma": (-0.01, 0.01, 0.01)}, "settings.negative", {}),
         (
+            {"lidar_noise_source": "guess"}, "settings.unknown_noise_source",
+            {"name": "guess", "known": ("given", "residuals")},
+        ),
+        (
             {"pos_errors": "white"}, "settings.unknown_pos_errors",
             {"name": "white", "known": ("correlated", "independent")},
         ),

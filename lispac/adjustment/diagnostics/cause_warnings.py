@@ -29,6 +29,7 @@ DATA_ERROR_CODES = {
     "recovery.roll_pitch_signs": "cause.attitude_sign",
     "recovery.several_causes": "cause.off_the_beams",
     "recovery.unexplained": "cause.off_the_beams",
+    "trajectory.position_held": "cause.position_held",
     "trajectory.rate_too_low": "cause.rate_too_low",
 }
 """Codes of warnings about errors in the imported data, and code of the name of each error."""

@@ -125,7 +125,10 @@ def require_determined(linearised: LinearisedProblem) -> None:
 def _reason_undetermined(linearised: LinearisedProblem) -> Message | None:
     """Reason why an angle is undetermined; None if there is no simple one."""
     targets = linearised.problem.observations.targets
+    lines = linearised.problem.observations.lines
     parallel = _are_lines_parallel(linearised)
+    if len(lines) == 1:
+        return note("adjustment.single_line", line=lines[0])
     if len(targets) == 1:
         return note(
             "adjustment.parallel_lines_one_target" if parallel else "adjustment.single_target",

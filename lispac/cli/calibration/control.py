@@ -65,7 +65,11 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.control_points import with_control_use, without_control_file
     from lispac.present.control import ControlValues
-    from lispac.workflow.checking.control_import import import_control
+    from lispac.workflow.control.control_assignment import (
+        is_assignment_current,
+        with_assigned_control,
+    )
+    from lispac.workflow.control.control_import import import_control
     from lispac.workflow.project.projects import save_project
     from lispac.workflow.project.survey import load_survey
 
@@ -89,6 +93,8 @@ def run(arguments: Namespace) -> None:
             if names:
                 control = with_control_use(project.control, names, used=used)
                 project = project.with_control(control)
+        if not is_assignment_current(project):
+            project = with_assigned_control(project, load_survey(project))
         if changes:
             save_project(project)
     if arguments.json:

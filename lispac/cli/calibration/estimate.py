@@ -76,6 +76,13 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     _add_plane_file_options(parser)
     add_noise_options(parser)
+    parser.add_argument(
+        "--lidar-noise-source",
+        choices=("given", "residuals"),
+        help="where the LiDAR noise comes from: given (by the data sheet) or residuals (estimated "
+        "by an earlier adjustment, so that the chi-square test cannot confirm it); default given "
+        "with a LiDAR noise, otherwise unchanged",
+    )
     add_offset_options(parser)
     add_json_option(parser)
 
@@ -235,7 +242,9 @@ def _settings_with_options(settings: Settings, arguments: Namespace) -> Settings
         "parameters": parse_parameters(arguments.estimate),
         "accept_single_orientation": arguments.accept_single_orientation,
     }
-    settings = replace(settings, **noise_and_offset_settings(arguments))
+    settings = settings.with_values(**noise_and_offset_settings(arguments))
+    if arguments.lidar_noise_source is not None:
+        settings = replace(settings, lidar_noise_source=arguments.lidar_noise_source)
     if arguments.loss is not None:
         settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
     if arguments.components is not None:
@@ -319,6 +328,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
             assumed=tuple(g for g in settings.assumed_sigmas if g == "LiDAR"),
             accept_single_orientation=settings.accept_single_orientation, progress=progress,
         )  # fmt: skip
+        result = replace(result, lidar_noise_from_residuals=settings.is_lidar_noise_from_residuals)
         if arguments.no_cross_checks:
             return result, None
         observations = observations.with_scaled_sigmas(*result.sigma_factors)

@@ -38,7 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--trajectory", type=Path, required=True, metavar="FILE",
-        help="trajectory: SBET, Exail or POSPac text, or text with named columns",
+        help="trajectory: SBET; Exail, POSPac or Inertial Explorer text; text with named columns",
     )  # fmt: skip
     parser.add_argument(
         "--trajectory-accuracy",

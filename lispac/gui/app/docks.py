@@ -76,7 +76,8 @@ def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]
 def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
     """Actions that bring each panel to the front, or close the panel that is in front.
 
-    The actions of Qt would close a dock that is hidden behind another, instead of showing it.
+    They are checked while the panel is open. The actions of Qt would close a dock whose tab is
+    behind another, instead of showing it.
     """
     return [_dock_action(dock) for dock in docks.values()]
 
@@ -84,8 +85,18 @@ def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
 def _dock_action(dock: QDockWidget) -> QAction:
     action = QAction(dock.windowTitle(), dock)
     action.setCheckable(True)
-    dock.visibilityChanged.connect(action.setChecked)  # also False for a dock behind another
-    action.triggered.connect(lambda visible: focus_dock(dock) if visible else dock.close())
+    action.setChecked(not dock.isHidden())
+    # A dock whose tab is behind another is open
+    dock.toggleViewAction().toggled.connect(action.setChecked)
+
+    def choose() -> None:
+        if dock.visibleRegion().isEmpty():
+            focus_dock(dock)
+        else:
+            dock.close()
+        action.setChecked(not dock.isHidden())
+
+    action.triggered.connect(choose)
     return action
 
 

@@ -36,6 +36,8 @@ SETTINGS_EDIT_NAMES = {
     "lever_arm": N_("change of lever arm"),
     "boresight_deg": N_("change of prior boresight"),
     "lidar_sigma": N_("change of LiDAR noise"),
+    "lidar_sigma_xyz": N_("change of LiDAR noise"),
+    "lidar_beam_sigma": N_("change of LiDAR noise"),
 }
 """Names of the undo steps of changed settings, by the name of the setting."""
 REVERSED_SIGN_TEXTS: Mapping[tuple[SignedAngle, ...], tuple[Template, Template]] = {

@@ -106,6 +106,8 @@ class Document(QObject):
         self._report: ExportedReport | None = None
         self._reported_project: Project | None = None
         self._report_options: tuple[object, ...] | None = None
+        self.folders_asked_for_details: set[Path] = set()
+        """Folders of the projects whose missing details for the report were asked for."""
         self.unchecked_result: AdjustmentResult | None = None
         """Result without advice and cross-checks, which are computed when no task runs."""
         self._had_result = False
@@ -251,12 +253,12 @@ class Document(QObject):
         self.undo_stack.push(_Edit(_EditName(name, params), self, before, after))
 
     def complete_last_edit(self, project: Project) -> None:
-        """Store the result of the last edit within the undo step of that edit."""
+        """Store what was computed after the last edit within the undo step of that edit."""
         assert self._state is not None
         self._state.project = self._with_current_folder(project)
-        self._had_result = True
+        self._had_result |= project.result is not None
         if self.undo_stack.isClean():
-            self.undo_stack.resetClean()  # the saved project lacks the result
+            self.undo_stack.resetClean()  # the saved project lacks what was computed
         self.changed.emit()
 
     def refuse(self, reason: Message | str) -> None:
@@ -307,6 +309,7 @@ class Document(QObject):
         copy = Document(parent)
         copy._report, copy._reported_project = self._report, self._reported_project
         copy._had_result = self._had_result
+        copy.folders_asked_for_details = self.folders_asked_for_details
         copy._qualities = self._qualities
         copy._folder, copy.file_digest = self._folder, self.file_digest
         copy.survey, copy._key = self.survey, self._key

@@ -149,7 +149,9 @@ class Scene(QObject):
 
     def show_searches(self, marks: Sequence[tuple[str, Triple]]) -> None:
         """Mark the seeds of running and queued searches by labels and positions."""
-        searched = tuple(Marker(label, at, theme.CANDIDATE_COLOUR) for label, at in marks)
+        searched = tuple(
+            Marker(label, at, theme.CANDIDATE_COLOUR, is_provisional=True) for label, at in marks
+        )
         if searched != self._searched:
             self._searched = searched
             self._show_markers()
@@ -312,6 +314,13 @@ class Scene(QObject):
         """Whether no drawing is pending."""
         return not (self._lines_due.isActive() or self._targets_due.isActive())
 
+    def draw_now(self) -> None:
+        """Draw what is still to be drawn, as in a window that replaces another one."""
+        while self._lines_due.isActive():
+            self._draw_due_lines()
+        if self._targets_due.isActive():
+            self._draw_due_targets()
+
     def _schedule_lines(self) -> None:
         self._shaded = None
         self._lines_due.start()
@@ -422,7 +431,7 @@ class Scene(QObject):
         is_found = target is self.candidate or self._is_proposed(target)
         label = f"{target.name}?" if is_found else target.name
         position = _label_position(target, _points_by_line(target, self.clouds))
-        return Marker(label, position, self._colour(target))
+        return Marker(label, position, self._colour(target), is_provisional=is_found)
 
     def _key(self, target: Target) -> str:
         return proposed_key(target.name) if self._is_proposed(target) else target.name

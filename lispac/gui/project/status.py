@@ -227,24 +227,25 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
             gettext("no targets yet"),
             gettext("Hold Ctrl and click a target in the view."),
         )
-    in_few_lines = [target.name for target in used if len(target.used_sightings) < 2]
+    compared = project.compared_targets
+    in_few_lines = [target.name for target in used if target not in compared]
     lines = {s.line for target in used for s in target.used_sightings}
     targets = gettext(Plural("{count:n} target", "{count:n} targets"), count=len(used))
     sentence = gettext("{targets} in {lines}", targets=targets, lines=line_count(len(lines)))
-    compared = [plane for plane in planes if plane.used]
-    excluded = len(planes) - len(compared)
+    used_planes = [plane for plane in planes if plane.used]
+    excluded = len(planes) - len(used_planes)
     if planes:
         text = gettext(VALIDATION_PLANE_COUNT_TEXT, count=len(planes))
         if excluded:
-            text = gettext(USED_PLANES_TEXT, used=len(compared), count=len(planes))
+            text = gettext(USED_PLANES_TEXT, used=len(used_planes), count=len(planes))
         sentence = gettext("{targets}, {planes}", targets=targets, planes=text)
     if in_few_lines:
         return StepStatus(
             "warning",
             sentence,
             gettext(
-                "{target} was found in fewer than two lines. Pick it in another line, or "
-                "exclude it.",
+                "{target} was found in fewer than two lines. Pick it in another line, import its "
+                "surveyed control, or exclude it.",
                 target=in_few_lines[0],
             ),
         )
@@ -256,7 +257,7 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
         )
     if project.result is None and have_targets_single_orientation(project, survey):
         return StepStatus("warning", sentence, _single_orientation_text())
-    return StepStatus("done", sentence, _planes_advice(len(compared), excluded))
+    return StepStatus("done", sentence, _planes_advice(len(used_planes), excluded))
 
 
 def _planes_advice(used: int, excluded: int) -> str:

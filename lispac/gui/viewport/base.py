@@ -87,11 +87,19 @@ class PointColouring:
 
 @dataclass(frozen=True)
 class Marker:
-    """Labelled point: a seed or the name of a target, filled if it is selected."""
+    """Labelled point: a seed or the name of a target.
+
+    Attributes
+    ----------
+    is_provisional : whether it is a seed, a candidate or a proposed target, whose label gives way
+        to those of the targets
+    is_selected : whether it is filled, because its target is selected
+    """
 
     label: str
     position: tuple[float, float, float]
     colour: Colour
+    is_provisional: bool = False
     is_selected: bool = False
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, QTimeLine, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, QTimeLine, Signal
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -235,7 +235,8 @@ class Overlay(QWidget):
         metrics = QFontMetricsF(font)
         spots = camera.project(np.array([m.position for m in markers]), size)
         picture = QRectF(0.0, 0.0, size.width, size.height)
-        # Near markers are placed first and painted last.
+        # Labels of targets are placed before those of candidates, so that they keep their place;
+        # then near ones first. They are painted in the opposite order.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
         dots = [
             QRectF(x - DOT_PX, y - DOT_PX, 2 * DOT_PX, 2 * DOT_PX)
@@ -243,18 +244,23 @@ class Overlay(QWidget):
             if depth > 0.0 and picture.contains(x, y)
         ]
         occupied = [*self.occupied(size), *dots]
-        for k in np.argsort(spots[:, 2]):
+        leaders: list[QLineF] = []
+        for k in np.lexsort((spots[:, 2], [each.is_provisional for each in markers])):
             x, y, depth = spots[k]
             # The label of a point outside the picture would have a line to nowhere.
             if depth > 0.0 and picture.contains(x, y):
                 spot = QPointF(x, y)
                 crowded = has_right_neighbour(spots[:, :2], k)
                 box = free_label_place(
-                    spot, metrics, markers[k].label, occupied, picture, leftwards=crowded
-                )
+                    spot, metrics, markers[k].label, occupied, picture, leftwards=crowded,
+                    labels=self.label_boxes, leaders=leaders,
+                )  # fmt: skip
                 occupied.append(box)
+                leaders.append(leader_line(spot, box))
                 self.label_boxes.append(box)
                 placed.append((spot, box, markers[k]))
+        for spot, box, marker in reversed(placed):  # no line crosses a label
+            _paint_leader(painter, leader_line(spot, box), marker)
         for spot, box, marker in reversed(placed):
             _paint_marker(painter, spot, box, marker)
 
@@ -419,16 +425,21 @@ def free_label_place(
     picture: QRectF | None = None,
     *,
     leftwards: bool = False,
+    labels: Sequence[QRectF] = (),
+    leaders: Sequence[QLineF] = (),
 ) -> QRectF:
     """Rectangle of a label beside its point, preferably at the upper right.
 
     In a crowd of labels it is farther from the point; without a free place, it covers as little as
-    possible.
+    possible, and as few lines as possible cross a label.
 
     Parameters
     ----------
+    occupied : rectangles that the label does not cover
     picture : rectangle that the label does not leave
     leftwards : whether the upper left is preferred instead
+    labels, leaders : other labels, which the line to the label does not cross, and their lines,
+        which the label does not cover
     """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
     least, found = np.inf, QRectF()
@@ -442,6 +453,10 @@ def free_label_place(
                 if picture is not None:
                     box = _moved_into(box, picture)
                 covered = sum(_area(box.intersected(other)) for other in occupied)
+                line = leader_line(spot, box)
+                crossings = sum(_is_crossed(other, line) for other in labels)
+                crossings += sum(_is_crossed(box, other) for other in leaders)
+                covered += crossings * _area(box)
                 if covered < least:
                     least, found = covered, box
                 if covered == 0.0:
@@ -456,20 +471,37 @@ def _moved_into(box: QRectF, picture: QRectF) -> QRectF:
     return QRectF(left, top, box.width(), box.height())
 
 
+def leader_line(spot: QPointF, box: QRectF) -> QLineF:
+    """Line from a point to its label."""
+    end = QPointF(
+        box.left() + 2.0 if box.left() > spot.x() else box.right() - 2.0,
+        box.bottom() if box.bottom() < spot.y() else box.top(),
+    )
+    return QLineF(spot, end)
+
+
+def _is_crossed(rect: QRectF, line: QLineF) -> bool:
+    """Whether a part of a line lies in a rectangle."""
+    if rect.contains(line.p1()) or rect.contains(line.p2()):
+        return True
+    corners = (rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft())
+    bounded = QLineF.IntersectionType.BoundedIntersection
+    return any(line.intersects(QLineF(corners[k - 1], corners[k]))[0] == bounded for k in range(4))
+
+
 def _area(rect: QRectF) -> float:
     return rect.width() * rect.height()
 
 
+def _paint_leader(painter: QPainter, line: QLineF, marker: Marker) -> None:
+    painter.setPen(QPen(theme.colour("paper", 0.86), 3.5))
+    painter.drawLine(line)
+    painter.setPen(QPen(QColor(*marker.colour).darker(130), 1.5))
+    painter.drawLine(line)
+
+
 def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker) -> None:
     colour = QColor(*marker.colour)
-    label = QPointF(
-        box.left() + 2.0 if box.left() > spot.x() else box.right() - 2.0,
-        box.bottom() if box.bottom() < spot.y() else box.top(),
-    )
-    painter.setPen(QPen(theme.colour("paper", 0.86), 3.5))
-    painter.drawLine(spot, label)
-    painter.setPen(QPen(colour.darker(130), 1.5))
-    painter.drawLine(spot, label)
     # A dark and a light ring distinguish the dot from points of its colour.
     painter.setPen(QPen(QColor(LIGHT_SCHEME.text), 4.2))
     painter.drawEllipse(spot, 5.0, 5.0)

@@ -55,6 +55,22 @@ def label(
     return widget
 
 
+def introduction(text: str, width: int, role: str = "", name: str = "") -> QLabel:
+    """Wrapped text of a dialogue that is as high as it needs at the smallest width.
+
+    The smallest height of any other wrapped label is that at the width of its size hint, which is
+    much narrower; the dialogue would have a gap.
+
+    Parameters
+    ----------
+    width : smallest width of the dialogue inside its margins, pixels
+    """
+    widget = label(text, role, wrap=True, name=name)
+    widget.ensurePolished()
+    widget.setFixedHeight(widget.heightForWidth(width))
+    return widget
+
+
 class MessageBox(QMessageBox):
     """Message box with plain text, since file names may look like HTML."""
 
@@ -433,6 +449,20 @@ def lever_arm_sigma_fields(prefix: str) -> TripleField:
         for axis in "xyz"
     ]  # fmt: skip
     return TripleField([gettext(title) for title, *_ in _LEVER_ARM_TEXTS], fields)
+
+
+def angle_noise_field(name: str) -> NumberField:
+    """Field of the noise of the beam direction, degrees; zero if it is not given."""
+    field = number(
+        name, suffix=" °", decimals=4, low=0, high=10, step=0.001,
+        tip=gettext(
+            "Standard deviation of the beam direction. If it is 0, the LiDAR noise is the same "
+            "along all axes."
+        ),
+        title=gettext("Beam angular noise (1 σ)"),
+    )  # fmt: skip
+    field.setSpecialValueText(gettext("none given"))
+    return field
 
 
 def divergence_field(name: str) -> NumberField:

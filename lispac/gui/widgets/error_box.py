@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 from lispac.errors import LispacError, system_reason
 from lispac.gui import widgets
 from lispac.gui.appearance.message_texts import message_text
-from lispac.language import gettext
+from lispac.language import gettext, minus_signs
 from lispac.messages import Message
 
 
 def exception_text(error: LispacError) -> str:
-    """Text of an error in the language of the user."""
-    return str(error)
+    """Text of an error in the language of the user, with minus signs as in tables."""
+    with minus_signs():
+        return str(error)
 
 
 def error_text_and_details(error: BaseException) -> tuple[str, str]:

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QPen,
     QPolygonF,
 )
-from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.appearance.message_texts import message_text
@@ -306,25 +306,28 @@ DOUBTFUL_ARMS = ((0.0, 0.0, 0.0), (0.0, 0.0, -20.0), (0.0, 200.0, 0.0))
 
 
 class MountingView(QWidget):
-    """The sketch with a description below it and warnings above it.
+    """The sketch with a description above it, which warnings replace.
 
-    Warnings are above the sketch, where they are visible beside the fields on a small screen.
+    Both have one place, so that nothing moves while a lever arm is typed; above the sketch, they
+    are visible beside the fields on a small screen.
     """
 
     def __init__(self, prefix: str) -> None:
         super().__init__()
         self.sketch = MountingSketch()
-        # Sketch and fields stay in place while a lever arm is typed
         self.text_label = ReservedLabel(
             "muted", f"{prefix}_words", texts=[_description(LONGEST_ARM, (0.0, 0.0, 0.0))]
         )
         texts = [message_text(each) for arm in DOUBTFUL_ARMS for each in lever_arm_warnings(arm)]
         self.warnings_label = ReservedLabel("warning", f"{prefix}_warnings", texts=texts)
+        texts = QGridLayout()  # a stacked layout would not be as high as wrapped labels need
+        texts.addWidget(self.text_label, 0, 0)
+        texts.addWidget(self.warnings_label, 0, 0)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.warnings_label, self.sketch, self.text_label):
-            column.addWidget(each)
+        column.addLayout(texts)
+        column.addWidget(self.sketch)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
@@ -335,6 +338,7 @@ class MountingView(QWidget):
         self.sketch.setAccessibleDescription(text)
         warnings = lever_arm_warnings(lever_arm)
         self.warnings_label.setText("\n".join(map(message_text, warnings)))
+        self.text_label.setVisible(not warnings)
         self.warnings_label.setVisible(bool(warnings))
 
 

@@ -7,7 +7,7 @@ leaves the field, and before a shortcut, a click elsewhere or an action is proce
 import math
 import re
 from abc import abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
@@ -199,18 +199,28 @@ def commit_focused_field() -> bool:
     return field.commit() if isinstance(field, NumberEntry) else True
 
 
-def wrong_fields(widget: QWidget) -> Iterator[tuple[QWidget, Message]]:
-    """Enabled number fields of a widget whose text is not accepted, and the reasons."""
-    for field in widget.findChildren(QWidget):
-        if isinstance(field, NumberEntry) and field.isEnabled():
+def number_fields(widget: QWidget) -> list[QWidget]:
+    """Number fields of a widget."""
+    return [each for each in widget.findChildren(QWidget) if isinstance(each, NumberEntry)]
+
+
+def wrong_fields(fields: Iterable[QWidget]) -> Iterator[tuple[QWidget, Message]]:
+    """Enabled number fields whose text is not accepted, and the reasons."""
+    for field in fields:
+        if field.isEnabled():
             problem = field.input_error
             if problem is not None:
                 yield field, problem
 
 
+def first_error_of(fields: Iterable[QWidget]) -> Message | None:
+    """Reason why the text of a number field is not accepted; None if all are."""
+    return next((problem for _, problem in wrong_fields(fields)), None)
+
+
 def first_input_error(widget: QWidget) -> Message | None:
     """Reason why a text in a number field of a widget is not accepted; None if all are."""
-    return next((problem for _, problem in wrong_fields(widget)), None)
+    return first_error_of(number_fields(widget))
 
 
 def require_accepted_texts(widget: QWidget) -> None:
@@ -246,7 +256,7 @@ class NumberDialog(QDialog):
     def _show_wrong_field(self) -> bool:
         """Show the first wrong field and the reason; return whether there is one."""
         commit_focused_field()
-        field, problem = next(wrong_fields(self), (None, None))
+        field, problem = next(wrong_fields(number_fields(self)), (None, None))
         if field is None or problem is None:
             return False
         page: QWidget = field

@@ -84,6 +84,7 @@ class Session(QObject):
             window.actions_["maximise"].trigger()
         window.activateWindow()
         if former is not None:
+            window.scene.draw_now()
             window.site_design.copy_state_from(former.site_design)
             designed = in_front is not None and in_front is former.site_design.window
             (window.site_design.window if designed else window).activateWindow()

@@ -1,6 +1,7 @@
 """Panel of the five steps, one below the other; the open step shows its panel."""
 
 from collections.abc import Sequence
+from itertools import chain
 
 from PySide6.QtCore import (
     QDynamicPropertyChangeEvent,
@@ -25,7 +26,7 @@ from lispac.gui import widgets
 from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEP_KEYS, STEP_NAMES, ProjectState, StepState, StepStatus
-from lispac.gui.widgets.number_input import REASON_PROPERTY, NumberEntry, first_input_error
+from lispac.gui.widgets.number_input import REASON_PROPERTY, first_error_of, number_fields
 from lispac.language import N_, gettext
 from lispac.messages import Message
 
@@ -61,16 +62,16 @@ class WorkflowPanel(QWidget):
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)
-        for field in self.findChildren(QWidget):
-            if isinstance(field, NumberEntry):
-                field.installEventFilter(self)
+        self._fields = [number_fields(area) for area in self._areas]
+        for field in chain.from_iterable(self._fields):
+            field.installEventFilter(self)
         self.opened = -1
         self._width = 0
         self.open(0)
 
     def input_errors(self) -> list[Message | None]:
         """First reason why a text typed in each step is not accepted; None if all texts are."""
-        return [first_input_error(area) for area in self._areas]
+        return [first_error_of(fields) for fields in self._fields]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Emit `input_checked` when the mark of a field changes."""
@@ -157,6 +158,7 @@ class _StepHeader(QPushButton):
         texts.addWidget(self.sentence)
         row.addWidget(self._glyph)
         row.addLayout(texts, 1)
+        self._shown: tuple[str, ...] = ()
         for inner in (self._glyph, name, self.sentence):
             inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
@@ -164,6 +166,10 @@ class _StepHeader(QPushButton):
         return QSize(300, _HEADER_HEIGHT_PX)
 
     def show_status(self, status: StepStatus) -> None:
+        shown = (status.state, status.sentence, status.advice)
+        if shown == self._shown:
+            return
+        self._shown = shown
         icon, colour, state = _STATE_STYLES[status.state]
         self._glyph.setPixmap(theme.icon(icon, theme.colour(colour).name()).pixmap(18, 18))
         sentence = status.sentence

@@ -7,6 +7,7 @@ the next file of the same kind can be read without a question to the user.
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
@@ -165,8 +166,8 @@ def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
         [_name_without_unit(name) for name in titles], [title_unit(name) for name in titles]
     )
     return TextLayout(
-        tuple(columns), tuple(tokens), separator, rows, {"Header": note("fact.text")}, (),
-        velocities,
+        tuple(columns), tuple(tokens), partial(_split_row, separator=separator), rows,
+        {"Header": note("fact.text")}, (), velocities,
     )  # fmt: skip
 
 

@@ -13,21 +13,22 @@ signs; iXblue's convention is roll positive port side up and pitch positive bow 
 
 import re
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.trajectory.trajectory_columns import (
-    GRID_ROLES,
-    HEIGHT_ROLES,
     HEMISPHERE_ROLES,
     POSITION_ROLES,
     SIGN_NAMES,
     Column,
     Rows,
     TrajectoryConventions,
+    default_unit,
     role_of,
+    unit_assumed_warning,
 )
 from lispac.io.trajectory.trajectory_options import (
     GRID_SYSTEM_OPTION,
@@ -41,10 +42,9 @@ from lispac.io.trajectory.trajectory_preview import (
     preview_text,
     sign_assumed_warning,
 )
-from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, parse_unit
-from lispac.messages import Level, Message, error, note, warning
+from lispac.messages import error, note, warning
 from lispac.survey.line_source import printable
 
 _MANUFACTURER_NAMES = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -123,34 +123,9 @@ def exail_layout(path: Path) -> TextLayout:
         facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
     units = [parse_unit(described.get(name.lower(), "")) for name in names]
     return TextLayout(
-        tuple(columns), names, separator, exail_rows, facts, tuple(file_warnings),
-        velocity_columns(names, units), signs,
+        tuple(columns), names, partial(split_fields, separator=separator), exail_rows, facts,
+        tuple(file_warnings), velocity_columns(names, units), signs,
     )  # fmt: skip
-
-
-def default_unit(role: str) -> str:
-    """Unit assumed for a column without a unit in the header."""
-    if role in ("time", "date"):
-        return {"time": "s", "date": "date"}[role]
-    if role in (*GRID_ROLES, *HEIGHT_ROLES):
-        return UNSPECIFIED_UNIT
-    angles = ("latitude", "longitude", "roll", "pitch", "heading")
-    return "deg" if role.removesuffix("_sd") in angles else "m"
-
-
-def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
-    """Warning that a header gives no unit for a column, so that ``unit`` is assumed."""
-    return Message(
-        _UNIT_ASSUMED_CODES[unit], Level.WARNING, {"file": printable(path.name), "column": name}
-    )
-
-
-_UNIT_ASSUMED_CODES = {
-    "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
-    "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
-    UNSPECIFIED_UNIT: "trajectory.unit_of_system_assumed",
-}  # fmt: skip
-"""Code of the warning by the unit that is assumed (`default_unit`)."""
 
 
 def sign_in_description(words: str) -> str:

@@ -16,12 +16,13 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_data_row, numbered_lines, split_fields
-from lispac.io.trajectory.exail import default_unit, unit_assumed_warning
 from lispac.io.trajectory.trajectory_columns import (
     Column,
     Rows,
     TrajectoryConventions,
+    default_unit,
     role_of,
+    unit_assumed_warning,
 )
 from lispac.io.trajectory.trajectory_options import (
     GRID_SYSTEM_OPTION,
@@ -100,7 +101,7 @@ def pospac_layout(path: Path) -> TextLayout:
             facts[_FACT_NAMES[key.strip()]] = value.strip().rstrip(";").strip()
     velocities = velocity_columns(names, [units.get("velocity", "")] * len(names))
     return TextLayout(
-        tuple(columns), names, "auto", pospac_rows, facts, tuple(file_warnings), velocities
+        tuple(columns), names, split_fields, pospac_rows, facts, tuple(file_warnings), velocities
     )
 
 

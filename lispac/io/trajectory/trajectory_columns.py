@@ -37,6 +37,7 @@ from lispac.io.trajectory.trajectory_projection import (
 from lispac.io.units import ANGLE_UNIT_CODES, METRES_PER_UNIT, UNITS, UNKNOWN
 from lispac.messages import Level, Message, error, note
 from lispac.survey.known_time_base import base_message
+from lispac.survey.line_source import printable
 from lispac.survey.time_base import GPS_EPOCH, base_of_key, unroll_times
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -66,8 +67,8 @@ For eastings, northings and heights, the coordinate system may change the factor
 *ouest* in French and *Ost* in German."""
 
 _COLUMN_NAMES = {
-    "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit "
-    "temps",
+    "time": "time gpstime utctime corrtime timestamp seconds sec tow sow gpstow secondsofweek "
+    "timesec zeit temps",
     "date": "date day",
     "latitude": "latitude lat breite latitudes lats",
     "longitude": "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest "
@@ -86,10 +87,11 @@ _COLUMN_NAMES = {
     "northing": "northing north y n",
     "north_sd": "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
     "east_sd": "eastsd eastingsd longitudesd lonsd longsd sdeast longitudestd eaststd",
-    "height_sd": "heightsd altitudesd ellipsoidheightsd upsd downsd sdheight heightstd altitudestd",
+    "height_sd": "heightsd sdheigh altitudesd ellipsoidheightsd upsd downsd sdheight heightstd "
+    "altitudestd",
     "roll_sd": "rollsd sdroll rollstd",
     "pitch_sd": "pitchsd sdpitch pitchstd",
-    "heading_sd": "headingsd sdheading headingstd yawsd",
+    "heading_sd": "headingsd sdheading hdngsd headingstd yawsd",
 }
 ROLES_BY_COLUMN_NAME = {
     name: role for role, names in _COLUMN_NAMES.items() for name in names.split()
@@ -118,6 +120,31 @@ class Column:
     index: int
     name: str
     unit: str
+
+
+def default_unit(role: str) -> str:
+    """Unit assumed for a column without a unit in the header."""
+    if role in ("time", "date"):
+        return {"time": "s", "date": "date"}[role]
+    if role in (*GRID_ROLES, *HEIGHT_ROLES):
+        return UNSPECIFIED_UNIT
+    angles = ("latitude", "longitude", "roll", "pitch", "heading")
+    return "deg" if role.removesuffix("_sd") in angles else "m"
+
+
+def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
+    """Warning that a header gives no unit for a column, so that ``unit`` is assumed."""
+    return Message(
+        _UNIT_ASSUMED_CODES[unit], Level.WARNING, {"file": printable(path.name), "column": name}
+    )
+
+
+_UNIT_ASSUMED_CODES = {
+    "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
+    "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
+    UNSPECIFIED_UNIT: "trajectory.unit_of_system_assumed",
+}  # fmt: skip
+"""Code of the warning by the unit that is assumed (`default_unit`)."""
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import message_with_file_name
 from lispac.io.format_types import Choice, Fact, FilePreview
-from lispac.io.text.text_table import encoding_of, is_data_row, last_lines, split_fields
+from lispac.io.text.text_table import encoding_of, is_data_row, last_lines
 from lispac.io.trajectory.trajectory_columns import (
     SIGMA_ROLES,
     Column,
@@ -51,7 +51,8 @@ class TextLayout:
         Columns that the program uses.
     names : tuple of str
         All columns from the left, for the preview.
-    separator : str
+    split : callable
+        Function that splits a row into the fields of the columns.
     rows : callable
         Function of the path that returns the rows of data, each with its number in the file.
     facts : dict of str to Fact
@@ -64,7 +65,7 @@ class TextLayout:
 
     columns: tuple[Column, ...]
     names: tuple[str, ...]
-    separator: str
+    split: Callable[[str], list[str]]
     rows: Callable[[Path], Rows]
     facts: dict[str, Fact]
     file_warnings: tuple[Message, ...] = ()
@@ -82,11 +83,11 @@ def preview_text(
 ) -> FilePreview:
     """Facts, first rows and warnings of a text trajectory, from its first and last rows."""
     file = printable(path.name)
-    head = list(islice(layout.rows(path), HEAD_ROWS))
+    head, unread = _first_rows(path, layout)
     rows_about = note("fact.about", count=_estimate_row_count(path, head))
     facts = {**layout.column_facts, "Rows": rows_about}
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
-    file_warnings = list(layout.file_warnings)
+    file_warnings = [*layout.file_warnings, *unread]
     if not is_complete(layout.columns):
         missing = missing_columns(path, layout.columns)
         file_warnings.append(replace(missing, level=Level.WARNING))
@@ -127,7 +128,7 @@ def preview_accuracy(
     path: Path, layout: TextLayout, conventions: TrajectoryConventions
 ) -> FilePreview:
     """Facts and warnings about standard deviations in text, from the first rows."""
-    head = list(islice(layout.rows(path), HEAD_ROWS))
+    head, unread = _first_rows(path, layout)
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     facts = layout.column_facts
     try:
@@ -137,12 +138,13 @@ def preview_accuracy(
             facts,
             rows,
             {"time": conventions.time},
-            (*layout.file_warnings, refusal_warning(refused, path)),
+            (*layout.file_warnings, *unread, refusal_warning(refused, path)),
         )
     found, file_warnings = accuracy_facts(accuracy, printable(path.name))
     return FilePreview(
-        facts | found, rows, {"time": conventions.time}, (*layout.file_warnings, *file_warnings)
-    )
+        facts | found, rows, {"time": conventions.time},
+        (*layout.file_warnings, *unread, *file_warnings),
+    )  # fmt: skip
 
 
 def accuracy_facts(
@@ -192,6 +194,27 @@ def has_sigmas(columns: Sequence[Column]) -> bool:
     return {column.role for column in columns}.issuperset(SIGMA_ROLES)
 
 
+def _first_rows(
+    path: Path, layout: TextLayout
+) -> tuple[list[tuple[int, list[str]]], tuple[Message, ...]]:
+    """First rows, and a warning if a row among them does not have the columns of the header.
+
+    Raises
+    ------
+    InputError
+        If a row is not a row of data.
+    """
+    head = []
+    try:
+        for row in islice(layout.rows(path), HEAD_ROWS):
+            head.append(row)
+    except InputError as refused:
+        if not head or refused.code != "trajectory.uneven_row":
+            raise
+        return head, (refusal_warning(refused, path),)
+    return head, ()
+
+
 def _with_last_rows(
     path: Path,
     layout: TextLayout,
@@ -214,7 +237,7 @@ def _with_last_rows(
 
 def _last_rows(path: Path, layout: TextLayout) -> Rows:
     for row, line in enumerate(last_lines(path, TAIL_BYTES), start=1):
-        fields = split_fields(line, layout.separator)
+        fields = layout.split(line)
         if is_data_row(fields):
             yield row, fields
 
@@ -222,7 +245,8 @@ def _last_rows(path: Path, layout: TextLayout) -> Rows:
 def _estimate_row_count(path: Path, head: Sequence[tuple[int, list[str]]]) -> int:
     if len(head) < HEAD_ROWS:
         return len(head)
-    length = sum(len(field) + 1 for _, fields in head for field in fields) / len(head)
+    lines = last_lines(path, TAIL_BYTES)
+    length = sum(len(line) + 1 for line in lines) / max(len(lines), 1)
     if encoding_of(path) == "utf-16":
         length *= 2
     return int(path.stat().st_size / max(length, 1.0))

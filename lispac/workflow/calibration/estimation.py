@@ -16,7 +16,7 @@ from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, EstimateWithoutControl
 from lispac.computing_time import computing_time
-from lispac.control_points import control_observations
+from lispac.control_points import control_observations, controlled_targets
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
@@ -29,6 +29,10 @@ from lispac.survey.trajectory import Poses
 from lispac.targets.thinning import thin_points
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.calibration.reselection import reselect_targets
+from lispac.workflow.control.control_assignment import (
+    is_assignment_current,
+    with_assigned_control,
+)
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -71,9 +75,9 @@ def observations_of(
     Raises
     ------
     AdjustmentError
-        If no target has sightings on two lines.
+        If no target has sightings on two lines, or one and control.
     RankDeficient
-        If all used sightings are on one line.
+        If all used sightings are on one line, and there is no control.
     InputError
         If the control was imported with another origin of the local frame.
     """
@@ -81,7 +85,7 @@ def observations_of(
     averages = settings.pos_errors == "correlated"
     _require_two_lines(project)
     # A warning names the targets that are not compared: see `lispac.duplicate_targets`
-    targets = [each for each in project.targets_of_role("target") if each.is_compared]
+    targets = project.compared_targets
     sightings: list[Sighting] = []
     indices = []
     for target in targets:
@@ -160,14 +164,25 @@ def thin_observations(
     return observations.where(keep)
 
 
-def _require_two_lines(project: Project) -> None:
-    lines = {
+def _used_lines(project: Project) -> set[str]:
+    """Lines of the used sightings of targets."""
+    return {
         sighting.line
         for target in project.targets_of_role("target")
-        if target.used
         for sighting in target.used_sightings
     }
-    if len(lines) == 1:
+
+
+def _with_control_of_targets(project: Project, selected: Project, survey: Survey) -> Project:
+    """Project whose control is assigned to its targets, with the surfaces of ``selected``."""
+    if is_assignment_current(selected) and not is_assignment_current(project):
+        project = project.with_control(selected.control)
+    return with_assigned_control(project, survey, near=selected)
+
+
+def _require_two_lines(project: Project) -> None:
+    lines = _used_lines(project)
+    if len(lines) == 1 and not controlled_targets(project.control):
         raise RankDeficient(error("estimate.one_line", line=lines.pop()))
 
 
@@ -258,7 +273,7 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         targets = [each for each in project.targets_of_role("target") if each.used]
         if len(targets) < 2 or have_targets_single_orientation(project, survey):
             warnings = []
-        alone = single_line_notes(project.targets)
+        alone = single_line_notes(project)
         reason = failure.reason
         causes: list[Message | str] = [*alone, *warnings[:MAX_DATA_WARNINGS]]
         for cause in causes:
@@ -281,6 +296,8 @@ def reselect_points(
     moving platform. The returned project is for `adjust_selected`; the picked points of the given
     project are not changed.
     """
+    if len(_used_lines(project)) < 2:  # determined by its control only
+        project = with_assigned_control(project, survey)
     settings, selected = project.settings, replace(project, result=None)
     prior = project.mounting("prior")
     coarse = replace(
@@ -340,6 +357,7 @@ def adjust_selected(
         Model to use unchanged. By default, that of the settings, whose correlation times are
         shortened if the residuals require it.
     """
+    project = _with_control_of_targets(project, selected, survey)
     settings, prior = project.settings, project.mounting("prior")
     with _add_failure_causes(project, survey):
         observations, parts = _selected_observations(project, selected, survey)
@@ -357,7 +375,11 @@ def adjust_selected(
         result = replace(
             result, without_control=_estimate_without_control(project, result, observations)
         )
-    result = replace(result, common_parts=parts)
+    result = replace(
+        result,
+        common_parts=parts,
+        lidar_noise_from_residuals=settings.is_lidar_noise_from_residuals,
+    )
     observations = observations.without_targets(result.excluded_targets)
     solved = project.with_result(_with_advice(result, observations) if advise else result)
     return (

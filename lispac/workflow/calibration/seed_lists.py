@@ -18,7 +18,7 @@ from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.calibration.picking import find_target, next_name
-from lispac.workflow.project.coordinates import axis_names, is_local, require_near_trajectory
+from lispac.workflow.project.coordinates import columns_note, is_local, require_near_trajectory
 from lispac.workflow.project.survey import Survey
 
 PLANE_OPTIONS = {"shape": "plane", "sphere_radius": None, "expected": None}
@@ -250,40 +250,8 @@ def _placeholder_target(name: str, role: Role) -> Target:
     return Target(name, role, (0.0, 0.0, 0.0), 1.0, 1.0, ())
 
 
-def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
-    """Note on the order of the columns of a list of points."""
-    axes = dict(zip("xyz", axis_names(system), strict=True))
-    columns = tuple(note(_COLUMN_NAME_CODES[axes.get(name, name)]) for name in points.columns)
-    code = "assumed.columns_as_named" if points.are_columns_given else "assumed.columns_by_order"
-    return note(code, columns=columns)
-
-
 def _list_notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
     order = columns_note(points, system)
     if system is None:
         return order, note("assumed.local_frame")
     return order, note("assumed.list_system", system=system.name), *system.assumptions
-
-
-_COLUMN_NAME_CODES = {
-    "name": "list_column.name",
-    "role": "list_column.role",
-    "plane": "list_column.plane",
-    "sigma": "list_column.sigma",
-    "sigma x": "list_column.sigma_x",
-    "sigma y": "list_column.sigma_y",
-    "sigma z": "list_column.sigma_z",
-    "-": "list_column.unused",
-    "north": "axis.north",
-    "west": "axis.west",
-    "up": "axis.up",
-    "longitude": "axis.longitude",
-    "latitude": "axis.latitude",
-    "height": "axis.height",
-    "X": "axis.x",
-    "Y": "axis.y",
-    "Z": "axis.z",
-    "easting": "axis.easting",
-    "northing": "axis.northing",
-}
-"""Codes of the texts for columns of a list and axes of a coordinate system."""

@@ -42,7 +42,7 @@ from lispac.validation.reference_places import (
     measure_to_points,
     measure_to_surface,
 )
-from lispac.workflow.checking.references import Reference, read_reference
+from lispac.workflow.control.references import Reference, read_reference
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]

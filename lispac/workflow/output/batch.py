@@ -10,6 +10,7 @@ from lispac.errors import InputError, LispacError, NotComparable, system_reason
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
+from lispac.present.adjustment import has_passed
 from lispac.present.angles import degrees
 from lispac.present.batch import BATCH_CSV, BatchRow
 from lispac.present.csv_text import BYTE_ORDER_MARK, keyed_csv_text
@@ -159,7 +160,7 @@ def _calibrate_project(
         boresight_deg=degrees(result.angles),
         sigma_deg=degrees(result.sigma),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
-        chi_square_passed=result.chi_square.passed,
+        chi_square_passed=has_passed(result),
         rms_before_m=_pooled_rms(
             [(plane.before.rms, plane.before.n) for plane in project.validation]
         ),

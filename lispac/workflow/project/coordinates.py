@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.frames import north_west_up
+from lispac.io.text.seed_file import PointList
 from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
@@ -174,3 +175,35 @@ def require_near_trajectory(
         raise InputError(refusal)
     place: Array = to_local_frame(point, system, trajectory, local_axes)[0]
     return place
+
+
+def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
+    """Note on the order of the columns of a list of points."""
+    axes = dict(zip("xyz", axis_names(system), strict=True))
+    columns = tuple(note(_COLUMN_NAME_CODES[axes.get(name, name)]) for name in points.columns)
+    code = "assumed.columns_as_named" if points.are_columns_given else "assumed.columns_by_order"
+    return note(code, columns=columns)
+
+
+_COLUMN_NAME_CODES = {
+    "name": "list_column.name",
+    "role": "list_column.role",
+    "plane": "list_column.plane",
+    "sigma": "list_column.sigma",
+    "sigma x": "list_column.sigma_x",
+    "sigma y": "list_column.sigma_y",
+    "sigma z": "list_column.sigma_z",
+    "-": "list_column.unused",
+    "north": "axis.north",
+    "west": "axis.west",
+    "up": "axis.up",
+    "longitude": "axis.longitude",
+    "latitude": "axis.latitude",
+    "height": "axis.height",
+    "X": "axis.x",
+    "Y": "axis.y",
+    "Z": "axis.z",
+    "easting": "axis.easting",
+    "northing": "axis.northing",
+}
+"""Codes of the texts for columns of a list and axes of a coordinate system."""

@@ -27,7 +27,7 @@ from lispac.survey.store.layout import has_import
 from lispac.survey.store.stored_line import MAX_ROUNDING_SHARE, StoredLine
 from lispac.survey.time_quality import accuracy_coverage_warning
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.survey.trajectory_sampling import interpolation_messages
+from lispac.survey.trajectory_sampling import held_position_messages, interpolation_messages
 from lispac.targets.rough_alignment import Alignment, align_lines
 from lispac.untrusted_values import InvalidContentError
 from lispac.value_conversion import decode_value
@@ -194,6 +194,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     messages += simultaneous_messages(audits, first_times)
     sampled = {name: _sample_times(scan) for name, scan in scans.items()}
     messages += interpolation_messages(trajectory, accuracy, sampled)
+    messages += held_position_messages(trajectory, accuracy, sampled)
     progress(1.0)
     unused = {
         name: audit.read - audit.not_selected - len(scans[name]) for name, audit in audits.items()

@@ -73,6 +73,20 @@ def test_the_language_changes_and_nothing_is_lost(
     assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == [french]
 
 
+def test_a_rebuilt_window_shows_the_lines_at_once(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
+    english = session.window
+    english.document.open(demo.picked, demo.survey)
+    qtbot.waitUntil(lambda: english.scene.is_drawn, timeout=SOON_MS)
+    session.rebuild_window()
+    viewport = session.window.viewport
+    assert isinstance(viewport, RecordingViewport)
+    assert set(viewport.clouds) == {line.name for line in demo.picked.lines}
+    assert {marker.label for marker in viewport.markers} >= {"T1", "T2"}
+    assert session.window.scene.is_drawn
+
+
 def test_the_former_window_is_deleted_with_its_viewport(session: Session, qtbot: QtBot) -> None:
     for code in ("fr", "en"):
         former = session.window

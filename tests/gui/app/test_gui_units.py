@@ -42,7 +42,7 @@ MRAD, MINUTE = 180 / math.pi / 1000, 1 / 60
 SOON_MS = 20_000
 ALWAYS_METRIC = (
     "with the middle of the targets [.\\d]+ m to (port|starboard)",  # messages of the core
-    "no points within [.\\d]+ m of the seed",
+    "no points within [.\\d]+ m of the chosen point",
     "^Lever arm in that program, from the POS centre: ",  # values for a metric program
     "4x4 with the lever arm in metres$",
 )

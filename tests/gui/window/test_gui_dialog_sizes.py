@@ -14,11 +14,14 @@ from lispac.gui.features.design.number_table import NumberTable
 from lispac.gui.features.design.plan_tables import TARGET_FIELDS
 from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.report.identity_dialog import IdentityDialog
+from lispac.gui.features.studies.check_dialog import CheckDialog
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.identity import EMPTY_IDENTITY, REQUIRED_FIELDS
 from lispac.language import LANGUAGES
+from lispac.project import Project
 from lispac.simulation.visibility_study import VisibilityStudy
+from tests.gui.support import Demo
 
 SCREEN = QRect(0, 0, 1366, 768)
 TITLE_BAR_PX = 40
@@ -92,3 +95,23 @@ def test_the_columns_of_a_survey_plan_show_their_texts(qtbot: QtBot) -> None:
         assert header.sectionSize(k) >= header.sectionSizeHint(k)
         assert header.sectionSize(k) > table.sizeHintForColumn(k)
     assert header.length() == table.viewport().width()
+
+
+def test_a_wrapped_text_leaves_no_gap_in_a_dialogue(qtbot: QtBot) -> None:
+    dialog = IdentityDialog(EMPTY_IDENTITY, lambda: "", {}, {}, missing=REQUIRED_FIELDS)
+    shown(qtbot, dialog)
+    text = next(each for each in dialog.findChildren(QLabel) if each.wordWrap())
+    assert text.height() <= text.heightForWidth(text.width()) + 2
+    # Between the last field and the buttons there are only spacings
+    last = dialog.fields["processing_software"]
+    gap = dialog.keep.y() - last.mapTo(dialog, last.rect().bottomLeft()).y()
+    assert 0 < gap <= 40
+
+
+def test_the_check_against_a_reference_has_no_gaps(
+    qtbot: QtBot, estimated: Project, demo: Demo
+) -> None:
+    dialog = CheckDialog(estimated, demo.survey.trajectory)
+    shown(qtbot, dialog)
+    text = next(each for each in dialog.findChildren(QLabel) if each.wordWrap())
+    assert text.height() <= text.heightForWidth(text.width()) + 2

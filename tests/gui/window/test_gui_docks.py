@@ -126,7 +126,7 @@ def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(calibrated: Driv
         bot.waitUntil(panels.isVisible, timeout=SOON_MS)
         titles = [action.text() for action in panels.actions()]
         ticked = [action.text() for action in panels.actions() if action.isChecked()]
-        assert ticked == [each for each in window.docks if is_in_front(window, each)]
+        assert ticked == [each for each, dock in window.docks.items() if not dock.isHidden()]
         for _ in range(titles.index(title) - titles.index(panels.activeAction().text())):
             bot.keyClick(panels, Qt.Key.Key_Down)
         bot.keyClick(panels, Qt.Key.Key_Return)
@@ -158,3 +158,35 @@ def test_a_registered_panel_has_its_place_its_controller_and_an_action(opened: D
             window.actions_[record.place.action].trigger()
             assert container.isVisible()
             assert container.sizeHint() == record.place.size
+
+
+def test_a_panel_behind_another_is_ticked_in_the_menu(adjusted: Driver) -> None:
+    docks = adjusted.window.docks
+    panel_actions = {
+        action.text(): action
+        for action in next(
+            a.menu()
+            for a in next(
+                menu for menu in adjusted.window.menuBar().actions()
+                if menu.text().replace("&", "") == "View"
+            ).menu().actions()
+            if "Panels" in a.text().replace("&", "")
+        ).actions()
+    }  # fmt: skip
+    for title in ("Targets by line", "Results"):
+        show_panel(adjusted.window, title)
+        adjusted.rest()
+    behind = docks["Targets by line"]
+    assert behind.visibleRegion().isEmpty()
+    for title in ("Targets by line", "Results", "Workflow"):
+        assert panel_actions[title].isChecked(), title
+    panel_actions["Targets by line"].trigger()  # to the front, and still open
+    adjusted.rest()
+    assert not behind.visibleRegion().isEmpty()
+    assert panel_actions["Targets by line"].isChecked()
+    panel_actions["Targets by line"].trigger()
+    adjusted.rest()
+    assert behind.isHidden()
+    assert not panel_actions["Targets by line"].isChecked()
+    docks["Results"].hide()
+    assert not panel_actions["Results"].isChecked()

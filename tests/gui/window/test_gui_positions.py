@@ -66,6 +66,20 @@ def test_a_lever_arm_moves_no_controls_of_the_data_step(opened: Driver) -> None:
     assert moved(before, places(data)) == {}
 
 
+def test_no_gap_is_left_above_the_sketch_of_the_mounting(opened: Driver) -> None:
+    data = opened.window.data
+    open_step(opened, DATA)
+    type_into(opened, data.lever_arm.fields[2], "2.1")
+    opened.bot.keyClick(data.lever_arm.fields[2], Key.Key_Return)
+    opened.rest()
+    text, sketch = data.mounting.text_label, data.mounting.sketch
+    assert text.isVisible()
+    bottom = text.mapTo(data, text.rect().bottomLeft()).y()
+    fields = data.boresight.mapTo(data, data.boresight.rect().bottomLeft()).y()
+    assert text.mapTo(data, QPoint(0, 0)).y() - fields <= 12
+    assert 0 < sketch.mapTo(data, QPoint(0, 0)).y() - bottom <= 12
+
+
 def test_the_steps_of_the_tour_have_one_height(opened: Driver) -> None:
     card = opened.window.central_widget.card
     heights = set()

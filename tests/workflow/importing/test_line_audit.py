@@ -24,6 +24,7 @@ from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.input_file_samples import LEVER, START, fan, write_line, write_survey
 from tests.support.long_runs import others_long
+from tests.support.trajectory_files import write_records
 
 POINT_COUNT = 3000
 TIMES = START + np.linspace(2, 12, POINT_COUNT)
@@ -92,6 +93,23 @@ def test_a_valid_line_has_no_message(folder: Path, name: str) -> None:
 
 
 # -- resolution of the times ----------------------------------------------------------------------
+
+
+def test_positions_of_the_trajectory_that_are_held_are_reported(folder: Path) -> None:
+    """The positions are measured once a second, on a circle at 4 m/s, and written 50 times."""
+    records = np.fromfile(folder / "pos.sbet").reshape(-1, 17)
+    measured = np.arange(len(records)) // 50 * 50
+    records[:, 1:3] = records[measured, 1:3]
+    write_records(folder / "pos.sbet", records)
+    survey = open_lines(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT)))
+    message = by_code(survey)["trajectory.position_held"]
+    assert (message.level, message.params["line"]) == (Level.WARNING, "L1")
+    assert message.params["longest"] == pytest.approx(0.98)
+    assert message.params["shift"] == pytest.approx(4 * 0.98, rel=0.01)
+
+
+def test_no_position_of_the_built_in_survey_is_held(demo_project: Project) -> None:
+    assert "trajectory.position_held" not in by_code(load_survey(demo_project))
 
 
 @every_format

@@ -1,5 +1,7 @@
 """Import and use of surveyed control in the window."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QObject
 
 from lispac.control_points import with_control_use, without_control_file
@@ -32,14 +34,21 @@ class ControlController(QObject):
         self._document, self._runner = document, runner
         self._controller, self._dialogs, self._actions = controller, dialogs, actions
         actions.connect_slots({"control": self.show})
+        self._tried: Project | None = None
+        """Project for which the assignment was last started."""
         for moved in (document.changed, document.survey_changed, runner.changed):
             moved.connect(self._enable_controls)
+        for moved in (document.changed, runner.idle):
+            moved.connect(self._follow_targets)
         self._enable_controls()
 
     def show(self) -> None:
         """Show the control, and apply the choices of the user."""
         project = self._document.project
         if project is None:
+            return
+        if self._needs_assignment():
+            self._assign(self.show)
             return
         choice = self._dialogs.control(project)
         current = self._document.project
@@ -62,7 +71,7 @@ class ControlController(QObject):
             return
 
         def work(progress: Progress) -> tuple[Project, tuple[Message, ...]]:
-            from lispac.workflow.checking.control_import import import_control
+            from lispac.workflow.control.control_import import import_control
 
             return import_control(
                 project, survey, request.path, sigma=request.sigma,
@@ -80,6 +89,47 @@ class ControlController(QObject):
 
         title = gettext("Importing the control of {file}", file=request.path.name)
         task = self._runner.run(title, work, done, modal=True)
+        self._controller.cancel_on_edit(task)
+
+    def _follow_targets(self) -> None:
+        """Assign the control again if targets were added or removed, when no task runs.
+
+        An estimate assigns it itself.
+        """
+        if self._needs_assignment() and not (self._runner.active or self._document.awaits_result):
+            self._assign()
+
+    def _needs_assignment(self) -> bool:
+        """Whether there are new targets; False after the assignment for this project failed."""
+        project, survey = self._document.current_data
+        if project is None or survey is None or project is self._tried or not project.control:
+            return False
+        from lispac.workflow.control.control_assignment import is_assignment_current
+
+        return not is_assignment_current(project)
+
+    def _assign(self, then: Callable[[], None] | None = None) -> None:
+        """Assign the control to the targets within the undo step of the last edit."""
+        project, survey = self._document.current_data
+        assert project is not None
+        assert survey is not None
+        self._tried = project
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.control.control_assignment import with_assigned_control
+
+            return with_assigned_control(project, survey, progress=progress)
+
+        def done(assigned: Project) -> None:
+            if self._document.project is project:
+                self._document.complete_last_edit(assigned)
+            if then is not None:
+                then()
+
+        task = self._runner.run(
+            gettext("Assigning the control to the targets"), work, done, quiet=then is None,
+            key="control", modal=then is not None,
+        )  # fmt: skip
         self._controller.cancel_on_edit(task)
 
     def _use(self, project: Project, used: tuple[str, ...]) -> None:

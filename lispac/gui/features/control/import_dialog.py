@@ -12,7 +12,7 @@ from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, sys
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.checking.control_import import DEFAULT_SIGMA
+from lispac.workflow.control.control_import import DEFAULT_SIGMA
 from lispac.workflow.project.output_crs import LOCAL_FRAME
 
 SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")

@@ -30,6 +30,7 @@ from lispac.gui.features.conventions.convention_inputs import (
     program_name,
 )
 from lispac.gui.project.status import ProjectState
+from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.result_tables import local_amount
@@ -294,7 +295,7 @@ class ConventionPanel(QWidget):
                 applied=self.current.applied.isChecked(), has_lever_arm=inputs.has_lever_arm,
             )  # fmt: skip
         except InputError as error:
-            self._show_refusal(str(error))
+            self._show_refusal(exception_text(error))
             return
         if not has_values:
             self.assumption.hide()

@@ -32,6 +32,7 @@ from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.project.document import Document
 from lispac.gui.viewport.base import Viewport
+from lispac.gui.widgets.error_box import exception_text
 from lispac.installation_paths import home_folder
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import N_, gettext, gettext_lazy
@@ -286,7 +287,7 @@ class SiteDesign(QObject):
         try:
             self._require_complete_plan()
         except LispacError as error:
-            self._note(str(error))
+            self._note(exception_text(error))
             return
 
         def work(progress: Progress) -> tuple[ScenarioOutcome, ...]:
@@ -336,7 +337,7 @@ class SiteDesign(QObject):
         try:
             self._require_complete_plan()
         except LispacError as error:
-            self._note(str(error))
+            self._note(exception_text(error))
             return
 
         def work(progress: Progress) -> MonteCarloResult:

@@ -14,6 +14,7 @@ from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.design.workspace import Workspace
+from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
 from lispac.gui.widgets.number_input import parse_number
@@ -229,7 +230,7 @@ class LimitsForm(QWidget):
         try:
             self.site(titled)
         except LispacError as error:
-            return str(error)
+            return exception_text(error)
         return ""
 
     def _read_list(self, name: str) -> tuple[float, ...]:

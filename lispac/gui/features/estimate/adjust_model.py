@@ -190,18 +190,10 @@ class ModelSettings(QWidget):
         """
         kind = self.noise.currentIndex()
         is_single = settings.lidar_sigma_xyz is None and settings.lidar_beam_sigma is None
-        return replace(
+        noise = replace(
             settings,
             # One value in place of several is the one shown
             lidar_sigma=settings.lidar_sigma if kind or is_single else settings.used_lidar_sigma,
-            position_time=_unrounded_value(
-                self.position_time.value(), settings.position_time, 0.051
-            ),
-            attitude_time=_unrounded_value(
-                self.attitude_time.value(), settings.attitude_time, 0.051
-            ),
-            surface=self.surface.value(),
-            loss=LOSSES[self.loss.currentIndex()][0],
             lidar_sigma_xyz=self._all_values(self.axes, "window.lidar_axes_incomplete")
             if kind == 1
             else None,
@@ -210,6 +202,18 @@ class ModelSettings(QWidget):
             )
             if kind == 2
             else None,
+        )
+        return replace(
+            noise,
+            lidar_noise_source=settings.lidar_noise_source if noise == settings else "given",
+            position_time=_unrounded_value(
+                self.position_time.value(), settings.position_time, 0.051
+            ),
+            attitude_time=_unrounded_value(
+                self.attitude_time.value(), settings.attitude_time, 0.051
+            ),
+            surface=self.surface.value(),
+            loss=LOSSES[self.loss.currentIndex()][0],
             variance_components=COMPONENT_CHOICES[self.components.currentIndex()][0],
             accept_single_orientation=self.accept_single_orientation.isChecked(),
         )
@@ -222,7 +226,7 @@ class ModelSettings(QWidget):
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
         sigma = local_amount(settings.used_lidar_sigma, MILLIMETRES)
-        self._single_sigma_row.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
+        self._single_sigma_row.setText(gettext("{sigma}, as in step 1", sigma=sigma))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3, strict=True
         ):

@@ -23,6 +23,7 @@ from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
+from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.reserved_label import ReservedLabel
@@ -218,7 +219,7 @@ class AdjustPanel(QWidget):
         try:
             self.settings()
         except InputError as error:
-            self._show_problem(str(error))
+            self._show_problem(exception_text(error))
         else:
             self.problem.setText("")
             self.problem.hide()

@@ -14,6 +14,7 @@ from lispac.messages import Message
 from lispac.present.adjustment import (
     agreement_template,
     agrees_by_construction,
+    has_passed,
     is_lidar_noise_estimated,
     large_residuals_text,
     noisier_targets,
@@ -83,13 +84,16 @@ FORM_ERROR_TEXT = N_(
 def fit_verdict(
     result: AdjustmentResult, checks: CrossChecks | None, further: Sequence[Message] = ()
 ) -> str:
-    """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
+    """Text on the chi-square test and, without warnings, on the validity of the uncertainties.
+
+    If the test is not judged, only the cross-checks can confirm them.
+    """
     is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
         sentences = [gettext(agreement_template(result))]
         if has_form_errors(result):
             sentences.append(gettext(FORM_ERROR_TEXT, most=float(result.surfaces.max())))
-        if is_sure:
+        if is_sure and (has_passed(result) or checks is not None):
             sentences.append(gettext(REALISTIC_TEXT))
         return " ".join(sentences)
     if result.variance_factor > 1:
@@ -106,8 +110,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
     interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":
         # Agreement with standard deviations estimated from the residuals is no confirmation
-        by_construction = agrees_by_construction(result)
-        title, colour = gettext("passed"), theme.MUTED if by_construction else theme.DONE
+        title = gettext("passed") if has_passed(result) else gettext("not judged")
+        colour = theme.MUTED if agrees_by_construction(result) else theme.DONE
         interval = N_("{value}, within {lower} to {upper}")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED

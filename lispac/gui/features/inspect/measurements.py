@@ -11,6 +11,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.appearance import units
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
 
 SKETCH_COLOUR: Colour = (0, 90, 200)
@@ -82,7 +83,7 @@ class Measurements(QObject):
                 with units.standard_units():
                     metric = measure(*self._points)
             except InputError as error:
-                self._note(str(error))
+                self._note(exception_text(error))
                 self.restart()
                 return
             one_line = text.replace("\n", ", ")

@@ -24,6 +24,7 @@ from lispac.gui.viewport.base import (
     Viewport,
 )
 from lispac.gui.viewport.clipping import BOX_EDGES
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
 from lispac.present.validation import PairOffset, ValidationPlane
 from lispac.progress import Progress
@@ -191,7 +192,7 @@ class SectionTool(QObject):
                     offset=offset, progress=progress,
                 )  # fmt: skip
             except LispacError as error:
-                return str(error)
+                return exception_text(error)
 
         def done(cuts: Sequence[SectionPoints] | str) -> None:
             self._outdated = False

@@ -12,6 +12,7 @@ from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
 from lispac.targets.cross_section import common_normal
 
@@ -96,7 +97,7 @@ class ViewMenu(QObject):
         try:
             self._scene.colour_by(colouring)
         except ValueError as error:
-            self._controller.logged.emit(str(error))
+            self._controller.logged.emit(exception_text(error))
         self._actions[COLOUR_ACTIONS[self._scene.colouring]].setChecked(True)
         return self._scene.colouring == colouring
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
-from lispac.gui.appearance import theme, units
+from lispac.gui.appearance import theme
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
@@ -41,8 +41,8 @@ EXCLUDED_TEXT = Plural(
 )
 
 
-NOISE_PER_AXIS_TEXT = N_("Given for each axis in step 3, under Advanced.")
-NOISE_OF_BEAM_TEXT = N_("Angular noise {angle}°, given in step 3, under Advanced.")
+NOISE_FROM_RESIDUALS_TEXT = N_("The LiDAR noise was estimated from the residuals.")
+NOISE_PER_AXIS_TEXT = N_("One value for each axis, as chosen in step 3.")
 
 
 class DataPanel(QWidget):
@@ -127,7 +127,8 @@ class DataPanel(QWidget):
         sigmas = (*self.pos_sigmas.position.fields, *self.pos_sigmas.attitude.fields)
         for field in (*self.lever_arm.fields, *self.boresight.fields, *sigmas):
             field.committed.connect(self._emit_edit)
-        for field in (self.lidar_sigma, self.divergence, *self.lever_arm_sigma.fields):
+        noise = (self.lidar_sigma, *self.lidar_axes.fields, self.angle_sigma)
+        for field in (*noise, self.divergence, *self.lever_arm_sigma.fields):
             field.committed.connect(self._emit_edit)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self._draw_mounting)
@@ -135,7 +136,7 @@ class DataPanel(QWidget):
         self._show_empty()
 
     def _noise_block(self) -> QWidget:
-        """The LiDAR noise: one value, or what is given in step 3 instead or in addition."""
+        """The LiDAR noise: that of the range or of each axis, and that of the beam direction."""
         block = QWidget()
         layout = widgets.vertical_layout(block, 0)
         self._noise_title = widgets.label("", name="lidar_sigma_title")
@@ -148,20 +149,27 @@ class DataPanel(QWidget):
             ("X", "Y", "Z"),
             [
                 widgets.number(
-                    f"lidar_sigma_{axis}", suffix=" mm", decimals=1, low=0, high=100_000, step=0.5,
-                    tip=gettext(NOISE_PER_AXIS_TEXT),
+                    f"lidar_sigma_{axis}", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
+                    tip=gettext("Standard deviation of one LiDAR point along this axis"),
                     title=gettext("LiDAR noise along {axis}", axis=axis.upper()),
                 )
                 for axis in "xyz"
             ],
         )  # fmt: skip
-        self.lidar_axes.setEnabled(False)
         layout.addWidget(self.lidar_axes)
+        self.angle_sigma = widgets.angle_noise_field("lidar_angle_sigma")
+        self._angle_row = QWidget()
+        angle = QHBoxLayout(self._angle_row)
+        angle.setContentsMargins(0, 0, 0, 0)
+        angle.addWidget(widgets.label(gettext("Beam angular noise (1 σ)")))
+        angle.addStretch(1)
+        angle.addWidget(self.angle_sigma)
+        layout.addWidget(self._angle_row)
         self._noise_model = QWidget()
         row = QHBoxLayout(self._noise_model)
         row.setContentsMargins(0, 0, 0, 0)
-        self._noise_text = widgets.label("", "muted", wrap=True, name="lidar_sigma_model")
-        row.addWidget(self._noise_text, 1)
+        text = gettext(NOISE_PER_AXIS_TEXT)
+        row.addWidget(widgets.label(text, "muted", wrap=True, name="lidar_sigma_model"), 1)
         self.show_noise_model = widgets.button(
             gettext("Edit in step 3"), "edit_lidar_noise",
             tip=gettext("Open the fields of the LiDAR noise in step 3"),
@@ -177,14 +185,14 @@ class DataPanel(QWidget):
         self._noise_title.setText(title)
         self.lidar_sigma.title = title
         self.lidar_sigma.setVisible(axes is None)
-        self.lidar_axes.setVisible(axes is not None)
-        self._noise_model.setVisible(bool(beam or axes))
+        for each in (self.lidar_axes, self._noise_model):
+            each.setVisible(axes is not None)
+        self._angle_row.setVisible(axes is None)
         if axes is not None:
             self.lidar_axes.set_value([1000 * value for value in axes])
-            self._noise_text.setText(gettext(NOISE_PER_AXIS_TEXT))
-        elif beam is not None:
-            angle = units.localised(units.plain_figure(beam[1], 6))
-            self._noise_text.setText(gettext(NOISE_OF_BEAM_TEXT, angle=angle))
+        self.angle_sigma.blockSignals(True)
+        self.angle_sigma.setValue(beam[1] if beam else 0.0)
+        self.angle_sigma.blockSignals(False)
         self.lidar_sigma.blockSignals(True)
         if "LiDAR" in settings.assumed_sigmas:
             self.lidar_sigma.show_assumed(settings.used_lidar_sigma * 1000)
@@ -305,6 +313,8 @@ class DataPanel(QWidget):
                     file=file.name,
                 )
             )
+        if settings.is_lidar_noise_from_residuals:
+            texts.append(gettext(NOISE_FROM_RESIDUALS_TEXT))
         if project.assumed_sigmas:
             texts.append(gettext(ASSUMED_TEXT))
         text = " ".join(texts)
@@ -321,11 +331,7 @@ class DataPanel(QWidget):
             edited = replace(edited, lever_arm=self.lever_arm.value())
         if _is_changed(self.boresight.value(), edited.boresight_deg):
             edited = replace(edited, boresight_deg=self.boresight.value())
-        lidar = self.lidar_sigma.value() / 1000
-        is_confirmed = "LiDAR" in edited.assumed_sigmas and not self.lidar_sigma.is_assumed
-        is_typed = is_confirmed or _is_changed((lidar,), (edited.used_lidar_sigma,))
-        if edited.lidar_sigma_xyz is None and is_typed:
-            edited = edited.with_lidar_sigma(lidar)
+        edited = self._with_edited_noise(edited)
         lever_arm_sigma = self.lever_arm_sigma.value()
         edited = replace(
             edited,
@@ -342,6 +348,24 @@ class DataPanel(QWidget):
                 attitude_sigma_deg=_unless_same(attitude, edited.attitude_sigma_deg),
             )
         return None if edited == self._settings else edited
+
+    def _with_edited_noise(self, settings: Settings) -> Settings:
+        """Settings with the changed fields of the LiDAR noise."""
+        if settings.lidar_sigma_xyz is not None:
+            x, y, z = (value / 1000 for value in self.lidar_axes.value())
+            is_typed = _is_changed((x, y, z), settings.lidar_sigma_xyz)
+            return settings.with_values(lidar_sigma_xyz=(x, y, z)) if is_typed else settings
+        lidar, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
+        is_confirmed = "LiDAR" in settings.assumed_sigmas and not self.lidar_sigma.is_assumed
+        if is_confirmed or _is_changed((lidar,), (settings.used_lidar_sigma,)):
+            settings = settings.with_lidar_sigma(lidar)
+        beam = settings.lidar_beam_sigma
+        if _is_changed((angle,), (beam[1] if beam else 0.0,)):
+            settings = settings.with_values(
+                lidar_sigma=settings.used_lidar_sigma,
+                lidar_beam_sigma=(settings.used_lidar_sigma, angle) if angle > 0 else None,
+            )
+        return settings
 
     def _emit_edit(self) -> None:
         edited = self._edited_settings()

@@ -16,6 +16,7 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
 from lispac.patchtest.object_boxes import MIN_SIDE, ObjectBox, object_of_box
 from lispac.progress import Progress
@@ -140,7 +141,7 @@ class PatchObjects(QObject):
                     project, survey, [object_of_box(name, box)], shown, progress=progress
                 )
             except LispacError as error:
-                return str(error)
+                return exception_text(error)
             if not found.sample.observed:
                 return gettext(
                     "Fewer than two lines have points in the box. Place it around an object "

@@ -183,10 +183,11 @@ class ReportDialogs(Questions):
         suggestions: Mapping[str, str],
         missing: Sequence[str] = (),
         equipment: Mapping[str, Sequence[str]] | None = None,
+        continues: bool = False,
     ) -> Identity | None:
         """Ask for the details of the report; the parameters are those of `IdentityDialog`."""
         dialog = IdentityDialog(
             identity, dates, companies, suggestions, self.parent, missing=missing,
-            equipment=equipment,
+            equipment=equipment, continues=continues,
         )  # fmt: skip
         return dialog.identity if run_dialog(dialog) else None

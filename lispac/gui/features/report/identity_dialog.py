@@ -60,6 +60,7 @@ FIELD_TIPS = {
 """Tips of the fields by their names."""
 SURVEY_FIELDS = ("client", "contract", "vessel", "site")
 """Fields of a survey whose texts in other reports complete what is typed."""
+MIN_WIDTH_PX, MARGIN_PX = 920, 16
 COLUMNS = ((0, 1, 2, 5), (3, 4))
 """Indices of the groups in the left and in the right column, which are about equally high."""
 MAX_NAMED_FIELDS = 6
@@ -80,7 +81,9 @@ class IdentityDialog(QDialog):
         contain no date; None if the lines are not read yet
     companies : details last used with each company, which are proposed when its name is entered
     suggestions : texts shown in empty fields; they are not stored
-    missing : names of empty fields to ask for before an export or a preview
+    missing : names of empty fields that a signed report needs, which are named; the first has the
+        focus
+    continues : whether an export or a preview follows
     equipment : names of sensors that the fields of the equipment offer
     """
 
@@ -94,28 +97,30 @@ class IdentityDialog(QDialog):
         *,
         missing: Sequence[str] = (),
         equipment: Mapping[str, Sequence[str]] | None = None,
+        continues: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
         self.setWindowTitle(gettext("Details for the report"))
-        self.setMinimumWidth(920)
+        self.setMinimumWidth(MIN_WIDTH_PX)
         self._dates, self._companies, self._suggestions = dates, companies, suggestions
         self._proposed: dict[str, str] = {}
         self._labels: list[QWidget] = []
         self.identity: Identity = identity
-        layout = widgets.vertical_layout(self, 16)
+        layout = widgets.vertical_layout(self, MARGIN_PX)
+        inner_width = MIN_WIDTH_PX - 2 * MARGIN_PX
         layout.addWidget(
-            widgets.label(
+            widgets.introduction(
                 gettext(
                     "Empty fields are omitted in the short report, except for the names beside the "
                     "signatures, and printed blank in the full report, to be filled in by hand."
                 ),
-                wrap=True,
+                inner_width,
             )
         )
         if missing:
-            text = missing_details_text(missing)
-            layout.addWidget(widgets.label(text, "warning", wrap=True, name="identity_missing"))
+            text = missing_details_text(missing, in_form=True)
+            layout.addWidget(widgets.introduction(text, inner_width, "warning", "identity_missing"))
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
         for name, text in suggestions.items():
             field = self.fields[name]
@@ -140,11 +145,9 @@ class IdentityDialog(QDialog):
             assert isinstance(field, QLineEdit)
             _offer(field, texts)
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
-        self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
-        # Space for two lines is reserved, so that the buttons stay under the mouse.
-        self.message_label.setFixedHeight(2 * self.message_label.fontMetrics().lineSpacing())
-        layout.addWidget(self.message_label)
-        accept = gettext("Continue") if missing else gettext("OK")
+        self.message_label.hide()
+        self._legend = widgets.label(gettext("* needed for a signed report"), "muted")
+        accept = gettext("Continue") if continues else gettext("OK")
         self.keep = widgets.button(accept, "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
@@ -152,8 +155,10 @@ class IdentityDialog(QDialog):
         cancel.setAutoDefault(False)
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
-        row.addWidget(widgets.label(gettext("* needed for a signed report"), "muted"))
-        row.addStretch(1)
+        row.addWidget(self._legend, 1)
+        row.addWidget(self.message_label, 1)  # in place of the legend
+        # Space for two lines is reserved, so that the buttons stay under the mouse
+        row.addStrut(2 * self.message_label.fontMetrics().lineSpacing())
         for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
         layout.addLayout(row)
@@ -242,19 +247,23 @@ class IdentityDialog(QDialog):
         except InputError as error:
             problem = exception_text(error)
         self.message_label.setText(problem)
+        self.message_label.setVisible(bool(problem))
+        self._legend.setVisible(not problem)
         self.keep.setEnabled(not problem)
 
 
-def missing_details_text(missing: Sequence[str]) -> str:
+def missing_details_text(missing: Sequence[str], *, in_form: bool) -> str:
     """Text of the fields that a signed report needs and that are empty.
 
-    Many are not all named, since they are marked in the form.
+    Many are not all named; ``in_form``, they are marked.
     """
     if len(missing) > MAX_NAMED_FIELDS:
-        return gettext(
-            "{count:n} details are missing for a signed report; they are marked with *.",
-            count=len(missing),
+        text = (
+            N_("{count:n} details are missing for a signed report; they are marked with *.")
+            if in_form
+            else N_("{count:n} details are missing for a signed report.")
         )
+        return gettext(text, count=len(missing))
     names = tuple(gettext(FIELD_LABELS[name]) for name in missing)
     return gettext("Missing for a signed report: {names:names}.", names=names)
 

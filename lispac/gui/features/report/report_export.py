@@ -70,13 +70,12 @@ class ReportExport(QObject):
         self._pictures = ReportPictures(document, runner, controller, scene, viewport, self)
         self._computations = computations
         self._panel, self._settings = panel, settings
-        self._asked_for: Path | None = None
-        """Folder of the project whose missing details were asked for."""
         self.show_choice()
         panel.report_requested.connect(actions["report"].trigger)
         panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
         panel.details_requested.connect(lambda: self.ask_details())
+        panel.missing_requested.connect(self.ask_missing)
         panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
@@ -92,12 +91,18 @@ class ReportExport(QObject):
     def _chosen_options(self) -> tuple[object, ...]:
         return astuple(self._panel.choice)
 
-    def ask_details(self, missing: Sequence[str] = ()) -> bool:
+    def ask_missing(self) -> None:
+        """Ask for the details that a signed report needs and that are missing."""
+        if (project := self._document.project) is not None:
+            self.ask_details(project.identity.missing)
+
+    def ask_details(self, missing: Sequence[str] = (), *, continues: bool = False) -> bool:
         """Ask for the details for the report, and store them as one undo step.
 
         Parameters
         ----------
-        missing : names of empty fields, if an export or a preview follows
+        missing : names of empty fields that are to be filled in
+        continues : whether an export or a preview follows
 
         Returns
         -------
@@ -114,6 +119,7 @@ class ReportExport(QObject):
             _reference_frame(project),
             missing,
             self._equipment(),
+            continues,
         )
         if identity is not None and identity.company:
             names = (*COMPANY_FIELDS, *SURVEY_FIELDS)
@@ -164,10 +170,11 @@ class ReportExport(QObject):
         if project is None or project.result is None or survey is None or options is None:
             return None
         missing = project.identity.missing
-        if missing and self._asked_for != project.folder:
-            if not self.ask_details(missing):
+        asked = self._document.folders_asked_for_details
+        if missing and project.folder not in asked:
+            if not self.ask_details(missing, continues=True):
                 return None
-            self._asked_for = project.folder
+            asked.add(project.folder)
         project, survey = self._document.project, self._survey  # edited meanwhile
         if project is None or project.result is None or survey is None:
             return None

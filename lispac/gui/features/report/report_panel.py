@@ -12,6 +12,7 @@ from lispac.gui.app.settings import ReportChoice
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.features.report.identity_dialog import missing_details_text
 from lispac.gui.project.status import REPORT, ProjectState
+from lispac.gui.widgets.error_box import exception_text
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import DEFAULT_OPTIONS, EXTENTS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
@@ -40,6 +41,8 @@ class ReportPanel(QWidget):
     report_requested = Signal()
     lines_requested = Signal()
     details_requested = Signal()
+    missing_requested = Signal()
+    """The missing details are to be filled in."""
     preview_requested = Signal()
     template_requested = Signal()
     changed = Signal()
@@ -91,7 +94,13 @@ class ReportPanel(QWidget):
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
         self.missing = widgets.label("", "muted", wrap=True, name="report_missing")
         self.template_error = widgets.label("", "error", wrap=True, name="report_message")
-        for each in (self.template_error, self.advice, self.missing):
+        self.fill_in = widgets.button(
+            gettext("Enter missing details…"), "report_fill_in",
+            icon="card-account-details-outline",
+            tip=gettext("Open the details for the report at the first missing one"),
+        )  # fmt: skip
+        self.fill_in.clicked.connect(self.missing_requested)
+        for each in (self.template_error, self.advice, self.missing, self.fill_in):
             layout.addWidget(each)
         self.show_template(None)
 
@@ -138,7 +147,7 @@ class ReportPanel(QWidget):
             try:
                 options = report_options(path)
             except InputError as error:
-                self.template_error.setText(str(error))
+                self.template_error.setText(exception_text(error))
             else:
                 self.extent.setCurrentIndex(list(EXTENTS).index(options.extent))
                 self.page.setCurrentIndex(list(PAGE_SIZES).index(options.page))
@@ -159,8 +168,9 @@ class ReportPanel(QWidget):
         self.advice.setText(status.advice)
         self.details.set_reason(reason_text(no_data))
         missing = () if state.project is None else state.project.identity.missing
-        self.missing.setText(missing_details_text(missing) if missing else "")
-        self.missing.setVisible(bool(missing))
+        self.missing.setText(missing_details_text(missing, in_form=False) if missing else "")
+        for each in (self.missing, self.fill_in):
+            each.setVisible(bool(missing))
         for button in (self.preview, self.report):
             button.set_reason(reason_text(status.reason or busy))
         self.lines.set_reason(reason_text(no_data or busy))

@@ -29,6 +29,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.project.output_crs import LOCAL_FRAME
 
+MIN_WIDTH_PX, MARGIN_PX = 620, 16
 SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
 
 
@@ -61,18 +62,18 @@ class CheckDialog(NumberDialog):
         super().__init__(parent)
         self.setObjectName("check_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["check"]))
-        self.setMinimumWidth(620)
+        self.setMinimumWidth(MIN_WIDTH_PX)
         self._start = project.folder.parent
-        layout = widgets.vertical_layout(self, 16)
+        layout = widgets.vertical_layout(self, MARGIN_PX)
         layout.addWidget(
-            widgets.label(
+            widgets.introduction(
                 gettext(
                     "The lines are compared with a static scan of the site or with surveyed "
                     "points. Each row of a point list has a name, three coordinates (in the local "
                     "frame north, west, up) and, optionally, a standard deviation and the name of "
                     "the plane of the point."
                 ),
-                wrap=True,
+                MIN_WIDTH_PX - 2 * MARGIN_PX,
             )
         )
         self.file = QLineEdit()

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from lispac.gui.features.control.control_dialog import ControlDialog
 from lispac.gui.features.control.import_dialog import ControlImportDialog
 from tests.cli.test_cli_control import control_list
-from tests.gui.support import WAIT_MS, Driver, in_front
+from tests.gui.support import WAIT_MS, Driver, in_front, seed
 
 Left = Qt.MouseButton.LeftButton
 
@@ -95,7 +95,7 @@ def test_control_is_imported_used_and_removed(adjusted: Driver, tmp_path: Path) 
         assert dialog.comparison.rowCount() >= 3
         assert dialog.comparison.isVisible()
         rows = {dialog.table.item(row, 0).text(): row for row in range(8)}
-        assert dialog.table.item(rows["T2.4"], 7).text() == "contradicts the survey"
+        assert dialog.table.item(rows["T2.4"], 8).text() == "contradicts the survey"
         dialog.table.item(rows["T2.4"], 0).setCheckState(Qt.CheckState.Unchecked)
 
     use_dialogs(adjusted, untick)
@@ -117,6 +117,50 @@ def test_control_is_imported_used_and_removed(adjusted: Driver, tmp_path: Path) 
 
     use_dialogs(adjusted, remove)
     assert adjusted.project.control == ()
+
+
+def test_control_follows_the_targets(picked: Driver, tmp_path: Path) -> None:
+    """Removal, undo, renaming and a new seed, without another import."""
+
+    def start(dialog: ControlDialog) -> None:
+        press(picked, dialog.import_button)
+
+    def fill(dialog: ControlImportDialog) -> None:
+        dialog.file.setText(str(control_list(tmp_path / "control.csv")))
+
+    def targets() -> dict[str, str]:
+        picked.rest()
+        (file,) = picked.project.control
+        return {point.name: point.target for point in file.points}
+
+    use_dialogs(picked, start, fill, lambda _dialog: None)
+    first = {f"{name}.{k}": name for name in ("T1", "T2") for k in (1, 2, 3, 4)}
+    assert targets() == first
+    window = picked.window
+    window.controller.remove("T2")
+    assert targets() == {name: "T1" * (target == "T1") for name, target in first.items()}
+    window.document.undo_stack.undo()
+    assert targets() == first
+    window.document.undo_stack.redo()
+    steps = window.document.undo_stack.count()
+    seed(picked, "T2")
+    window.controller.accept()
+    new = picked.project.targets[-1].name
+    assert targets() == {name: t if t == "T1" else new for name, t in first.items()}
+    assert window.document.undo_stack.count() == steps + 1  # not a step of its own
+    window.controller.rename(new, "Board")
+    assert targets() == {name: t if t == "T1" else "Board" for name, t in first.items()}
+    window.document.undo_stack.undo()
+    window.document.undo_stack.undo()
+    assert targets() == {name: "T1" * (target == "T1") for name, target in first.items()}
+
+    def shown(dialog: ControlDialog) -> None:
+        assert dialog.table.rowCount() == 8
+        assert len(dialog.choice.used) == 8
+
+    seed(picked, "T2")
+    window.controller.accept()
+    use_dialogs(picked, shown)  # the assignment is finished before the dialogue opens
 
 
 def test_a_missing_file_is_reported(adjusted: Driver, tmp_path: Path) -> None:

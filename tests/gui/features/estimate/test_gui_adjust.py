@@ -15,8 +15,10 @@ from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import gettext
 from lispac.messages import error
+from lispac.present.sigmas import sigmas_used
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
+from lispac.workflow.project.projects import open_project
 from tests.gui.support import (
     Control,
     Demo,
@@ -477,8 +479,28 @@ def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(
     assert picked.project.settings.lidar_sigma == pytest.approx(0.0017, abs=0.0003)
     assert window.data.lidar_sigma.value() == pytest.approx(1.7, abs=0.3)
     assert picked.project.result is not None
-    assert picked.project.result.chi_square.outcome == "passed"
+    assert picked.project.result.chi_square.passed
     assert not results.use_noise.isVisible()
+    assert picked.project.settings.is_lidar_noise_from_residuals
+    assert picked.project.result.lidar_noise_from_residuals
+    assert "not judged" in results.findChild(QLabel, "result_chi").text()
+    assert "estimated from the residuals" in results.findChild(QLabel, "result_sigmas").text()
+    assert sigmas_used(picked.project)[0].source == "estimated"
+    open_step(picked, 0)
+    assert "estimated from the residuals" in window.data.findChild(QLabel, "sigma_source").text()
+    assert window.controller.save()
+    assert open_project(picked.project.folder).settings.is_lidar_noise_from_residuals
+
+    type_into(picked, window.data.lidar_sigma, "2.4")
+    picked.bot.keyClick(window.data.lidar_sigma, Key.Key_Return)
+    picked.rest()
+    assert not picked.project.settings.is_lidar_noise_from_residuals
+    window.document.undo_stack.undo()
+    picked.rest()
+    assert picked.project.settings.is_lidar_noise_from_residuals
+    while picked.project.settings.lidar_sigma != 0.006:
+        window.document.undo_stack.undo()
+    assert not picked.project.settings.is_lidar_noise_from_residuals
 
 
 def test_the_values_of_the_fit_are_not_cut_after_a_change(adjusted: Driver) -> None:

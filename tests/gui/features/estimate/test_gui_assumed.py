@@ -165,7 +165,7 @@ def test_a_typed_noise_replaces_the_range_noise_of_a_scanner(
     picked.rest()
     assert data.lidar_sigma.value() == pytest.approx(1000 * scanner.range_sigma)
     assert "range" in text_of(picked, "lidar_sigma_title")
-    assert str(scanner.angle_sigma_deg) in text_of(picked, "lidar_sigma_model")
+    assert data.angle_sigma.value() == pytest.approx(scanner.angle_sigma_deg)
     type_into(picked, data.lidar_sigma, "20")
     picked.bot.keyClick(data.lidar_sigma, Key.Key_Return)
     picked.rest()
@@ -186,7 +186,28 @@ def test_a_typed_noise_replaces_the_range_noise_of_a_scanner(
     assert picked.project.settings == settings, "one undo step for both settings"
 
 
-def test_a_noise_per_axis_is_shown_with_a_way_to_its_fields(picked: Driver) -> None:
+def test_the_angular_noise_of_the_beam_is_entered_in_step_1(picked: Driver) -> None:
+    window, data = picked.window, picked.window.data
+    settings = picked.project.settings.with_values(lidar_sigma=0.004)
+    window.document.edit("change", picked.project.with_settings(settings))
+    open_step(picked, 0)
+    picked.rest()
+    assert data.angle_sigma.isVisible()
+    assert data.angle_sigma.value() == 0.0
+    type_into(picked, data.angle_sigma, "0.012")
+    picked.bot.keyClick(data.angle_sigma, Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.lidar_beam_sigma == pytest.approx((0.004, 0.012))
+    assert "range" in text_of(picked, "lidar_sigma_title")
+    assert window.adjust.model.angle.value() == pytest.approx(0.012)
+    type_into(picked, data.angle_sigma, "0")
+    picked.bot.keyClick(data.angle_sigma, Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.lidar_beam_sigma is None
+    assert picked.project.settings.lidar_sigma == pytest.approx(0.004)
+
+
+def test_a_noise_per_axis_is_entered_with_a_way_to_its_model(picked: Driver) -> None:
     window, data = picked.window, picked.window.data
     settings = picked.project.settings.with_values(lidar_sigma_xyz=(0.003, 0.004, 0.012))
     window.document.edit("change", picked.project.with_settings(settings))
@@ -194,15 +215,19 @@ def test_a_noise_per_axis_is_shown_with_a_way_to_its_fields(picked: Driver) -> N
     picked.rest()
     assert not data.lidar_sigma.isVisible()
     assert data.lidar_axes.value() == pytest.approx((3.0, 4.0, 12.0))
-    assert all(f.isVisible() and not f.isEnabled() for f in data.lidar_axes.fields)
+    assert not data.angle_sigma.isVisible()
+    type_into(picked, data.lidar_axes.fields[1], "5")
+    picked.bot.keyClick(data.lidar_axes.fields[1], Key.Key_Return)
+    picked.rest()
+    assert picked.project.settings.lidar_sigma_xyz == pytest.approx((0.003, 0.005, 0.012))
     click(picked, data.show_noise_model)
     model = window.adjust.model
     picked.bot.waitUntil(model.noise.hasFocus, timeout=WAIT_MS)
     type_into(picked, model.axes[2], "15")
     picked.bot.keyClick(model.axes[2], Key.Key_Return)
     picked.rest()
-    assert picked.project.settings.lidar_sigma_xyz == pytest.approx((0.003, 0.004, 0.015))
-    assert data.lidar_axes.value() == pytest.approx((3.0, 4.0, 15.0))
+    assert picked.project.settings.lidar_sigma_xyz == pytest.approx((0.003, 0.005, 0.015))
+    assert data.lidar_axes.value() == pytest.approx((3.0, 5.0, 15.0))
     shown = picked.project.settings.used_lidar_sigma
     model.noise.setCurrentIndex(0)
     picked.rest()

@@ -17,7 +17,12 @@ from lispac.gui.features.inspect.picture_export import NO_SECTION_TEXT
 from lispac.gui.features.pick_targets.sightings_table import EDITED_SYMBOL
 from lispac.gui.viewport.base import Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
-from lispac.gui.viewport.overlay import OverlaidPicture, OverlaidView, free_label_place
+from lispac.gui.viewport.overlay import (
+    OverlaidPicture,
+    OverlaidView,
+    free_label_place,
+    leader_line,
+)
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
 from tests.support.view_scenes import scene
 
@@ -230,3 +235,34 @@ def test_labels_of_targets_do_not_overlap_the_colour_scale(qapp) -> None:
     spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)
     assert free_label_place(spot, metrics, "V3", []).intersects(scale)
     assert not free_label_place(spot, metrics, "V3", [scale]).intersects(scale)
+
+
+def test_the_label_of_a_candidate_gives_way_to_those_of_targets(qapp) -> None:
+    stage, size = OverlaidView(), ViewportSize(400.0, 300.0)
+    overlay = stage.overlay
+    camera = Camera(np.zeros(3), 0.0, 0.0, 20.0, parallel=True)
+    overlay.pictures = [OverlaidPicture(QRectF(0.0, 0.0, size.width, size.height), camera)]
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+
+    def paint(*markers: Marker) -> list[QRectF]:
+        overlay.markers = markers
+        painter = QPainter(image)
+        overlay.paint(painter, scale=1.0)
+        painter.end()
+        return list(overlay.label_boxes)
+
+    def place(x: float, y: float, depth: float) -> tuple[float, float, float]:
+        east, north, up = camera.point_at(x, y, depth, size)
+        return east, north, up
+
+    first = Marker("T1", place(190.0, 150.0, 20.0), (200, 0, 0))
+    second = Marker("T2", place(212.0, 148.0, 20.0), (200, 0, 0))
+    for x in range(150, 260, 5):
+        for y in range(120, 190, 5):
+            nearer = place(x, y, 15.0)
+            candidate = Marker("T5?", nearer, (0, 200, 0), is_provisional=True)
+            (*targets, box) = paint(first, second, candidate)
+            assert not any(box.intersects(other) for other in targets)
+            leader = leader_line(QPointF(x, y), box)
+            samples = [leader.pointAt(share) for share in np.linspace(0.0, 1.0, 100)]
+            assert not any(each.contains(at) for each in targets for at in samples), (x, y)

@@ -105,9 +105,38 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
     click(adjusted, panel.report)  # no second dialogue
     adjusted.rest()
     assert dialogs.path.exists()
-    complete = adjusted.project.identity.changed(scanner="Profiler 32")
-    adjusted.window.document.edit("scanner", adjusted.project.with_identity(complete))
+    # The set is that of the session: a rebuilt window, or the project opened again, does not ask
+    renewed = adjusted.window.document.copy_for_new_window()
+    assert renewed.folders_asked_for_details == {adjusted.project.folder}
+
+    def fill_in_last(dialog: QWidget) -> None:
+        assert dialog.focusWidget() is field(dialog, "scanner")
+        assert dialog.findChild(QPushButton, "identity_keep").text() == "OK"
+        type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
+        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
+
+    use_next_dialog(adjusted, fill_in_last)
+    click(adjusted, panel.fill_in)
+    assert adjusted.project.identity.missing == ()
     assert not panel.missing.isVisible()
+    assert not panel.fill_in.isVisible()
+
+
+def test_only_the_form_of_the_details_refers_to_its_asterisks(adjusted: Driver) -> None:
+    open_step(adjusted, REPORT_STEP)
+    document = adjusted.window.document
+    document.edit("details", adjusted.project.with_identity(Identity()))
+    assert str(len(REQUIRED_FIELDS)) in adjusted.window.report.missing.text()
+    assert "*" not in adjusted.window.report.missing.text()
+
+    def look(dialog: QWidget) -> None:
+        assert "*" in dialog.findChild(QLabel, "identity_missing").text()
+        labels = [each.text() for each in dialog.findChildren(QLabel)]
+        assert len([each for each in labels if each.endswith(" *")]) == len(REQUIRED_FIELDS)
+        adjusted.bot.keyClick(dialog, Key.Key_Escape)
+
+    use_next_dialog(adjusted, look)
+    click(adjusted, adjusted.window.report.fill_in)
 
 
 def test_details_are_one_undo_step(adjusted: Driver) -> None:

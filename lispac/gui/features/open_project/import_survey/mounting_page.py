@@ -172,15 +172,7 @@ class MountingPage(QScrollArea):
         self.pos_sigmas.show_values(None, None)
         self._entered: tuple[Triple | None, Triple | None] | None = None
         """Values that the accuracy file replaces; None without an accuracy file."""
-        self.angle_sigma = _number_field("new_angle_sigma", " °", 4, 0, 10)
-        self.angle_sigma.setAccessibleName(gettext("Beam angular noise (1 σ)"))
-        self.angle_sigma.setSpecialValueText(gettext("none given"))
-        self.angle_sigma.setToolTip(
-            gettext(
-                "Standard deviation of the beam direction. If it is 0, the LiDAR noise is the "
-                "same along all axes."
-            )
-        )
+        self.angle_sigma = widgets.angle_noise_field("new_angle_sigma")
         self.angle_sigma.setMaximumWidth(140)
         self.sensors.scanner_chosen.connect(self._set_lidar_noise)
         self.sensors.pos_chosen.connect(self._set_pos_sigmas)

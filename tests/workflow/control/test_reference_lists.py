@@ -8,9 +8,9 @@ import pytest
 from lispac.errors import InputError
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow.checking import references
 from lispac.workflow.checking.absolute_check import check_absolute
-from lispac.workflow.checking.references import read_reference
+from lispac.workflow.control import references
+from lispac.workflow.control.references import read_reference
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked_and_estimated, site_of_few_lines
 

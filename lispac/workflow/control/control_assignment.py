@@ -1,44 +1,35 @@
-"""Import of surveyed control: reading, and assignment of its points to the targets of a project.
+"""Assignment of surveyed control to the targets of a project.
 
 A point of a list is assigned to the target that its column ``plane`` or its own name states, else
 to the target on whose surface it lies. Of a static scan, the surface of each target is found and
 fitted; three points with the same covariance represent a plane, the centre represents a sphere.
+The assignment follows the targets: control is assigned to targets that are added later.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.model.control import plane_points
-from lispac.control_points import ControlFile, ControlPoint, with_control_file
-from lispac.errors import InputError, PlaneNotFound, ProjectError, SphereNotFound
+from lispac.control_points import ControlFile, ControlPoint
+from lispac.errors import InputError, PlaneNotFound, SphereNotFound
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.geometry.spheres import fit_sphere
-from lispac.io.text.seed_file import ListedPoint
 from lispac.language import gettext_lazy
-from lispac.messages import Message, error, note
+from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target, Triple
-from lispac.survey.crs import CoordinateSystem
+from lispac.survey.georeferencing import place_points
 from lispac.targets.plane_finder import find_plane
 from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.thinning import thin_points
-from lispac.workflow.checking.references import (
-    open_reference,
-    read_listed_points,
-    read_surface,
-    sigma_warnings,
-)
-from lispac.workflow.project.coordinates import is_local
+from lispac.workflow.control.references import open_reference, read_surface
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-DEFAULT_SIGMA = 0.005
-"""Default standard deviation of control, metres."""
 MAX_SURFACE_DISTANCE = 0.3
 """Largest distance of a point from the surface of a target to which it is assigned by its place,
 metres; at a range of 15 m, this corresponds to a boresight error of 1.1 deg."""
@@ -53,6 +44,10 @@ SIGMA_SPACING = 0.1
 """Spacing within which the points of a static scan have the same error, metres, as for lines."""
 MIN_SCAN_POINTS = 30
 """Smallest number of points of a static scan on a target."""
+SCAN_DISTANCE = 2 * MAX_SURFACE_DISTANCE
+"""Largest distance from the lines at which points of a static scan are read, metres."""
+MIN_SCAN_SIGMA = 1e-5
+"""Smallest standard deviation of control from a static scan, metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,108 +106,26 @@ class TargetSurface:
         return self.distance(point) if self.is_sphere else abs(float(self.normal @ away))
 
 
-def import_control(
-    project: Project,
-    survey: Survey,
-    path: Path,
-    *,
-    sigma: float = DEFAULT_SIGMA,
-    common_sigma: float | None = None,
-    crs: str = "",
-    height: str = "",
-    trajectory_datum: str | None = None,
-    epoch: float | None = None,
-    progress: Progress = no_progress,
-) -> tuple[Project, tuple[Message, ...]]:
-    """Import control from a list of points or a static scan; a file of the same name is replaced.
-
-    Parameters
-    ----------
-    path : Path
-        List of points: name, x, y, z, and optionally standard deviations and the name of the target
-        in a column ``plane``; or a static scan (LAS, LAZ, E57, PTS, text).
-    sigma : float, metres
-        Standard deviation of each coordinate of points without one in the list. Of a scan, the
-        standard deviation common to all its points, if ``common_sigma`` is not given.
-    common_sigma : float or None, metres
-        Standard deviation, on each axis, of an error that all points of the file share, such as
-        that of the registration or of the fixed points.
-    crs, height, trajectory_datum, epoch
-        As in `lispac.workflow.checking.references.read_reference`.
-
-    Returns
-    -------
-    project : Project
-        Project with the control.
-    notes : tuple of Message
-        Notes on the reading, and warnings about the control.
-
-    Raises
-    ------
-    ProjectError
-        If the project has no targets.
-    InputError
-        If the file cannot be read or is not at the site of the survey, or a standard deviation is
-        not valid.
-    """
-    _require_sigma(sigma)
-    surfaces = target_surfaces(project, survey)
-    opened = open_reference(
-        path, project, survey, crs=crs, height=height, trajectory_datum=trajectory_datum,
-        epoch=epoch,
-    )  # fmt: skip
-    notes: tuple[Message, ...] = opened.notes
-    if opened.is_list:
-        listed, columns = read_listed_points(opened, survey.trajectory)
-        points = _assigned_points(listed, surfaces, sigma, opened.system)
-        notes += (columns, *sigma_warnings([point for point, _ in listed]))
-        common = common_sigma or 0.0
-    else:
-        cloud, used = read_surface(
-            opened, survey, project, 2 * MAX_SURFACE_DISTANCE, sub_progress(progress, 0.0, 0.5)
-        )
-        points = _scanned_points(cloud, surfaces, sub_progress(progress, 0.5, 1.0))
-        notes += (used,)
-        common = sigma if common_sigma is None else common_sigma
-    file = ControlFile(
-        opened.path, opened.size_bytes, opened.sha256, "points" if opened.is_list else "scan",
-        opened.system_name, survey.trajectory.frame.origin_deg_m, float(common), points,
-    )  # fmt: skip
-    file.require_sound()
-    notes += tuple(point.reason for point in points if point.reason is not None)
-    progress(1.0)
-    former = {
-        point.name: point.used
-        for each in project.control
-        if each.path.name == file.path.name
-        for point in each.points
-    }
-    points = tuple(replace(each, used=former.get(each.name, True)) for each in file.points)
-    file = replace(file, points=points)
-    return project.with_control(with_control_file(project.control, file)), notes
-
-
 def target_surfaces(project: Project, survey: Survey) -> tuple[TargetSurface, ...]:
     """Surfaces of the targets, with the estimated boresight, or the prior one before an estimate.
 
-    Raises
-    ------
-    ProjectError
-        If the project has no target with points.
+    Targets to whose points no plane or sphere can be fitted have none.
     """
-    clouds = survey.placed(project, "prior" if project.result is None else "estimated")
+    mounting = project.mounting("prior" if project.result is None else "estimated")
     found = []
     for target in project.targets_of_role("target"):
-        parts = [clouds[each.line][each.indices] for each in target.sightings if each.used]
+        parts = []
+        for each in target.sightings:
+            if each.used:
+                points, time = survey.scans[each.line].take(each.indices)
+                poses = survey.trajectory.at(time + mounting.latency)
+                parts.append(place_points(points, poses, mounting))
         if not sum(map(len, parts)):
             continue
-        points = np.concatenate(parts)
         try:
-            found.append(_surface_of(target, points))
+            found.append(_surface_of(target, np.concatenate(parts)))
         except (PlaneNotFound, SphereNotFound):
             continue  # the adjustment refuses it with the reason
-    if not found:
-        raise ProjectError(error("control.no_targets", project=project.name))
     return tuple(found)
 
 
@@ -224,35 +137,101 @@ def _surface_of(target: Target, points: Array) -> TargetSurface:
     return TargetSurface(target, points, centre, plane.normal, 0.0)
 
 
-def _assigned_points(
-    listed: Sequence[tuple[ListedPoint, Array]],
-    surfaces: Sequence[TargetSurface],
-    sigma: float,
-    system: CoordinateSystem | None,
-) -> tuple[ControlPoint, ...]:
-    """Points of a list with their targets."""
-    by_name = {each.target.name.casefold(): each for each in surfaces}
-    stated = [point.plane or point.name for point, _ in listed]
-    found = []
-    for number, ((point, place), word) in enumerate(zip(listed, stated, strict=True), start=1):
-        named = by_name.get(word.casefold())
-        alone = stated.count(word) == 1
-        name = point.name or f"P{number}"
-        sigmas = _local_sigmas(point, sigma, system)
-        position: Triple = (float(place[0]), float(place[1]), float(place[2]))
-        blank = ControlPoint(name, "", position, sigmas)
-        if named is not None:
-            found.append(_named_point(blank, place, named, alone=alone))
+def is_assignment_current(project: Project) -> bool:
+    """Whether the control of each file was assigned to the present targets."""
+    names = {target.name for target in project.targets_of_role("target")}
+    return all({*file.assigned_to} == names for file in project.control)
+
+
+def with_assigned_control(
+    project: Project,
+    survey: Survey,
+    *,
+    near: Project | None = None,
+    progress: Progress = no_progress,
+) -> Project:
+    """Assign the control to targets that were added since the last assignment.
+
+    Points that are assigned keep their target. Listed points that were not assigned are tried again
+    with the surfaces of ``near``. A static scan is read again if there are new targets.
+
+    Parameters
+    ----------
+    near : Project, optional
+        Project with the points of the targets and the boresight with which the surfaces are
+        computed; by default ``project``.
+    """
+    is_current = is_assignment_current(project)
+    if is_current and not any(_unassigned_points(file) for file in project.control):
+        return project
+    surfaces = target_surfaces(near or project, survey)
+    names = tuple(target.name for target in project.targets_of_role("target"))
+    files = []
+    for k, file in enumerate(project.control):
+        step = sub_progress(progress, k / len(project.control), (k + 1) / len(project.control))
+        if file.kind == "points":
+            points = assigned_points(file.points, surfaces)
         else:
-            found.append(_point_by_place(blank, place, surfaces))
+            points = file.points
+            if new := [each for each in surfaces if each.target.name not in file.assigned_to]:
+                points += _scanned_again(file, project, survey, new, step)
+        files.append(replace(file, points=points, assigned_to=names))
+    control = tuple(files)
+    return project if control == project.control else project.with_control(control)
+
+
+def _unassigned_points(file: ControlFile) -> bool:
+    return file.kind == "points" and not all(point.target for point in file.points)
+
+
+def _scanned_again(
+    file: ControlFile,
+    project: Project,
+    survey: Survey,
+    surfaces: Sequence[TargetSurface],
+    progress: Progress,
+) -> tuple[ControlPoint, ...]:
+    """Control of new targets from the scan of an earlier import, if it has not changed."""
+    reading = file.reading
+    try:
+        opened = open_reference(
+            file.path, project, survey, crs=reading.crs, height=reading.height,
+            trajectory_datum=reading.trajectory_datum, epoch=reading.epoch,
+        )  # fmt: skip
+        if opened.sha256 != file.sha256:
+            reason = note("control.scan_changed", file=file.path.name)
+            return tuple(_not_scanned(each, reason) for each in surfaces)
+        cloud, _ = read_surface(
+            opened, survey, project, SCAN_DISTANCE, sub_progress(progress, 0.0, 0.5)
+        )
+    except (InputError, OSError):
+        reason = note("control.scan_not_readable", file=file.path.name)
+        return tuple(_not_scanned(each, reason) for each in surfaces)
+    return scanned_points(cloud, surfaces, sub_progress(progress, 0.5, 1.0))
+
+
+def assigned_points(
+    points: Sequence[ControlPoint], surfaces: Sequence[TargetSurface]
+) -> tuple[ControlPoint, ...]:
+    """Listed points, of which those without a target are assigned if they belong to one."""
+    by_name = {each.target.name.casefold(): each for each in surfaces}
+    stated = [(point.stated_target or point.name).casefold() for point in points]
+    found = []
+    for point, word in zip(points, stated, strict=True):
+        if point.target or not surfaces:
+            found.append(point)
+            continue
+        blank, named = replace(point, reason=None), by_name.get(word)
+        if named is not None:
+            found.append(_named_point(blank, named, alone=stated.count(word) == 1))
+        else:
+            found.append(_point_by_place(blank, surfaces))
     return tuple(found)
 
 
-def _named_point(
-    point: ControlPoint, place: Array, surface: TargetSurface, *, alone: bool
-) -> ControlPoint:
+def _named_point(point: ControlPoint, surface: TargetSurface, *, alone: bool) -> ControlPoint:
     """Point of the target that the list names; a single point of a sphere is its centre."""
-    off = surface.plane_distance(place)
+    off = surface.plane_distance(np.array(point.position))
     target = surface.target.name
     if off > MAX_NAMED_DISTANCE:
         reason = note("control.far_from_target", name=point.name, target=target, distance=off)
@@ -260,10 +239,9 @@ def _named_point(
     return replace(point, target=target, is_centre=surface.is_sphere and alone)
 
 
-def _point_by_place(
-    point: ControlPoint, place: Array, surfaces: Sequence[TargetSurface]
-) -> ControlPoint:
+def _point_by_place(point: ControlPoint, surfaces: Sequence[TargetSurface]) -> ControlPoint:
     """Point assigned to the target on whose surface it lies; unassigned with the reason if none."""
+    place = np.array(point.position)
     distances = [each.distance(place) for each in surfaces]
     order = np.argsort(distances)
     nearest = surfaces[order[0]]
@@ -287,25 +265,16 @@ def _point_by_place(
     return replace(point, target=nearest.target.name, is_centre=is_centre)
 
 
-def _local_sigmas(point: ListedPoint, sigma: float, system: CoordinateSystem | None) -> Triple:
-    """Standard deviations north, west and up of a listed point, metres."""
-    if point.axis_sigmas is None:
-        own = sigma if point.sigma is None else point.sigma
-        return own, own, own
-    first, second, third = point.axis_sigmas
-    if is_local(system):  # north, west, up
-        return first, second, third
-    assert system is not None
-    if system.crs.is_geocentric:  # no axis is that of the local frame
-        assert point.sigma is not None
-        return point.sigma, point.sigma, point.sigma
-    return second, first, third  # east, north, up
-
-
-def _scanned_points(
-    cloud: Array, surfaces: Sequence[TargetSurface], progress: Progress
+def scanned_points(
+    cloud: Array, surfaces: Sequence[TargetSurface], progress: Progress = no_progress
 ) -> tuple[ControlPoint, ...]:
-    """Control that represents the surfaces of the targets in a static scan."""
+    """Control that represents the surfaces of the targets in a static scan.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+        Points of the scan near the lines.
+    """
     found: list[ControlPoint] = []
     for k, surface in enumerate(surfaces):
         progress(
@@ -333,11 +302,7 @@ def _scanned_target(cloud: Array, surface: TargetSurface) -> list[ControlPoint]:
             return [_sphere_control(name, near[patch.indices], radius)]
         plane = find_plane(near, surface.centre, settings, expected_normal=surface.normal)
     except (PlaneNotFound, SphereNotFound) as failure:
-        centre = surface.centre
-        position: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
-        reason = note("control.not_in_scan", target=name, reason=failure.reason)
-        sigmas = (DEFAULT_SIGMA,) * 3
-        return [ControlPoint(name, "", position, sigmas, reason=reason)]
+        return [_not_scanned(surface, failure.reason)]
     return _plane_control(name, near[plane.indices])
 
 
@@ -348,20 +313,15 @@ def _plane_control(name: str, points: Array) -> list[ControlPoint]:
     moments, turn = np.linalg.eigh(np.cov(((points - centre) @ axes.T).T, bias=True))
     noise = float(np.sqrt(np.mean(plane.distances(points) ** 2)))
     count = max(len(thin_points(points, SIGMA_SPACING)), 3)
-    sigma = max(noise * np.sqrt(3 / count), 1e-5)
+    sigma = max(noise * np.sqrt(3 / count), MIN_SCAN_SIGMA)
     return [
-        ControlPoint(
-            f"{name}-{k}", name, (float(place[0]), float(place[1]), float(place[2])), (sigma,) * 3
-        )
+        ControlPoint(f"{name}-{k}", name, _triple(place), (sigma,) * 3)
         for k, place in enumerate(plane_points(centre, turn.T @ axes, moments), start=1)
     ]
 
 
 def _sphere_control(name: str, points: Array, radius: float | None) -> ControlPoint:
-    """Centre of the sphere through the points of a scan, with the standard deviations of its fit.
-
-    The covariances between the axes are not kept; the largest eigenvalue is used for all axes.
-    """
+    """Centre of the sphere through the points of a scan, with the covariance of its fit."""
     sphere = fit_sphere(points, radius)
     away = points - sphere.centre
     distance = np.linalg.norm(away, axis=1)
@@ -371,18 +331,24 @@ def _sphere_control(name: str, points: Array, radius: float | None) -> ControlPo
     noise = float(np.sqrt(np.mean((distance - sphere.radius) ** 2)))
     count = max(len(thin_points(points, min(SIGMA_SPACING, sphere.radius / 2))), 5)
     cofactors = np.linalg.inv(design.T @ design * (count / len(points)))[:3, :3]
-    sigma = max(noise * float(np.sqrt(np.linalg.eigvalsh(cofactors)[-1])), 1e-5)
-    x, y, z = map(float, sphere.centre)
-    return ControlPoint(f"{name}-centre", name, (x, y, z), (sigma,) * 3, is_centre=True)
+    sigmas = np.maximum(noise * np.sqrt(np.diag(cofactors)), MIN_SCAN_SIGMA)
+    scale = np.sqrt(np.diag(cofactors))
+    correlations = cofactors / np.outer(scale, scale)
+    return ControlPoint(
+        f"{name}-centre", name, _triple(sphere.centre), _triple(sigmas), is_centre=True,
+        correlations=_triple(correlations[[0, 0, 1], [1, 2, 2]]),
+    )  # fmt: skip
 
 
-def _require_sigma(sigma: float) -> None:
-    """Refuse a standard deviation that is not positive.
+def _not_scanned(surface: TargetSurface, failure: Message | str) -> ControlPoint:
+    """Entry of a target without control from a scan, with the reason."""
+    name = surface.target.name
+    return ControlPoint(
+        name, "", _triple(surface.centre), (MIN_SCAN_SIGMA,) * 3, stated_target=name,
+        reason=note("control.not_in_scan", target=name, reason=failure),
+    )  # fmt: skip
 
-    Raises
-    ------
-    InputError
-        If it is not.
-    """
-    if not 0.0 < sigma < np.inf:
-        raise InputError(error("control.sigma", sigma=sigma))
+
+def _triple(values: Array) -> Triple:
+    first, second, third = map(float, values)
+    return first, second, third

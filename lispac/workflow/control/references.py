@@ -20,8 +20,8 @@ from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.store.spatial_cells import MAX_HALVINGS, is_number_in_sample
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute_check import Kind
-from lispac.workflow.calibration.seed_lists import columns_note
 from lispac.workflow.project.coordinates import (
+    columns_note,
     distances_from_trajectory,
     is_local,
     require_near_trajectory,

@@ -16,13 +16,24 @@ from lispac.control_points import (
     with_control_use,
     without_control_file,
 )
-from lispac.errors import InputError, LispacError, ProjectError
+from lispac.duplicate_targets import single_line_notes
+from lispac.errors import InputError, LispacError, ProjectError, RankDeficient
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.present.control import ControlValues
 from lispac.project import Project
-from lispac.workflow.calibration.edits import set_target_use, with_renamed_target
+from lispac.workflow.calibration.edits import (
+    set_line_use,
+    set_sighting_use,
+    set_target_use,
+    with_renamed_target,
+    with_switched_role,
+)
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.checking.control_import import import_control
+from lispac.workflow.control.control_assignment import (
+    is_assignment_current,
+    with_assigned_control,
+)
+from lispac.workflow.control.control_import import import_control
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, site_of_few_lines
@@ -48,6 +59,24 @@ def write_list(path: Path, points: dict[str, np.ndarray], *, plane: bool = True)
         row = f"{name},{north:.5f},{west:.5f},{up:.5f},{SIGMA}"
         rows.append(f"{row},{name[:2]}" if plane else row)
     path.write_text("\n".join(rows) + "\n")
+    return path
+
+
+def scan_points() -> np.ndarray:
+    """Points of a static scan of both boards with noise of 1 mm, shape (8000, 3)."""
+    generator = np.random.default_rng(1)
+    parts = []
+    for board in ("T1", "T2"):
+        normal = site_of_few_lines().scene[board].normal
+        places = np.array(
+            [on_board(board, a, u) for a, u in generator.uniform(-0.5, 0.5, (4000, 2))]
+        )
+        parts.append(places + 0.001 * generator.normal(size=(4000, 1)) * normal)
+    return np.concatenate(parts)
+
+
+def write_scan(path: Path) -> Path:
+    np.savetxt(path, scan_points(), fmt="%.5f")
     return path
 
 
@@ -121,16 +150,7 @@ def test_three_sigmas_of_a_list(known: tuple[Project, Survey], tmp_path: Path) -
 def test_a_static_scan_gives_three_points_of_each_plane(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    generator = np.random.default_rng(1)
-    parts = []
-    for board in ("T1", "T2"):
-        normal = site_of_few_lines().scene[board].normal
-        places = np.array(
-            [on_board(board, a, u) for a, u in generator.uniform(-0.5, 0.5, (4000, 2))]
-        )
-        parts.append(places + 0.001 * generator.normal(size=(4000, 1)) * normal)
-    path = tmp_path / "tripod.txt"
-    np.savetxt(path, np.concatenate(parts), fmt="%.5f")
+    path = write_scan(tmp_path / "tripod.txt")
     project, survey = known
     project = estimate(project, survey, cross_check=False)
     project, notes = import_control(project, survey, path, sigma=0.003)
@@ -228,9 +248,9 @@ def test_a_wrong_point_is_named(known: tuple[Project, Survey], tmp_path: Path) -
     assert solved.result is not None
     found = [each for each in result_warnings(solved.result, None)
              if each.code == "adjustment.control_contradicts"]  # fmt: skip
-    assert found[0].params["name"] == "T2.3"
+    assert [each.params["name"] for each in found] == ["T2.3"]
     wrong = {point.name for point in ControlValues.of(solved).points if point.contradicts}
-    assert "T2.3" in wrong
+    assert wrong == {"T2.3"}
 
 
 def test_control_of_another_origin_is_refused(with_control: tuple[Project, Survey]) -> None:
@@ -239,6 +259,77 @@ def test_control_of_another_origin_is_refused(with_control: tuple[Project, Surve
     with pytest.raises(InputError) as failure:
         control_observations(project.control, {"T1"}, (origin[0], origin[1], origin[2] + 1.0))
     assert failure.value.reason.code == "control.other_origin"
+
+
+# -- a single line ---------------------------------------------------------------------------
+
+
+def on_lines(project: Project, *lines: str) -> Project:
+    for line in {"L1", "L2", "L3"} - {*lines}:
+        project = set_line_use(project, line, False)
+    return project
+
+
+def test_control_determines_the_angles_of_a_single_line(
+    with_control: tuple[Project, Survey],
+) -> None:
+    """The third line is oblique to the boards."""
+    project, survey = with_control
+    alone = on_lines(project, "L3")
+    solved = estimate(alone, survey)
+    result = solved.result
+    assert result is not None
+    truth = site_of_few_lines().boresight
+    assert (np.abs(result.angles - truth) < 4 * result.sigma).all()
+    assert (result.sigma < np.radians(0.5)).all()
+    assert len(result.control) == 8
+    assert result.without_control is None
+    assert single_line_notes(solved) == ()
+    warned = {each.code for each in result_warnings(result, solved.cross_checks)}
+    assert "adjustment.line_unchecked" in warned
+    with pytest.raises(RankDeficient) as failure:
+        estimate(alone.with_control(()), survey)
+    # Followed by the note that no target is on two lines
+    assert failure.value.reason.params["reason"].code == "estimate.one_line"
+
+
+def test_a_single_line_along_the_boards_is_refused(with_control: tuple[Project, Survey]) -> None:
+    project, survey = with_control
+    with pytest.raises(RankDeficient) as failure:
+        estimate(on_lines(project, "L1"), survey)
+    assert failure.value.reason.code == "adjustment.undetermined_because"
+    assert failure.value.reason.params["direction"].code == "adjustment.angle_pitch"
+    assert failure.value.reason.params["reason"].code == "adjustment.single_line"
+
+
+def test_a_target_on_one_line_is_used_if_it_has_control(
+    with_control: tuple[Project, Survey],
+) -> None:
+    project, survey = with_control
+    for line in ("L1", "L2"):
+        project = set_sighting_use(project, "T2", line, False)
+    assert single_line_notes(project) == ()
+    solved = estimate(project, survey, cross_check=False)
+    assert solved.result is not None
+    assert {(each.sighting.target, each.sighting.line) for each in solved.result.sightings} == {
+        ("T1", "L1"), ("T1", "L2"), ("T1", "L3"), ("T2", "L3"),
+    }  # fmt: skip
+    (found,) = single_line_notes(project.with_control(()))
+    assert found.code == "targets.single_line_targets"
+
+
+def test_new_targets_of_a_single_line_take_their_control(
+    with_control: tuple[Project, Survey],
+) -> None:
+    """The control is assigned before the first adjustment, which needs it."""
+    project, survey = with_control
+    late = on_lines(project, "L3").targets
+    empty = project.without_target("T1").without_target("T2")
+    assert empty.control[0].used_points == ()
+    again = empty.with_target(late[0]).with_target(late[1])
+    solved = estimate(again, survey, cross_check=False)
+    assert solved.result is not None
+    assert len(solved.result.control) == 8
 
 
 # -- edits and storage -----------------------------------------------------------------------
@@ -259,6 +350,123 @@ def test_edits_of_control_remove_dependent_results(with_control: tuple[Project, 
 def test_a_renamed_target_keeps_its_control(with_control: tuple[Project, Survey]) -> None:
     renamed = with_renamed_target(with_control[0], "T1", "Wall")
     assert [p.target for p in renamed.control[0].points] == ["Wall"] * 4 + ["T2"] * 4
+
+
+# -- the assignment follows the targets --------------------------------------------------------
+
+
+def assignment(project: Project) -> dict[str, str]:
+    """Target of each control point by its name."""
+    return {point.name: point.target for file in project.control for point in file.points}
+
+
+@pytest.mark.parametrize("plane", [False, True])
+def test_control_is_assigned_to_a_target_that_is_added_later(
+    known: tuple[Project, Survey], tmp_path: Path, plane: bool
+) -> None:
+    """Named or by their places, at the next estimate and without another import."""
+    project, survey = known
+    late = project.target("T2")
+    first, _ = import_control(
+        project.without_target("T2"), survey,
+        write_list(tmp_path / "c.csv", surveyed(), plane=plane),
+    )  # fmt: skip
+    assert assignment(first) == {name: "T1" * (name[:2] == "T1") for name in surveyed()}
+    assert is_assignment_current(first)
+    added = first.with_target(late)
+    assert not is_assignment_current(added)
+    expected = {name: name[:2] for name in surveyed()}
+    assert assignment(with_assigned_control(added, survey)) == expected
+    solved = estimate(added, survey, cross_check=False)
+    assert is_assignment_current(solved)
+    assert assignment(solved) == expected
+    assert all(point.reason is None for point in solved.control[0].points)
+    assert solved.result is not None
+    assert {each.target for each in solved.result.control} == {"T1", "T2"}
+
+
+def test_a_removed_target_leaves_its_control(with_control: tuple[Project, Survey]) -> None:
+    project, _ = with_control
+    removed = project.without_target("T2")
+    assert assignment(removed) == {name: "T1" * (name[:2] == "T1") for name in surveyed()}
+    codes = {p.reason.code for p in removed.control[0].points if p.reason is not None}
+    assert codes == {"control.target_removed"}
+    # Both targets in turn, before the control is assigned again
+    assert set(assignment(removed.without_target("T1")).values()) == {""}
+    assert not is_assignment_current(removed)
+    # A validation plane has no control.
+    assert set(assignment(with_switched_role(project, "T2")).values()) == {"T1", ""}
+
+
+def test_a_new_target_of_the_same_name_elsewhere_does_not_take_the_control(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = known
+    points = {name.replace("T", "P"): place for name, place in surveyed().items()}
+    project, _ = import_control(*known, write_list(tmp_path / "c.csv", points, plane=False))
+    one, two = project.target("T1"), project.target("T2")
+    swapped = project.without_target("T1").without_target("T2")
+    swapped = swapped.with_target(replace(one, name="T2")).with_target(replace(two, name="T1"))
+    swapped = with_assigned_control(swapped, survey)
+    other = {"P1": "T2", "P2": "T1"}
+    assert assignment(swapped) == {name: other[name[:2]] for name in points}
+    # Also if the target is picked again, with its name, at another place
+    moved = project.without_target("T1").with_target(replace(one, name="T2"))
+    assert assignment(moved) == dict.fromkeys(points, "")
+    found = assignment(with_assigned_control(moved, survey))
+    assert found == {name: "T2" * (name[:2] == "P1") for name in points}
+
+
+def test_edits_of_a_target_keep_its_control(with_control: tuple[Project, Survey]) -> None:
+    project, survey = with_control
+    before = project.control
+    line = project.target("T1").sightings[0].line
+    for edited in (
+        set_target_use(project, "T1", False),
+        set_sighting_use(project, "T1", line, False),
+        estimate(project, survey, cross_check=False),
+    ):
+        assert edited.control == before
+        assert with_assigned_control(edited, survey).control is edited.control
+
+
+def test_excluded_points_stay_excluded_when_control_is_assigned_again(
+    with_control: tuple[Project, Survey],
+) -> None:
+    project, survey = with_control
+    late = project.target("T2")
+    project = project.with_control(with_control_use(project.control, ["T2.3"], used=False))
+    again = with_assigned_control(project.without_target("T2").with_target(late), survey)
+    assert set(assignment(again).values()) == {"T1", "T2"}
+    assert [point.name for point in again.control[0].points if not point.used] == ["T2.3"]
+
+
+def test_a_scan_is_read_again_for_a_new_target(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = known
+    path = write_scan(tmp_path / "tripod.txt")
+    whole, _ = import_control(project, survey, path, sigma=0.003)
+    late = project.target("T2")
+    first, _ = import_control(project.without_target("T2"), survey, path, sigma=0.003)
+    assert {point.target for point in first.control[0].points} == {"T1"}
+    added = with_assigned_control(first.with_target(late), survey)
+    assert added.control == whole.control
+    removed = added.without_target("T2")
+    assert removed.control == first.control
+    assert is_assignment_current(removed)
+    with path.open("a") as file:
+        file.write("0 0 0\n")
+    changed = with_assigned_control(first.with_target(late), survey)
+    path.unlink()
+    missing = with_assigned_control(first.with_target(late), survey)
+    for found, code in ((changed, "control.scan_changed"), (missing, "control.scan_not_readable")):
+        last = found.control[0].points[-1]
+        assert last.target == ""
+        assert last.reason is not None
+        assert last.reason.code == "control.not_in_scan"
+        assert last.reason.params["reason"].code == code
+        assert is_assignment_current(found)
 
 
 def test_an_imported_file_replaces_the_one_of_its_name(

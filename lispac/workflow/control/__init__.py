@@ -1,0 +1,1 @@
+"""Surveyed references: reading, and control of the adjustment."""
