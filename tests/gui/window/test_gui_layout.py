@@ -217,6 +217,10 @@ def test_tables_show_several_rows(
     show_panel(window, "Targets by line")
     driver.rest()
     table = window.table
+    heading = table.sightings.headerData(0, Qt.Orientation.Horizontal, Qt.ItemDataRole.DisplayRole)
+    assert "RMS" in heading, "the numbers of the cells are named"
+    tip = table.sightings.headerData(0, Qt.Orientation.Horizontal, Qt.ItemDataRole.ToolTipRole)
+    assert "quality" in tip
     assert table.viewport().height() >= 5 * table.rowHeight(0)
     show_panel(window, "Histograms")
     driver.rest()

@@ -37,7 +37,6 @@ _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
 _EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
-CELL_TITLE = N_("points, RMS")
 CELLS_TIP = N_(
     "A cell contains the number of points of the target in the line, and the RMS of their "
     "distances to the plane or sphere of the sighting. The symbol is the quality of the sighting; "
@@ -149,12 +148,11 @@ class SightingsModel(QAbstractTableModel):
         if section == 0:
             if role == Role.ToolTipRole:
                 return gettext(CELLS_TIP)
-            return gettext("Target") if role == Role.DisplayRole else None
+            return gettext("Target: points, RMS") if role == Role.DisplayRole else None
         line = self._lines[section - 1]
         heading = self._heading.get(line)
         if role == Role.DisplayRole:
-            name = line if heading is None else f"{line}  {round(heading * 57.29578) % 360}°"
-            return f"{name}\n{gettext(CELL_TITLE)}"
+            return line if heading is None else f"{line}  {round(heading * 57.29578) % 360}°"
         if role == Role.DecorationRole:
             return theme.swatch(self._colours[line])
         if role == Role.ToolTipRole:

@@ -3,34 +3,22 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QFormLayout,
-    QHBoxLayout,
-    QLineEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
-from lispac.gui.widgets.number_input import NumberDialog
 from lispac.gui.widgets.result_tables import window_columns, window_rows
-from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, system_text
-from lispac.language import N_, gettext
+from lispac.gui.widgets.surveyed_file_dialog import SurveyedFileDialog
+from lispac.language import gettext
 from lispac.present.absolute import LINE_CHECKS_TABLE, AbsoluteCheckValues, lines_and_all
 from lispac.present.tables import title_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
-from lispac.workflow.project.output_crs import LOCAL_FRAME
-
-MIN_WIDTH_PX, MARGIN_PX = 620, 16
-SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
 
 
 @dataclass(frozen=True)
@@ -53,49 +41,27 @@ class CheckRequest:
     search_distance: float
 
 
-class CheckDialog(NumberDialog):
+class CheckDialog(SurveyedFileDialog):
     """Dialogue for a reference: file, coordinate system and standard deviation."""
 
     def __init__(
         self, project: Project, trajectory: LocalTrajectory, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__(
+            project, trajectory,
+            name="check",
+            introduction=gettext(
+                "The lines are compared with a static scan of the site or with surveyed "
+                "points. Each row of a point list has a name, three coordinates (in the local "
+                "frame north, west, up) and, optionally, a standard deviation and the name of "
+                "the plane of the point."
+            ),
+            label=gettext("Reference"),
+            browse_title=gettext("Choose the reference file"),
+            parent=parent,
+        )  # fmt: skip
         self.setObjectName("check_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["check"]))
-        self.setMinimumWidth(MIN_WIDTH_PX)
-        self._start = project.folder.parent
-        layout = widgets.vertical_layout(self, MARGIN_PX)
-        layout.addWidget(
-            widgets.introduction(
-                gettext(
-                    "The lines are compared with a static scan of the site or with surveyed "
-                    "points. Each row of a point list has a name, three coordinates (in the local "
-                    "frame north, west, up) and, optionally, a standard deviation and the name of "
-                    "the plane of the point."
-                ),
-                MIN_WIDTH_PX - 2 * MARGIN_PX,
-            )
-        )
-        self.file = QLineEdit()
-        self.file.setObjectName("check_file")
-        self.file.setPlaceholderText(gettext("LAS, LAZ, E57, PTS or text file"))
-        browse = widgets.button(
-            gettext("Browse…"), "check_browse", tip=gettext("Choose the reference file")
-        )
-        browse.setAutoDefault(False)
-        browse.clicked.connect(self._browse)
-        row = QHBoxLayout()
-        row.addWidget(self.file, 1)
-        row.addWidget(browse)
-        self.system = system_box("check_system", project, trajectory, local_first=True)
-        known = self.system.findData("")
-        if known >= 0:  # the reference may have another system than the lines
-            self.system.removeItem(known)
-        self.system.insertItem(0, gettext(SYSTEM_OF_FILE_TEXT), "")
-        self.system.setCurrentIndex(0)
-        self.height = QLineEdit()
-        self.height.setObjectName("check_height")
-        self.height.setPlaceholderText(gettext(HEIGHT_PLACEHOLDER))
         self.sigma = widgets.number(
             "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
             tip=gettext(
@@ -113,60 +79,16 @@ class CheckDialog(NumberDialog):
             ),
         )  # fmt: skip
         self.search_distance.setValue(SEARCH_DISTANCE)
-        form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACING)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow(gettext("Reference"), row)
-        form.addRow(gettext("Coordinate system"), self.system)
-        form.addRow(gettext("Vertical system"), self.height)
-        form.addRow(gettext("Reference uncertainty (1 σ)"), self.sigma)
-        form.addRow(gettext("Search distance"), self.search_distance)
-        layout.addLayout(form)
-        self.check = widgets.button(gettext("Run check"), "check_run", primary=True)
-        self.check.setDefault(True)
-        self.check.clicked.connect(self.accept)
-        cancel = widgets.button(gettext("Cancel"), "check_cancel")
-        cancel.setAutoDefault(False)
-        cancel.clicked.connect(self.reject)
-        row = QHBoxLayout()
-        row.addStretch(1)
-        for each in widgets.in_platform_order(self.check, cancel):
-            row.addWidget(each)
-        layout.addLayout(row)
-        self._form = form
-        self.file.textChanged.connect(self._show)
-        self.system.currentTextChanged.connect(self._show)
-        self._show()
+        self.form.addRow(gettext("Reference uncertainty (1 σ)"), self.sigma)
+        self.form.addRow(gettext("Search distance"), self.search_distance)
+        self.add_buttons(widgets.button(gettext("Run check"), "check_run", primary=True))
 
     @property
     def request(self) -> CheckRequest:
         """The check as filled in."""
-        code = system_text(self.system)
-        height = self.height.text().strip() if code != LOCAL_FRAME else ""
         return CheckRequest(
-            Path(self.file.text().strip()), code, height, self.sigma.value() / 1000,
-            self.search_distance.value(),
-        )  # fmt: skip
-
-    def _show(self) -> None:
-        self.check.setEnabled(bool(self.file.text().strip()))
-        self._form.setRowVisible(self.height, system_text(self.system) not in ("", LOCAL_FRAME))
-
-    def _browse(self) -> None:
-        name, _ = QFileDialog.getOpenFileName(
-            self, gettext("Choose the reference file"), str(self._start),
-            ";;".join(
-                [
-                    gettext(
-                        "Scans and lists of points ({patterns})",
-                        patterns="*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts",
-                    ),
-                    gettext("All files (*)"),
-                ]
-            ),
-        )  # fmt: skip
-        if name:
-            self.file.setText(name)
+            self.path, *self.systems, self.sigma.value() / 1000, self.search_distance.value()
+        )
 
 
 class CheckResultDialog(StudyDialog):
