@@ -53,6 +53,9 @@ FIELD_TEXTS: dict[str, dict[str, str]] = {
         "size": "Components in `unit`, in the order given above; west is the opposite of east.",
         "sigma": "Standard deviations of the components of `size`, in `unit`.",
     },
+    "ControlPointValues": {
+        "sigmas_m": "Standard deviations of north, west, up, metres.",
+    },
     "ConventionValues": {
         "lever_arm_m": "Lever arm along the body axes of the other program, metres.",
         "transform": "4x4 matrix, by rows.",

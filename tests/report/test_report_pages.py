@@ -276,6 +276,46 @@ def test_the_figures_of_a_validation_plane_are_on_one_page(
             assert captioned or extent == "short"
 
 
+@pytest.mark.parametrize("page", PAGE_SIZES)
+def test_a_long_introduction_leaves_no_page_less_than_half_full(
+    project: Project, monkeypatch: pytest.MonkeyPatch, page: Page
+) -> None:
+    content = sample_content(project)
+    introduction = (Paragraph("A sentence."),) * 17
+    for lines in range(12, 44, 6):
+        sections = (
+            Section("Above", (Paragraph("above"),) * lines),
+            Section("Headed", (*introduction, _table("Cells", 9), *introduction, *introduction)),
+        )
+        document = replace(_document(1), sections=sections, page=page)
+        monkeypatch.setattr(pdf, "report_document", lambda *_, document=document: document)
+        made = preview_of(content, {}, replace(FULL_REPORT, page=page), ppi=PPI)
+        assert len(made.pages) >= 3
+        assert min(_filled_shares(made.pages[1:-1], page)) >= 0.5, lines
+
+
+@pytest.mark.parametrize("planes", others_long([4, 2, 3, 5, 6]))
+@pytest.mark.parametrize("page", PAGE_SIZES)
+def test_figures_of_planes_leave_no_page_less_than_half_full_wherever_they_begin(
+    project: Project, monkeypatch: pytest.MonkeyPatch, page: Page, planes: int
+) -> None:
+    content = _survey_content(project, planes)
+    options = replace(FULL_REPORT, page=page)
+    document = pdf.report_document(content, {}, options)
+    for lines in (0, 6, 12, 18, 24, 30):
+        sections = tuple(
+            replace(section, blocks=(*(Paragraph("above"),) * lines, *section.blocks))
+            if section.title == "Validation"
+            else section
+            for section in document.sections
+        )
+        assert lines == 0 or sections != document.sections
+        moved = replace(document, sections=sections)
+        monkeypatch.setattr(pdf, "report_document", lambda *_, moved=moved: moved)
+        made = preview_of(content, {}, options, ppi=PPI)
+        assert min(_filled_shares(made.pages, page)) >= 0.5, lines
+
+
 def test_the_short_report_names_the_colours_of_the_lines(
     project: Project, views: dict[str | LazyText, Path]
 ) -> None:
