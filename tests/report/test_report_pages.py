@@ -316,6 +316,20 @@ def test_figures_of_planes_leave_no_page_less_than_half_full_wherever_they_begin
         assert min(_filled_shares(made.pages, page)) >= 0.5, lines
 
 
+def test_figures_of_planes_do_not_overlap_the_list_above_them(
+    project: Project, tmp_path: Path
+) -> None:
+    write_pdf(_survey_content(project, 6), tmp_path / "r.pdf", {}, FULL_REPORT)
+    words = re.findall(
+        r'yMin="([0-9.]+)" xMax="[0-9.]+" yMax="([0-9.]+)">([^<]*)<',
+        _pdf_text(tmp_path / "r.pdf", "-bbox"),
+    )
+    (first,) = (k for k, (*_, word) in enumerate(words) if word == "Maps:")
+    (_, above, line), (top, _, _) = words[first - 1], words[first]
+    assert line.startswith("L")  # the last pair of lines that was not compared
+    assert float(top) > float(above)
+
+
 def test_the_short_report_names_the_colours_of_the_lines(
     project: Project, views: dict[str | LazyText, Path]
 ) -> None:
