@@ -110,9 +110,11 @@ def test_a_hidden_plot_is_drawn_once_when_it_becomes_visible(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
     drawn = []
-    panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
     show_panel(driver.window, "Log")
     driver.bot.waitUntil(lambda: panel.canvas.visibleRegion().isEmpty())
+    finish_layouts()
+    driver.rest()
+    panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
     for choice in (1, PROFILE_PLOT, 0, PROFILE_PLOT):
         panel.plot.setCurrentIndex(choice)
     driver.bot.wait(100)
