@@ -3,6 +3,7 @@
 import threading
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.validation.comparison_results import LineShift, TwoModes
 from lispac.warning_causes import Cause
+from lispac.workflow.project.projects import save_project
 from tests.gui.support import (
     WAIT_MS,
     Control,
@@ -396,3 +398,26 @@ def test_two_groups_of_distances_on_a_validation_plane_are_listed(
     assert (message.params["target"], message.params["distance"]) == (plane.name, 0.04)
     click_row(driver, row)
     assert driver.window.scene.selected[0] == plane.name
+
+
+def test_a_reopened_project_shows_the_same_messages(
+    driver: Driver, demo_copy: Path, demo: Demo
+) -> None:
+    save_project(replace(demo.picked, folder=demo_copy))
+    window = driver.window
+    window.open_project(demo_copy)
+    driver.rest()
+    press(driver, Key.Key_F9)
+    driver.rest()
+    press(driver, Key.Key_F10)
+    driver.rest()
+    assert driver.project.validation
+    press(driver, Key.Key_S, Control)
+    driver.rest()
+    before = listed(driver)
+    window.open_project(demo_copy)
+    driver.rest()
+    assert driver.project.result is not None
+    print("BEFORE", [m.code for m in before])
+    print("AFTER", [m.code for m in listed(driver)])
+    assert listed(driver) == before
