@@ -46,6 +46,7 @@ from lispac.picked_targets import Triple as Triple
 from lispac.picked_targets import require_target_name as require_target_name
 from lispac.picked_targets import require_valid_target as require_valid_target
 from lispac.survey.georeferencing import Mounting
+from lispac.survey.lidar_noise import LidarNoise
 from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.line_source import LineSource as LineSource
 from lispac.survey.line_source import Reading as Reading
@@ -189,6 +190,15 @@ class Settings:
             "POS attitude": self.attitude_sigma_deg is not None,
         }
         return tuple(group for group, given in is_given.items() if not given)
+
+    @property
+    def lidar_noise(self) -> LidarNoise:
+        """Given or assumed noise of the LiDAR points."""
+        beam = self.lidar_beam_sigma
+        return LidarNoise(
+            self.lidar_sigma_xyz or (self.used_lidar_sigma,) * 3,
+            None if beam is None else (beam[0], math.radians(beam[1])),
+        )
 
     @property
     def is_lidar_noise_from_residuals(self) -> bool:

@@ -149,7 +149,7 @@ QUALITY_TABLE = Table[SightingQualityValues](
     (
         Column("target", N_("Target")),
         Column("line", N_("Line")),
-        Column("points", N_("Points"), COUNT),
+        Column("points", N_("Points\nfound"), COUNT),
         Column("rms_m", N_("RMS"), MILLIMETRES),
         Column("range_m", N_("Range"), RANGE_METRES),
         Column("density_per_m2", N_("Points\nper m²"), COUNT),

@@ -215,13 +215,16 @@ INCIDENCE_COLUMN = Column[SightingValues](
 )  # fmt: skip
 RMS_BEFORE_COLUMN = Column[SightingValues](
     "rms_before_m", N_("RMS\nbefore"), MILLIMETRES,
-    N_("RMS distance to the surface with the prior boresight"),
+    N_(
+        "RMS distance to the surface with the prior boresight. It contains the POS error of the "
+        "line, which Shift does not."
+    ),
 )  # fmt: skip
 RMS_AFTER_COLUMN = Column[SightingValues](
     "rms_after_m", N_("RMS\nafter"), MILLIMETRES,
     N_(
-        "RMS distance to the adjusted surface. It contains the POS error of the line and may be "
-        "larger than before."
+        "RMS distance to the adjusted surface. It contains the POS error of the line, which Shift "
+        "does not, and may be larger than before."
     ),
 )  # fmt: skip
 MEAN_AFTER_COLUMN = Column[SightingValues](
@@ -232,7 +235,8 @@ SHIFT_COLUMN = Column[SightingValues](
     "shift_m", N_("Shift"), MILLIMETRES.signed,
     N_(
         "Shift of the sighting from the surface fitted to all other sightings, without the "
-        "estimated POS error of the line; positive if nearer to the vessel"
+        "estimated POS error of the line; positive if nearer to the vessel. RMS contains this "
+        "error, so it may be large although the shift is zero."
     ),
 )  # fmt: skip
 W_COLUMN = Column[SightingValues](

@@ -81,6 +81,10 @@ EXTENT_TEXT = N_(
     "together. A dash means that it cannot be compared, for instance because the search radius "
     "cuts the surface."
 )
+FOUND_AGAIN_TEXT = N_(
+    "The points of targets are found again with the estimated boresight; their number can differ "
+    "slightly from that of the pick."
+)
 BEFORE_CALIBRATION_TEXT = N_(
     "Before the calibration, the boresight error distorts the points measured from a moving "
     "vessel. Therefore only the part of RMS, curvature and flatness that this error does not "
@@ -374,6 +378,8 @@ def quality_blocks(content: ReportContent) -> list[Block]:
         explained.append(EXTENT_TEXT)
     if not content.calibrated:
         explained.append(BEFORE_CALIBRATION_TEXT)
+    else:
+        explained.append(FOUND_AGAIN_TEXT)
     return [
         *quality_summary(content),
         *(Paragraph(gettext(each)) for each in explained),

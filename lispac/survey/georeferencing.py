@@ -154,7 +154,7 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 + self.range_offset / ranges)) @ self._scan_angle_rotation.T
+        return (points_lidar * (1 + self.range_offset / ranges)) @ self.scan_angle_rotation.T
 
     def raw_points(self, points_lidar: Array) -> Array:
         """Points without range and scan-angle offset, as the scanner measured them.
@@ -164,10 +164,11 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 - self.range_offset / ranges)) @ self._scan_angle_rotation
+        return (points_lidar * (1 - self.range_offset / ranges)) @ self.scan_angle_rotation
 
     @property
-    def _scan_angle_rotation(self) -> Array:
+    def scan_angle_rotation(self) -> Array:
+        """Rotation matrix of the scan-angle offset, shape (3, 3)."""
         return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 
@@ -195,6 +196,23 @@ def to_lidar(points_local: Array, poses: Poses, mounting: Mounting) -> Array:
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     points_body = np.einsum("nji,nj->ni", rotation_local_body, points_local - poses.position)
     return mounting.raw_points((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
+
+
+def directions_to_lidar(directions_local: Array, poses: Poses, mounting: Mounting) -> Array:
+    """Rotate directions from the local frame to the frame of the raw LiDAR points.
+
+    Parameters
+    ----------
+    directions_local : ndarray of shape (n, 3)
+    poses : Poses of n points
+
+    Returns
+    -------
+    ndarray of shape (n, 3), LiDAR frame
+    """
+    rotation_local_body = rotation_matrix(*poses.attitude.T)
+    directions_body = np.einsum("nji,nj->ni", rotation_local_body, directions_local)
+    return np.asarray(directions_body @ mounting.rotation_body_lidar @ mounting.scan_angle_rotation)
 
 
 def georeference(

@@ -1,11 +1,32 @@
 """Group of widgets that can be folded."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QSizePolicy,
+    QStyleOptionToolButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.language import gettext
+
+ARROW_MARGIN_PX = 12
+"""Width of a header beside its arrow and its text, pixels."""
+
+
+class _Header(QToolButton):
+    """Button with an arrow and a text, which is cut at its end if it is too long."""
+
+    def initStyleOption(self, option: QStyleOptionToolButton) -> None:
+        """Cut the text of the option; the style would cut it in the middle."""
+        super().initStyleOption(option)
+        width = self.width() - option.iconSize.width() - ARROW_MARGIN_PX
+        option.text = option.fontMetrics.elidedText(
+            self.text(), Qt.TextElideMode.ElideRight, max(width, 0)
+        )
 
 
 class FoldableGroup(QWidget):
@@ -21,7 +42,7 @@ class FoldableGroup(QWidget):
     def __init__(self, title: str, name: str, body: QWidget) -> None:
         super().__init__()
         self._title = title
-        self.head = QToolButton()
+        self.head = _Header()
         self.head.setObjectName(name)
         self.head.setCheckable(True)
         self.head.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -236,7 +236,7 @@ def require_accepted_texts(widget: QWidget) -> None:
         raise InputError(problem)
 
 
-def _scroll_to(field: QWidget) -> None:
+def scroll_to(field: QWidget) -> None:
     """Make a field visible in the scroll areas around it."""
     around = field.parentWidget()
     while around is not None:
@@ -267,7 +267,7 @@ class NumberDialog(QDialog):
                 tabs.setCurrentWidget(page)
             page = parent
         field.setFocus()
-        _scroll_to(field)
+        scroll_to(field)
         place = field.mapToGlobal(field.rect().bottomLeft())
         QToolTip.showText(place, message_text(problem), field)
         return True

@@ -15,18 +15,20 @@ FONT_SIZE, SMALL_SIZE = 9, 8
 """Font sizes of titles and labels, and of tick labels and legends, points."""
 
 
-def convert_axis_units(axis: Axis, base: Base, bins: int | None = None) -> None:
+def convert_axis_units(axis: Axis, base: Base, spacing: float | None = None) -> None:
     """Label an axis with round values in the unit shown instead of its base unit.
 
     Parameters
     ----------
-    bins : largest number of intervals; None for as many as there is space for
+    spacing : smallest distance of two ticks, inches; None for that of Matplotlib
     """
+    if spacing is not None:
+        axis.set_major_locator(_RoundLocator(1.0, spacing))
     if not units.is_converted(base):
         return
     factor = units.shown_unit(base).factor
     is_log = isinstance(axis.get_major_locator(), LogLocator)
-    axis.set_major_locator(_RoundLogLocator(factor) if is_log else _RoundLocator(factor, bins))
+    axis.set_major_locator(_RoundLogLocator(factor) if is_log else _RoundLocator(factor, spacing))
     axis.set_major_formatter(
         FuncFormatter(lambda value, _: _localised_label(f"{value * factor:.6g}"))
     )
@@ -49,11 +51,27 @@ def _localised_label(text: str) -> str:
 
 
 class _RoundLocator(MaxNLocator):
-    """Locator of ticks at round values of another unit."""
+    """Locator of ticks at round values of a unit, as far apart as their labels need.
 
-    def __init__(self, factor: float, bins: int | None) -> None:
-        super().__init__(nbins=bins or "auto", steps=[1, 2, 2.5, 5, 10])
-        self._factor = factor
+    Parameters
+    ----------
+    factor : number of the unit in one base unit
+    spacing : smallest distance of two ticks, inches; None for that of Matplotlib
+    """
+
+    def __init__(self, factor: float, spacing: float | None) -> None:
+        super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+        self._factor, self._spacing = factor, spacing
+
+    def __call__(self) -> Sequence[float]:
+        """Ticks for the present length of the axis, which its aspect may have reduced."""
+        if self._spacing is not None and self.axis is not None:
+            axes = self.axis.axes
+            is_horizontal = self.axis.axis_name == "x"
+            pixels = axes.bbox.width if is_horizontal else axes.bbox.height
+            bins = int(pixels / axes.figure.dpi / self._spacing)
+            self.set_params(nbins=max(bins, 1), min_n_ticks=1)
+        return super().__call__()
 
     def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
         found = super().tick_values(vmin * self._factor, vmax * self._factor)

@@ -108,7 +108,7 @@ def observations_of(
         points_lidar=points,
         position=poses.position,
         attitude=poses.attitude,
-        sigma_lidar=_lidar_sigma(points, settings),
+        sigma_lidar=settings.lidar_noise.sigmas(points),
         beam_sigmas=settings.lidar_beam_sigma is not None,
         sigma_position=sigma_position,
         sigma_attitude=sigma_attitude,
@@ -190,19 +190,9 @@ def with_lidar_noise(observations: Observations, settings: Settings) -> Observat
     """Observations with the given LiDAR noise, on each axis or along and across the beam."""
     return replace(
         observations,
-        sigma_lidar=_lidar_sigma(observations.points_lidar, settings),
+        sigma_lidar=settings.lidar_noise.sigmas(observations.points_lidar),
         beam_sigmas=settings.lidar_beam_sigma is not None,
     )
-
-
-def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
-    """Sigmas along x, y, z, or along the beam and twice across it, shape (n, 3), metres."""
-    if settings.lidar_beam_sigma is not None:
-        along, angle_deg = settings.lidar_beam_sigma
-        across = np.linalg.norm(points_lidar, axis=1) * np.radians(angle_deg)
-        return np.column_stack([np.full(len(points_lidar), along), across, across])
-    axes = settings.lidar_sigma_xyz or (settings.used_lidar_sigma,) * 3
-    return np.tile(np.array(axes, dtype=float), (len(points_lidar), 1))
 
 
 def estimate(

@@ -134,7 +134,7 @@ def propose_objects(
     clouds = place_lines(project, survey, boresight)
     progress(0.4, gettext_lazy("Detecting objects"))
     objects = find_objects(
-        clouds, survey.accuracy, project.settings.used_lidar_sigma, count=count,
+        clouds, survey.accuracy, survey.lidar_sigma(project.settings), count=count,
         progress=sub_progress(progress, 0.4, 0.6),
     )  # fmt: skip
     if not objects:

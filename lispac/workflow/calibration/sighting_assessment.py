@@ -13,7 +13,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Role, Target
-from lispac.survey.georeferencing import Georeferencer
+from lispac.survey.georeferencing import Georeferencer, directions_to_lidar
 from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
 from lispac.targets.expected_target import deviations_from_expected
 from lispac.targets.finder_settings import FinderSettings
@@ -291,13 +291,14 @@ def _sighting_quality(
     seen: _SightingPoints,
     shown: ObservedExtent | None,
 ) -> SightingQuality:
-    noise = project.settings.used_lidar_sigma
     every = np.arange(len(seen.local))
     try:
         if target.shape == "sphere":
             sphere = fit_sphere(seen.local, target.sphere_radius)
+            noise = _normal_sigma(project, placing, seen, sphere.directions(seen.local))
             return sphere_quality(seen.lidar, seen.local, every, sphere, noise)
         plane = fit_plane(seen.local)
+        noise = _normal_sigma(project, placing, seen, np.tile(plane.normal, (len(every), 1)))
     except LispacError as error:
         return undetermined_quality(len(every), sighting.rms, as_message(error.reason))
     turns = None
@@ -315,6 +316,21 @@ def _sighting_quality(
     return add_messages(
         quality, deviations_from_expected(target.expected, quality.extent, plane.normal)
     )
+
+
+def _normal_sigma(
+    project: Project, placing: _SurveyPlacement, seen: _SightingPoints, normals_local: Array
+) -> float:
+    """Sigma of the points of a sighting along the normals of their surface, metres.
+
+    Parameters
+    ----------
+    normals_local : ndarray of shape (n, 3), unit vectors
+    """
+    mounting = placing.points.mounting
+    poses = placing.points.trajectory.at(seen.time + mounting.latency)
+    normals_lidar = directions_to_lidar(normals_local, poses, mounting)
+    return project.settings.lidar_noise.normal_sigma(seen.lidar, normals_lidar)
 
 
 def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
@@ -343,5 +359,5 @@ def _quality_dependencies(project: Project, target: Target) -> tuple[object, ...
     mounting = project.mounting("estimated" if estimated else "prior")
     return (
         target.shape, target.sphere_radius, target.radius, target.expected,
-        target.threshold, project.settings.used_lidar_sigma, estimated, *mounting.values.tolist(),
+        target.threshold, project.settings.lidar_noise, estimated, *mounting.values.tolist(),
     )  # fmt: skip

@@ -199,7 +199,7 @@ def _match_lines(project: Project, survey: Survey, count: int, progress: Progres
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=iterations))
         clouds = place_clouds(survey.clouds, mounting)
         patches = find_patches(
-            clouds, settings.used_lidar_sigma, max(threshold, settings.threshold),
+            clouds, survey.lidar_sigma(settings), max(threshold, settings.threshold),
             progress=sub_progress(step, 0.0, 0.6),
         )  # fmt: skip
         choice = choose_patches(patches, clouds, survey.accuracy, count)

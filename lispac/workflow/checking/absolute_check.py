@@ -111,7 +111,7 @@ def check_absolute(
     )  # fmt: skip
     clouds = _lines_near_reference(project, survey, reference, search_distance)
     where = _ComparisonPlaces.of(
-        reference, survey, project.settings.used_lidar_sigma, search_distance
+        reference, survey, survey.lidar_sigma(project.settings), search_distance
     )
     lines, not_compared = _compare_lines(
         project, survey, clouds, where, path.name, sub_progress(progress, 0.3, 1.0)

@@ -128,7 +128,7 @@ def line_quality(
             found.append(
                 compare_lines(
                     (one, points[one]), (other, points[other]), vessel,
-                    noise=project.settings.used_lidar_sigma, reach=search_distance,
+                    noise=survey.lidar_sigma(project.settings), reach=search_distance,
                 )
             )  # fmt: skip
         except NotComparable as failure:

@@ -16,7 +16,7 @@ from lispac.io.las.las_chunks import point_count
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, Value, error, note
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import LineSource, Project, Reading
+from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, place_clouds
 from lispac.survey.georeferencing import Georeferencer, Mounting
@@ -120,6 +120,18 @@ class Survey:
     def alignment(self) -> Alignment:
         """Lines aligned for the search for targets; computed on first access (some seconds)."""
         return align_lines(self.clouds)
+
+    def lidar_sigma(self, settings: Settings) -> float:
+        """Sigma of a LiDAR point on a surface of any orientation, metres.
+
+        If the noise is given along and across the beam, it is the larger of the two at the median
+        range of the survey.
+        """
+        if settings.lidar_beam_sigma is None:
+            return settings.used_lidar_sigma
+        along, angle_deg = settings.lidar_beam_sigma
+        ranges = np.concatenate([cloud.sample_range for cloud in self.clouds.values()])
+        return max(along, float(np.nanmedian(ranges) * np.radians(angle_deg)))
 
     def with_prior(self, mounting: Mounting) -> "Survey":
         """Survey with the same data placed with another prior mounting."""

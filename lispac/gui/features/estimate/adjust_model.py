@@ -2,15 +2,16 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QWidget
 
 from lispac.adjustment.model.robust_loss import LossName
 from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import units
+from lispac.gui.widgets.number_input import scroll_to
 from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
@@ -53,7 +54,9 @@ COMPONENT_SUMMARIES = (
     "", N_("variance components estimated"), N_("no variance components"),
 )  # fmt: skip
 NOISE_TITLES = (N_("One value"), N_("One value per axis"), N_("Range and angle"))
-NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
+NOISE_SUMMARIES = ("", N_("noise along X, Y, Z"), N_("range and angle noise"))
+NOISE_FIELD_WIDTH_PX = 110
+"""Width of a field of the LiDAR noise: six digits with their separator and a margin."""
 _MM_PER_M = 1e3
 
 
@@ -154,31 +157,29 @@ class ModelSettings(QWidget):
         form.addRow(gettext("LiDAR noise"), self.noise)
         self._single_sigma_row = widgets.label("", "muted", wrap=True, name="lidar_same")
         self.axes = []
-        millimetres, degrees = units.shown_unit("mm").sign, units.shown_unit("°").sign
         for axis in "XYZ":
             self.axes.append(
                 self._optional_field(
                     f"lidar_{axis.lower()}", gettext("LiDAR noise along {axis}", axis=axis), "mm",
-                    _MM_PER_M, f"{axis}, {millimetres}",
+                    _MM_PER_M, "",
                     gettext("Standard deviation of a LiDAR point along {axis}", axis=axis), True,
                 )
             )  # fmt: skip
         self.range = self._optional_field(
-            "lidar_range", gettext("LiDAR range noise"), "mm", _MM_PER_M,
-            gettext("range, {unit}", unit=millimetres),
+            "lidar_range", gettext("LiDAR range noise (1 σ)"), "mm", _MM_PER_M, "",
             gettext("Standard deviation of the range"), True,
         )  # fmt: skip
         self.angle = self._optional_field(
-            "lidar_angle", gettext("LiDAR angle noise"), "°", 1.0,
-            gettext("angle, {unit}", unit=degrees),
+            "lidar_angle", gettext("Beam angular noise (1 σ)"), "°", 1.0, "",
             gettext("Standard deviation of the beam direction"), True,
         )  # fmt: skip
         self._axis_sigmas_row, self._beam_sigmas_row = (
-            _field_row(*self.axes),
-            _field_row(self.range, self.angle),
+            _labelled_fields(*self.axes),
+            _labelled_fields(self.range, self.angle),
         )
-        for each in (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row):
-            form.addRow("", each)
+        form.addRow("", self._single_sigma_row)
+        for each in (self._axis_sigmas_row, self._beam_sigmas_row):
+            form.addRow(each)
 
     def with_chosen_values(self, settings: Settings) -> Settings:
         """Settings with the values of these fields.
@@ -262,11 +263,17 @@ class ModelSettings(QWidget):
             settings.append(gettext("targets of one orientation accepted"))
         return ", ".join(settings)
 
+    @property
+    def missing_fields(self) -> list[OptionalNumber]:
+        """Empty fields of the chosen model of the LiDAR noise."""
+        needed = ([], self.axes, [self.range, self.angle])[self.noise.currentIndex()]
+        return [field for field in needed if not field.text().strip()]
+
     def _all_values(self, fields, code: str):
-        values = [field.value() for field in fields]
-        if any(value is None for value in values):
-            raise InputError(error(code))
-        return tuple(values)
+        if missing := [field for field in fields if field.value() is None]:
+            names = tuple(field.accessibleName() for field in missing)
+            raise InputError(error(code, fields=names))
+        return tuple(field.value() for field in fields)
 
     def _time_field(self, name: str, tip: str):
         field = widgets.number(name, suffix=" s", decimals=1, low=0, high=1e6, step=30, tip=tip)
@@ -287,15 +294,29 @@ class ModelSettings(QWidget):
         ):
             self._form.setRowVisible(each, k == kind)
         self.committed.emit()
+        if self.missing_fields:  # once the new rows have their places
+            QTimer.singleShot(0, self, self._show_missing_field)
+
+    def _show_missing_field(self) -> None:
+        """Scroll to the first missing field."""
+        if (missing := self.missing_fields) and missing[0].isVisible():
+            scroll_to(missing[0])
 
 
-def _field_row(*fields: QWidget) -> QWidget:
+def _labelled_fields(*fields: OptionalNumber) -> QWidget:
+    """Fields below each other, each with its name and unit at its left."""
     widget = QWidget()
-    row = QHBoxLayout(widget)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(4)
-    for field in fields:
-        row.addWidget(field)
+    grid = QGridLayout(widget)
+    grid.setContentsMargins(0, 0, 0, 0)
+    grid.setHorizontalSpacing(8)
+    grid.setVerticalSpacing(5)
+    grid.setColumnStretch(0, 1)
+    for row, field in enumerate(fields):
+        title = widgets.label(field.accessibleName(), wrap=True)
+        title.setBuddy(field)
+        field.setFixedWidth(NOISE_FIELD_WIDTH_PX)
+        grid.addWidget(title, row, 0)
+        grid.addWidget(field, row, 1)
     return widget
 
 

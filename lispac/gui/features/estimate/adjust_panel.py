@@ -25,7 +25,7 @@ from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
 from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.foldable_group import FoldableGroup
-from lispac.gui.widgets.number_input import require_accepted_texts
+from lispac.gui.widgets.number_input import require_accepted_texts, scroll_to
 from lispac.gui.widgets.reserved_label import ReservedLabel
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
@@ -113,6 +113,13 @@ class AdjustPanel(QWidget):
         self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
         self.problem.hide()
         layout.addWidget(self.problem)
+        self.show_field = widgets.button(
+            gettext("Show the field"), "show_missing_field",
+            tip=gettext("Scroll to the field that is not filled in and place the cursor in it"),
+        )  # fmt: skip
+        self.show_field.clicked.connect(self._show_missing_field)
+        self.show_field.hide()
+        layout.addWidget(self.show_field)
         layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)
@@ -223,8 +230,16 @@ class AdjustPanel(QWidget):
         else:
             self.problem.setText("")
             self.problem.hide()
+        self.show_field.setVisible(bool(self.model.missing_fields))
         self.estimate.set_reason(self._reason or self.problem.text())
         self._update_count()
+
+    def _show_missing_field(self) -> None:
+        """Unfold the group of the first missing field, scroll to it, and give it the focus."""
+        field = self.model.missing_fields[0]
+        self.advanced.open()
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
+        QTimer.singleShot(0, field, lambda: scroll_to(field))
 
     def _show_problem(self, text: str) -> None:
         if text == self.problem.text():

@@ -233,7 +233,8 @@ class ObservabilityPage(FigurePage):
 class TablePage(DiagnosticsPage):
     """Page with one table."""
 
-    name = ""
+    name, explanation = "", ""
+    """Object name of the table, and English text above it."""
     results: Table[Any]
 
     def __init__(self) -> None:
@@ -241,6 +242,11 @@ class TablePage(DiagnosticsPage):
         self.table = DiagnosticsTable(self.name, gettext(self.title), window_columns(self.results))
         layout = QVBoxLayout(self.content)
         layout.setContentsMargins(4, 4, 4, 4)
+        self.explanation_label = widgets.label(
+            gettext(self.explanation), "muted", wrap=True, name=f"{self.name}_explanation"
+        )
+        self.explanation_label.setVisible(bool(self.explanation))
+        layout.addWidget(self.explanation_label)
         layout.addWidget(self.table)
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
@@ -261,10 +267,21 @@ class SightingsPage(TablePage):
 
     title, name = N_("Sightings"), "diagnostics_sightings_table"
     results = SIGHTINGS_TABLE
+    explanation = N_(
+        "RMS contains the POS error of the line; Shift is without the estimated POS error. A "
+        "sighting can therefore have a large RMS and agree with the others."
+    )
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals and tests of each "
         "sighting."
     )
+
+    def fill(self, project: Project, result: AdjustmentResult) -> None:
+        """Fill the table; the explanation applies only to correlated POS errors."""
+        super().fill(project, result)
+        self.explanation_label.setVisible(
+            any(s.shift_m is not None for s in sighting_values(result))
+        )
 
     def rows_of(self, result: AdjustmentResult) -> list[Row]:
         """A row for each sighting."""

@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import MaxNLocator
 
 from lispac.gui.appearance import quantities, theme
+from lispac.gui.features.inspect.section_panel import AHEAD_LABEL, HEIGHT_LABEL
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
@@ -30,8 +30,16 @@ CUT_TITLES_WITH_OFFSET = {
 }
 ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
 """Titles of the axes of an exaggerated picture of a plane."""
-LOW_TITLE_LENGTH = 14
-"""Length after which the title of the vertical axis is wrapped in a low picture, characters."""
+MIN_TITLE_LENGTH = 14
+"""Smallest length after which the title of the vertical axis is wrapped, characters."""
+LOW_TITLES = {
+    HEIGHT_LABEL: N_("Height (m)"),
+    AHEAD_LABEL: N_("Away (m)"),
+    ACROSS_TITLE: N_("Across (m)"),
+    ALONG_TITLE: N_("Along (m)"),
+}
+"""Titles of the vertical axis in a low picture, which have one line; the title of the cut contains
+the factor."""
 FILLED_QUANTILE = 0.99
 """Share of the points that an enlarged picture contains; single points off the surface may be out
 of it."""
@@ -40,8 +48,8 @@ MAX_CROP_ALONG = 4.0
 VISIBLE_DISTANCE_M, MIN_VISIBLE_SHARE = 0.02, 0.03
 """Distance between lines that the automatic factor shows, metres, and the share of the width of
 the picture, enlarged, that is needed for that."""
-TICK_INCHES = 0.55
-"""Approximate space for a number of the horizontal axis."""
+TICK_INCHES = 0.55, 0.22
+"""Approximate space for a number of the horizontal and of the vertical axis."""
 OUTSIDE_TEXT = N_("{count:n} of {all:n} lines are out of the picture")
 INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
 """Approximate width of a character of a title."""
@@ -92,9 +100,7 @@ def draw_section(
     # Cuts with one factor have one range, so that they can be compared
     crops = {view.factor: min(v.crop for v in views if v.factor == view.factor) for view in views}
     views = [replace(view, crop=crops[view.factor]) for view in views]
-    title_length = LOW_TITLE_LENGTH
-    if labelled:
-        title_length = max(title_length, int(space[1] / INCHES_PER_CHARACTER))
+    title_length = max(MIN_TITLE_LENGTH, int(space[1] / INCHES_PER_CHARACTER))
     is_shared = len({(view.factor, view.crop, view.centre) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
@@ -103,19 +109,17 @@ def draw_section(
         first = first or axes
         title = view.title(offsets.get(view.cut.which), short=not has_long_titles)
         _draw_cut(axes, view, colours, title)
-        across, upward = view.axis_titles(titles)
+        across, upward = view.axis_titles(titles, is_low=not labelled)
         size, pad = (FONT_SIZE, 4.0) if labelled else (SMALL_SIZE, 1.0)
         axes.set_xlabel(across, fontsize=size, color=theme.TEXT, labelpad=pad)
         if number == 1 or not is_shared:
             axes.set_ylabel(
-                fill(upward, title_length, break_long_words=False),
-                fontsize=FONT_SIZE,
+                fill(upward, title_length, break_long_words=False) if labelled else upward,
+                fontsize=size,
                 color=theme.TEXT,
             )
-        bins = max(2, int(space[0] / TICK_INCHES))
-        axes.xaxis.set_major_locator(MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10]))
-        convert_axis_units(axes.xaxis, "m", bins=bins)
-        convert_axis_units(axes.yaxis, "m")
+        convert_axis_units(axes.xaxis, "m", spacing=TICK_INCHES[0])
+        convert_axis_units(axes.yaxis, "m", spacing=TICK_INCHES[1])
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
         marks = [
@@ -256,11 +260,12 @@ class _CutView:
         """Length of a vertical metre in the picture divided by that of a horizontal one."""
         return self.factor if self.vertical else 1 / self.factor
 
-    def axis_titles(self, titles: tuple[str, str]) -> list[str]:
+    def axis_titles(self, titles: tuple[str, str], *, is_low: bool) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
         if not self.is_natural:
             across = (ACROSS_TITLE, ALONG_TITLE)
             titles = (across[1], across[0]) if self.vertical else across
+        upward = titles[1]
         texts = [gettext(title) for title in titles]
         if self.factor != 1:
             number = int(self.vertical)
@@ -269,6 +274,8 @@ class _CutView:
                 title=texts[number].removesuffix(" (m)"),
                 factor=round(self.factor),
             )
+        if is_low:
+            texts[1] = gettext(LOW_TITLES.get(upward, upward))
         return texts
 
     def title(self, offset: PairOffset | None, *, short: bool) -> str:

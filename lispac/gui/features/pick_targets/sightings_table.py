@@ -38,9 +38,11 @@ _ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
 _EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
 CELLS_TIP = N_(
-    "A cell contains the number of points of the target in the line, and the RMS of their "
-    "distances to the plane or sphere of the sighting. The symbol is the quality of the sighting; "
-    "untick a cell to exclude its sighting."
+    "A cell contains the number of points of the target found in the line, and the RMS of their "
+    "distances to the plane or sphere of the sighting. After the calibration, the points of "
+    "targets are found again with the estimated boresight, as in the report; their number then "
+    "differs slightly from that of the pick. The symbol is the quality of the sighting; untick a "
+    "cell to exclude its sighting."
 )
 RATING_TEXTS: dict[Rating, str] = {
     "good": N_("Quality: good"),
@@ -148,7 +150,7 @@ class SightingsModel(QAbstractTableModel):
         if section == 0:
             if role == Role.ToolTipRole:
                 return gettext(CELLS_TIP)
-            return gettext("Target: points, RMS") if role == Role.DisplayRole else None
+            return gettext("Target: points found, RMS") if role == Role.DisplayRole else None
         line = self._lines[section - 1]
         heading = self._heading.get(line)
         if role == Role.DisplayRole:
@@ -287,17 +289,17 @@ class SightingsModel(QAbstractTableModel):
         lines = [
             gettext(
                 Plural(
-                    "{target} in line {line}: {count:n} point, RMS distance to the plane of "
-                    "the sighting {rms}",
-                    "{target} in line {line}: {count:n} points, RMS distance to the plane of "
-                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} point picked, RMS distance to the plane "
+                    "of the sighting {rms}",
+                    "{target} in line {line}: {count:n} points picked, RMS distance to the plane "
+                    "of the sighting {rms}",
                 )
                 if target.shape == "plane"
                 else Plural(
-                    "{target} in line {line}: {count:n} point, RMS distance to the sphere of "
-                    "the sighting {rms}",
-                    "{target} in line {line}: {count:n} points, RMS distance to the sphere of "
-                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} point picked, RMS distance to the sphere "
+                    "of the sighting {rms}",
+                    "{target} in line {line}: {count:n} points picked, RMS distance to the sphere "
+                    "of the sighting {rms}",
                 ),
                 target=target.name, line=sighting.line, count=len(sighting.indices),
                 rms=local_amount(sighting.rms, MILLIMETRES),
@@ -453,10 +455,10 @@ def quality_text(quality: SightingQuality) -> str:
         lines.append(
             gettext(
                 Plural(
-                    "Quality computed with the estimated boresight from {count:n} point, RMS "
-                    "{rms}",
-                    "Quality computed with the estimated boresight from {count:n} points, RMS "
-                    "{rms}",
+                    "Quality computed from {count:n} point found again with the estimated "
+                    "boresight, RMS {rms}",
+                    "Quality computed from {count:n} points found again with the estimated "
+                    "boresight, RMS {rms}",
                 ),
                 count=quality.points, rms=local_amount(quality.rms, MILLIMETRES),
             )

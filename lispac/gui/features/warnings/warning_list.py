@@ -20,7 +20,8 @@ from lispac.workflow.checking.warnings import warnings_of
 DEBOUNCE_MS = 60
 """Delay after a change, so that several changes in a row cause one update."""
 
-CollectedWarnings = tuple[int, tuple[Message, ...]]
+CollectedWarnings = tuple[int, tuple[Message, ...], bool]
+"""Number of the request, its messages, and whether all sightings were rated."""
 
 
 class WarningList(QObject):
@@ -110,6 +111,8 @@ class WarningList(QObject):
         survey = document.survey if document.is_survey_current else None
         qualities, storage = self._qualities, self._storage_problem()
         outdated = document.is_result_outdated
+        targets = () if project is None else project.targets
+        is_complete = len(qualities) == sum(len(target.sightings) for target in targets)
         if project is None or document.awaits_result:
             return
         self._requested += 1
@@ -117,12 +120,12 @@ class WarningList(QObject):
 
         def work() -> CollectedWarnings:
             if requested != self._requested:
-                return requested, ()  # superseded by a later change
+                return requested, (), False  # superseded by a later change
             found = warnings_of(
                 project, survey, qualities, refusal=refusal, refused_since=refused_since,
                 outdated=outdated, storage=storage,
             )  # fmt: skip
-            return requested, found
+            return requested, found, is_complete
 
         self._worker.submit(work).add_done_callback(self._emit_result)
 
@@ -134,9 +137,9 @@ class WarningList(QObject):
             self._collected.emit(future.result())
 
     def _show(self, collected: CollectedWarnings) -> None:
-        requested, found = collected
+        requested, found, is_complete = collected
         if requested == self._requested:
             self._shown_request = requested
-            self._panel.show_warnings(found)
-            self._button.show_warnings(found)
+            self._panel.show_warnings(found, is_complete=is_complete)
+            self._button.show_warnings(found, is_complete=is_complete)
             self.shown.emit()

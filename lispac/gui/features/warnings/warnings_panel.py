@@ -60,6 +60,7 @@ MAX_SLICE_S = 0.015
 NO_PROJECT_TEXT = N_("Open or create a project to see the messages about it.")
 NO_WARNINGS_TEXT = N_("No warnings about the files, the targets or the result.")
 CLICK_HINT = N_("Click a message, or press Enter on it, to go to its cause.")
+INCOMPLETE_TEXT = N_("{counts} so far; not all sightings are rated yet")
 WAITING_TEXT = N_("A new estimate is running. These messages are from before the change.")
 
 
@@ -70,12 +71,19 @@ LEVEL_COUNT_TEXTS = {
 }
 
 
-def level_counts_text(messages: Sequence[Message]) -> str:
-    """Text of the number of messages of each level: ``2 warnings, 3 notes``."""
+def level_counts_text(messages: Sequence[Message], *, is_complete: bool = True) -> str:
+    """Text of the number of messages of each level: ``2 warnings, 3 notes``.
+
+    Parameters
+    ----------
+    is_complete : whether all sightings are rated, so that no note on them is missing
+    """
     counts = {level: sum(each.level is level for each in messages) for level in Level}
-    return ", ".join(
+    text = ", ".join(
         gettext(LEVEL_COUNT_TEXTS[level], count=count) for level, count in counts.items() if count
     )
+    text = text or gettext("No messages")
+    return text if is_complete else gettext(INCOMPLETE_TEXT, counts=text)
 
 
 class WarningsPanel(QWidget):
@@ -125,8 +133,13 @@ class WarningsPanel(QWidget):
         """Show that the list is out of date and a new result is being computed."""
         self.head.setText(gettext(WAITING_TEXT))
 
-    def show_warnings(self, messages: Sequence[Message]) -> None:
-        """Show the list; the current message remains current if it is still in the list."""
+    def show_warnings(self, messages: Sequence[Message], *, is_complete: bool = True) -> None:
+        """Show the list; the current message remains current if it is still in the list.
+
+        Parameters
+        ----------
+        is_complete : whether all sightings are rated
+        """
         current = self.list.currentRow()
         current_message = self.messages[current] if 0 <= current < len(self.messages) else None
         self.messages = tuple(messages)
@@ -136,7 +149,8 @@ class WarningsPanel(QWidget):
             self._show_empty(NO_WARNINGS_TEXT)
             return
         self._fill()
-        self.head.setText(f"{level_counts_text(messages)}. {gettext(CLICK_HINT)}")
+        counts = level_counts_text(messages, is_complete=is_complete)
+        self.head.setText(f"{counts}. {gettext(CLICK_HINT)}")
         self._pages.setCurrentIndex(1)
 
     @property
@@ -268,17 +282,28 @@ class WarningsButton(QPushButton):
         self.setStyleSheet("padding: 1px 8px;")
         self.show_warnings(None)
 
-    def show_warnings(self, messages: Sequence[Message] | None) -> None:
-        """Show the number of messages of each level; None if no project is open."""
+    def show_warnings(
+        self, messages: Sequence[Message] | None, *, is_complete: bool = True
+    ) -> None:
+        """Show the number of messages of each level; None if no project is open.
+
+        Parameters
+        ----------
+        is_complete : whether all sightings are rated
+        """
         self.setVisible(messages is not None)
         worst = next(
             (level for level in Level if any(m.level is level for m in messages or ())), None
         )
         icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
-        text = level_counts_text(messages) if messages else gettext("No messages")
-        self.setText(text)
+        text = level_counts_text(messages or ())
+        self.setText(text if is_complete else f"{text} …")
         if (bar := self.parentWidget()) is not None and (layout := bar.layout()) is not None:
             layout.activate()  # the bar may paint the text before the next layout
-        self.setToolTip(gettext("Click to see them all (F12)"))
+        tip = gettext("Click to see them all (F12)")
+        if not is_complete:
+            text = level_counts_text(messages or (), is_complete=False)
+            tip = f"{text}. {tip}"
+        self.setToolTip(tip)
         self.setAccessibleName(text)

@@ -5,11 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QStyleOptionToolButton, QWidget
+from pytestqt.qtbot import QtBot
 
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.result import VarianceComponent
 from lispac.errors import InputError
+from lispac.gui.app.language import set_language
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
@@ -518,3 +520,59 @@ def test_the_values_of_the_fit_are_not_cut_after_a_change(adjusted: Driver) -> N
         adjusted.window.document.edit("components", changed)
         adjusted.rest()
         assert [x.objectName() for x in labels if x.height() < x.heightForWidth(x.width())] == []
+
+
+def test_the_missing_field_of_the_lidar_noise_is_named_and_shown(picked: Driver) -> None:
+    panel = picked.window.adjust
+    unfold(picked, panel.advanced)
+    panel.model.noise.setFocus()
+    for _ in range(2):
+        picked.bot.keyClick(panel.model.noise, Key.Key_Down)
+    picked.rest()
+    # The field is in view at once, and its name and unit are beside it.
+    assert not panel.model.angle.visibleRegion().isEmpty()
+    for field in (panel.model.range, panel.model.angle):
+        name = field.accessibleName()
+        labels = [each for each in panel.model.findChildren(QLabel) if each.buddy() is field]
+        assert [each.text() for each in labels] == [name]
+        assert labels[0].isVisible()
+    assert panel.input_error is not None
+    assert panel.input_error.code == "window.lidar_beam_incomplete"
+    assert panel.input_error.params["fields"] == (panel.model.angle.accessibleName(),)
+    assert panel.model.angle.accessibleName() in panel.problem.text()
+    assert not panel.estimate.isEnabled()
+    panel.advanced.open(False)
+    click(picked, panel.show_field)
+    picked.rest()
+    assert panel.advanced.body.isVisible()
+    assert panel.model.angle.hasFocus()
+    assert not panel.model.angle.visibleRegion().isEmpty()
+    type_into(picked, panel.model.angle, "0.00524")
+    metrics = panel.model.angle.fontMetrics()
+    assert panel.model.angle.width() > metrics.horizontalAdvance("0.00524") + 20
+    picked.rest()
+    assert panel.input_error is None
+    assert not panel.show_field.isVisible()
+    assert panel.estimate.isEnabled()
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_a_long_header_of_a_group_is_cut_at_its_end(qtbot: QtBot, language: str) -> None:
+    set_language(language)
+    group = FoldableGroup(gettext("Advanced"), "fold", QWidget())
+    qtbot.addWidget(group)
+    group.set_summary(f"{gettext('range and angle noise')}, {gettext('given form error')}")
+    group.resize(200, 40)
+    group.show()
+    option = QStyleOptionToolButton()
+    group.head.initStyleOption(option)
+    assert len(option.text) < len(group.head.text())
+    assert option.text.endswith("…")
+    assert group.head.text().startswith(option.text[:-1])
+    # The style does not cut the text again.
+    free = group.head.width() - option.iconSize.width() - 4
+    assert option.fontMetrics.horizontalAdvance(option.text) <= free
+    group.resize(900, 40)
+    group.head.initStyleOption(option)
+    assert option.text == group.head.text()
+    set_language("en")

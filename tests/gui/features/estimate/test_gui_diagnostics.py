@@ -11,8 +11,9 @@ from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
-from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
+from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES, SightingsPage
 from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
+from lispac.language import gettext
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
 from lispac.present.sightings import has_undetermined_pos_errors, sighting_values
@@ -52,6 +53,31 @@ def turn_to(driver: Driver, title: str):
     assert page.title == title
     assert page.isVisible()
     return page
+
+
+def test_rms_and_shift_are_explained_above_the_table(
+    shown: Driver, demo: Demo, estimated: Project
+) -> None:
+    page = turn_to(shown, "Sightings")
+    explanation, table = page.explanation_label, page.table
+    assert explanation.isVisible()
+    assert explanation.text() == gettext(SightingsPage.explanation)
+    bottom = explanation.mapTo(page, explanation.rect().bottomLeft()).y()
+    assert bottom < table.mapTo(page, QPoint()).y()
+    for title in ("RMS before", "RMS after"):
+        assert "Shift" in table.horizontalHeaderItem(column(table, title)).toolTip()
+    assert "RMS" in table.horizontalHeaderItem(column(table, "Shift")).toolTip()
+    assert not turn_to(shown, "Targets").explanation_label.isVisible()
+    assert estimated.result is not None
+    thesis = replace(
+        estimated.result,
+        model=replace(estimated.result.model, pos_errors="independent"), reliability=(),
+    )  # fmt: skip
+    shown.window.document.open(replace(estimated, result=thesis), demo.survey)
+    shown.rest()
+    page = turn_to(shown, "Sightings")
+    assert page.table.isVisible()
+    assert not page.explanation_label.isVisible()
 
 
 def test_the_results_lead_to_the_cross_checks(shown: Driver) -> None:

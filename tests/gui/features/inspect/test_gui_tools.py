@@ -13,7 +13,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui.features.inspect.section_figure import draw_section
-from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
+from lispac.gui.features.inspect.section_panel import AHEAD_LABEL, EMPTY_TEXT, HEIGHT_LABEL
 from lispac.gui.features.inspect.sections import DRAG_UPDATE_MS, section_box_sketch
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
@@ -265,6 +265,53 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         figure.canvas.draw()
         label = figure.axes[0].yaxis.label.get_window_extent()
         assert 0 <= label.y0 < label.y1 <= figure.bbox.height, "not cut off"
+
+
+@pytest.mark.parametrize("factor", ["automatic", "1", "50"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
+    adjusted: Driver, factor: str, language: str
+) -> None:
+    press(adjusted, Key.Key_S)
+    adjusted.rest()
+    adjusted.window._select("T1", "")
+    adjusted.rest()
+    cuts = adjusted.window.tools.sections._cuts
+    colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
+    for upward, size in product((HEIGHT_LABEL, AHEAD_LABEL), ((5.5, 1.5), (7.0, 1.6), (9.0, 1.8))):
+        figure = Figure(figsize=size, layout="constrained")
+        FigureCanvasAgg(figure)
+        with in_language(language):
+            draw_section(
+                cuts, colours, (AHEAD_LABEL, upward), {}, figure, labelled=False,
+                has_long_titles=False, exaggeration=None if factor == "automatic" else int(factor),
+            )  # fmt: skip
+            figure.canvas.draw()
+        title = figure.axes[0].yaxis.label
+        assert title.get_text()
+        assert "\n" not in title.get_text()
+        box = title.get_window_extent()
+        assert 0 <= box.y0 < box.y1 <= figure.bbox.height, "not cut off"
+        for axes in figure.axes:
+            frame = axes.get_window_extent()
+            across = [
+                box
+                for each in axes.get_xticklabels()
+                if frame.x0 - 1
+                <= np.mean((box := each.get_window_extent()).intervalx)
+                <= frame.x1 + 1
+            ]
+            upward_boxes = [
+                box
+                for each in axes.get_yticklabels()
+                if frame.y0 - 1
+                <= np.mean((box := each.get_window_extent()).intervaly)
+                <= frame.y1 + 1
+            ]
+            assert across
+            assert upward_boxes
+            assert all(a.x1 + 2 < b.x0 for a, b in pairwise(across))
+            assert all(a.y1 < b.y0 for a, b in pairwise(upward_boxes))
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:

@@ -118,7 +118,7 @@ def test_quality_is_computed_with_the_estimated_boresight(
     tip = shown_value(picked, "T1", line, Role.ToolTipRole)
     assert "Quality: good" in tip
     assert "prior boresight" not in tip
-    assert "Quality computed with the estimated boresight from " in tip
+    assert " found again with the estimated boresight, RMS " in tip
     # Excluding one sighting keeps the lights of the others until the new result is there.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)

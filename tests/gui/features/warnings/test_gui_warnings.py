@@ -3,6 +3,7 @@
 import threading
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,18 +12,23 @@ from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.pick_targets import target_actions
 from lispac.gui.features.warnings.warnings_panel import (
     ACTION_LINE,
+    INCOMPLETE_TEXT,
     NO_PROJECT_TEXT,
     NO_WARNINGS_TEXT,
     TITLE,
     WAITING_TEXT,
+    level_counts_text,
 )
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
+from lispac.language import gettext
 from lispac.messages import Action, Level, Message, error, note, warning
 from lispac.project import Project
 from lispac.validation.comparison_results import LineShift, TwoModes
 from lispac.warning_causes import Cause
+from lispac.workflow.project.projects import save_project
 from tests.gui.support import (
     WAIT_MS,
     Control,
@@ -396,3 +402,51 @@ def test_two_groups_of_distances_on_a_validation_plane_are_listed(
     assert (message.params["target"], message.params["distance"]) == (plane.name, 0.04)
     click_row(driver, row)
     assert driver.window.scene.selected[0] == plane.name
+
+
+def test_a_reopened_project_shows_the_same_messages(
+    driver: Driver, demo_copy: Path, demo: Demo, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Until all its sightings are rated, the number of messages is marked as incomplete."""
+    save_project(replace(demo.picked, folder=demo_copy))
+    window = driver.window
+    window.open_project(demo_copy)
+    driver.rest()
+    press(driver, Key.Key_F9)
+    driver.rest()
+    press(driver, Key.Key_F10)
+    driver.rest()
+    assert driver.project.validation
+    press(driver, Key.Key_S, Control)
+    driver.rest()
+    before, counts = listed(driver), window.warnings_button.text()
+    assert any(each.code.startswith("project.doubtful") for each in before)
+    assess, goes_on = target_actions.assess_sightings, threading.Event()
+
+    def slow(*arguments, **named):
+        assert goes_on.wait(WAIT_MS / 1000)
+        return assess(*arguments, **named)
+
+    monkeypatch.setattr(target_actions, "assess_sightings", slow)
+    former = driver.project
+    window.open_project(demo_copy)
+    button, panel = window.warnings_button, window.warnings
+    driver.bot.waitUntil(
+        lambda: (
+            driver.project is not former
+            and window.warning_list.is_current
+            and "project.import_note" in {each.code for each in panel.messages}
+            and window.runner.active
+        ),
+        timeout=WAIT_MS,
+    )
+    incomplete = gettext(INCOMPLETE_TEXT, counts=level_counts_text(panel.messages))
+    assert len(panel.messages) < len(before)
+    assert panel.head.text().startswith(incomplete)
+    assert button.text().endswith(" …")
+    assert incomplete in button.toolTip()
+    goes_on.set()
+    assert listed(driver) == before
+    assert driver.project.result is not None
+    assert button.text() == counts
+    assert panel.head.text().startswith(f"{counts}. ")
