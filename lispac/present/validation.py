@@ -616,7 +616,7 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
     N_("Pairs of lines before and after"),
     (
         Column(
-            _lines_text, N_("Lines"),
+            _lines_text, N_("Lines\n(⇄ reciprocal)"),
             tip=N_(
                 "The two lines. ⇄: reciprocal, run in opposite directions, where an error of the "
                 "boresight is largest. /: other pair"
@@ -641,14 +641,14 @@ WINDOW_PAIRS_TABLE = Table[PairValues](
             "before.signed.median_m", N_("Offset\nbefore"), MILLIMETRES.signed,
             N_(
                 "Median distance of the first line from the second along the normal (M3C2) before "
-                "the calibration, positive towards the vessel"
+                "the calibration, positive if the first is nearer to the vessel"
             ),
         ),
         Column(
             "after.signed.median_m", N_("Offset\nafter"), MILLIMETRES.signed,
             N_(
                 "Median distance of the first line from the second along the normal (M3C2) after "
-                "the calibration, positive towards the vessel"
+                "the calibration, positive if the first is nearer to the vessel"
             ),
         ),
         Column(

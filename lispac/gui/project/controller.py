@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from lispac.acceptance import NO_CRITERIA
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.app.questions import CandidateChoice
@@ -115,6 +116,9 @@ class Controller(QObject):
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
         """Function that decides whether to overwrite a project that another program has changed."""
         document.changed.connect(self._on_document_changed)
+        self._is_source_edited = False
+        """Whether the user has typed or cleared the source of the acceptance criteria."""
+        document.opened.connect(lambda: setattr(self, "_is_source_edited", False))
 
     @property
     def busy(self) -> bool:
@@ -575,12 +579,15 @@ class Controller(QObject):
     def change_acceptance(self, values: Mapping[str, float | str | None]) -> None:
         """Change acceptance criteria, given by their names: one undo step.
 
-        With the first criterion, the contract in the details for the report becomes the source.
+        With the first criterion, the contract in the details for the report becomes the source if
+        there is none and the user has not cleared it.
         """
         if self._project is None:
             return
         former, contract = self._project.acceptance, self._project.identity.contract
-        if former.is_empty and contract and "source" not in values:
+        if "source" in values:
+            self._is_source_edited = True
+        elif former == NO_CRITERIA and contract and not self._is_source_edited:
             values = {**values, "source": contract}
         try:
             criteria = former.changed(**values)

@@ -6,8 +6,9 @@ from textwrap import fill
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QKeyEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QApplication,
     QComboBox,
     QDialogButtonBox,
@@ -28,6 +29,7 @@ from PySide6.QtWidgets import (
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_field import BASE_OF_SUFFIX, NumberField
+from lispac.gui.widgets.number_input import types_character
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, gettext
 
@@ -298,6 +300,9 @@ def in_lines(text: str, metrics: QFontMetrics, width: int) -> str:
 class VerticalScrollArea(QScrollArea):
     """Scroll area that scrolls vertically only and is as wide as its content.
 
+    While it has the focus, a content that becomes lower does not scroll, and letters and digits
+    start no action of the window, except in lists and tables: the user is typing values.
+
     Parameters
     ----------
     min_width : smallest width, pixels
@@ -312,6 +317,9 @@ class VerticalScrollArea(QScrollArea):
         self.setWidget(inside)
         self.verticalScrollBar().installEventFilter(self)
         self._reserve_bar(is_shown=False)
+        if isinstance(inside, WrappedBody):
+            self.verticalScrollBar().valueChanged.connect(lambda _place: self._hold_place())
+            QApplication.instance().focusChanged.connect(self._on_focus_moved)
 
     def _reserve_bar(self, *, is_shown: bool) -> None:
         """Keep the width of the content, whether the scroll bar is shown or not."""
@@ -331,6 +339,33 @@ class VerticalScrollArea(QScrollArea):
                 self.updateGeometry()
         return super().eventFilter(watched, event)
 
+    def event(self, event: QEvent) -> bool:
+        """Keep typed characters that the focused widget does not use from starting an action."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            is_list = isinstance(QApplication.focusWidget(), QAbstractItemView)
+            if types_character(event) and not is_list:
+                event.accept()
+                return True
+        return super().event(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Hold the place at the new height."""
+        super().resizeEvent(event)
+        self._hold_place()
+
+    def _on_focus_moved(self, _old: QWidget | None, new: QWidget | None) -> None:
+        """Hold the place from now on, or release it when the focus is elsewhere in the window."""
+        if new is not None:
+            self._hold_place()
+
+    def _hold_place(self) -> None:
+        """Keep the content as high as needed for the visible part while it has the focus."""
+        body, focused = self.widget(), QApplication.focusWidget()
+        if isinstance(body, WrappedBody):
+            holds = focused is not None and body.isAncestorOf(focused)
+            place = self.verticalScrollBar().value()
+            body.hold_height(place + self.viewport().height() if holds and place else 0)
+
     def minimumSizeHint(self) -> QSize:
         """Smallest size for content and scroll bar, in pixels."""
         inside = self.widget().minimumSizeHint().width()
@@ -343,6 +378,18 @@ class WrappedBody(QWidget):
 
     The smallest size of a layout has the height of texts that are wrapped at their smallest width.
     """
+
+    _held_height = 0
+
+    def hold_height(self, height: int) -> None:
+        """Be at least so high, pixels; the texts may need less."""
+        if height != self._held_height:
+            self._held_height = height
+            self.updateGeometry()
+
+    def heightForWidth(self, width: int) -> int:
+        """Height of the texts, or the height to hold."""
+        return max(super().heightForWidth(width), self._held_height)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels; the scroll area adds the height for the width."""

@@ -9,7 +9,6 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QStyledItemDelegate,
     QTableWidget,
     QTableWidgetItem,
 )
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
+from lispac.gui.widgets.marked_cells import MarkedCells
 from lispac.language import gettext
 
 Key = tuple[str, str]
@@ -70,7 +70,7 @@ class Row:
     current: bool = False
 
 
-class _IndentedTexts(QStyledItemDelegate):
+class _IndentedTexts(MarkedCells):
     """Delegate of a column of texts beside numbers aligned to the right, which it keeps apart."""
 
     def displayText(self, value: object, locale: QLocale | QLocale.Language) -> str:
@@ -124,6 +124,7 @@ class DiagnosticsTable(QTableWidget):
             tip = _convert_units(column.tip, column)
             head.setToolTip(widgets.wrapped_tip(f"{tip}\n{sorting}"))
             head.setTextAlignment(_ALIGNED_LEFT if column.is_text else _ALIGNED_RIGHT)
+        self.setItemDelegate(MarkedCells(self))
         for k, (before, column) in enumerate(pairwise(columns), start=1):
             if column.is_text and not before.is_text:
                 self.setItemDelegateForColumn(k, _IndentedTexts(self))

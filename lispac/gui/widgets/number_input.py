@@ -39,6 +39,13 @@ _UNITS: dict[str, tuple[str, float]] = {
 }  # fmt: skip
 """Quantity of a unit, and its size in the base unit of the quantity."""
 
+_COMMAND_KEYS = (
+    Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.MetaModifier
+)
+"""Keys held down for a command; others type characters."""
+
 REASON_PROPERTY = "wrong_reason"
 """Property of a field with the reason why its text is not accepted; empty if it is."""
 
@@ -178,12 +185,19 @@ def _is_undo_key(event: QKeyEvent) -> bool:
     return event.matches(keys.Undo) or event.matches(keys.Redo)
 
 
+def types_character(event: QKeyEvent) -> bool:
+    """Whether a key types a visible character, with or without Shift."""
+    return (
+        event.text().isprintable()
+        and bool(event.text().strip())
+        and not (event.modifiers() & _COMMAND_KEYS)
+    )
+
+
 def _is_shortcut(event: QEvent) -> bool:
     """Whether a key starts an action of a window; Undo reverts the typing itself."""
-    modifiers = Qt.KeyboardModifier
     assert isinstance(event, QKeyEvent)
-    special = modifiers.ControlModifier | modifiers.AltModifier | modifiers.MetaModifier
-    if _is_undo_key(event) or (event.text() and not event.modifiers() & special):
+    if _is_undo_key(event) or (event.text() and not event.modifiers() & _COMMAND_KEYS):
         return False
     pressed = QKeySequence(event.keyCombination())
     return any(

@@ -21,13 +21,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.gui.widgets.number_input import commit_focused_field
+
 WidgetType = TypeVar("WidgetType", bound=QWidget)
 Reason = Qt.FocusReason
 ENTER_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 def focus_next(window: QMainWindow, forward: bool) -> bool:
-    """Move the focus to the next or previous widget; return whether there is one."""
+    """Move the focus to the next or previous widget; return whether there is one.
+
+    The typed value is committed first, since widgets may be replaced or disabled by it.
+    """
+    commit_focused_field()
     found = _next_stop(window, forward)
     if found is None:
         return False

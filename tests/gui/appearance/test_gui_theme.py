@@ -91,6 +91,7 @@ def test_texts_have_enough_contrast_on_every_background(scheme: ColourScheme) ->
 def test_focus_frames_and_marks_have_enough_contrast(scheme: ColourScheme) -> None:
     pairs = [
         *product(("accent", "frame", "doubtful", "waiting"), ("window", "paper", "bar")),
+        *product(("warning", "error", "done"), ("chosen",)),
         ("accent", "current"), ("fill", "paper"), ("fill_edge", "window"),
         *product(("axis_x", "axis_y", "axis_z", "body_axis", "wall", "moved"), ("paper",)),
         *product(("before", "after"), ("paper", "ground", "sky")),

@@ -31,6 +31,7 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.estimate import result_texts
 from lispac.gui.project.status import OUTDATED_RESULT_NOTE, ProjectState
 from lispac.gui.widgets.column_flow import ColumnFlow
+from lispac.gui.widgets.marked_cells import MarkedCells
 from lispac.gui.widgets.mounting_texts import (
     CONVENTION_NAME_TEXT,
     SIGNS_TEXT,
@@ -386,6 +387,7 @@ def _correlation_times(model: StochasticModel) -> str:
 def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWidget:
     """Table with a column for each angle; the unit of its values, if any, is in the headers."""
     table = QTableWidget(rows, len(ANGLES))
+    table.setItemDelegate(MarkedCells(table))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
     table.setAccessibleName(title)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QFormLayout,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QPlainTextEdit,
     QVBoxLayout,
@@ -118,9 +119,9 @@ class IdentityDialog(QDialog):
                 inner_width,
             )
         )
-        if missing:
-            text = missing_details_text(missing, in_form=True)
-            layout.addWidget(widgets.introduction(text, inner_width, "warning", "identity_missing"))
+        self._missing_label = _missing_label(missing, inner_width)
+        self._missing_label.setVisible(bool(missing))
+        layout.addWidget(self._missing_label)
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
         for name, text in suggestions.items():
             field = self.fields[name]
@@ -241,6 +242,9 @@ class IdentityDialog(QDialog):
     def _check_input(self) -> None:
         """Accept the typed texts, or show the error in them."""
         texts = {name: _field_text(field) for name, field in self.fields.items()}
+        _show_missing(
+            self._missing_label, [name for name in REQUIRED_FIELDS if not texts[name].strip()]
+        )
         try:
             self.identity = EMPTY_IDENTITY.changed(**texts)
             problem = ""
@@ -252,11 +256,39 @@ class IdentityDialog(QDialog):
         self.keep.setEnabled(not problem)
 
 
+def _missing_label(missing: Sequence[str], width: int) -> QLabel:
+    """Label of the missing fields, as high as the longest text that it shows while they are filled.
+
+    Parameters
+    ----------
+    width : width of the texts, pixels
+    """
+    longest = sorted(REQUIRED_FIELDS, key=lambda name: len(gettext(FIELD_LABELS[name])))
+    texts = [
+        missing_details_text(missing, in_form=True),
+        missing_details_text(longest[-MAX_NAMED_FIELDS:], in_form=True),
+    ]
+    heights = [widgets.introduction(text, width, "warning").minimumHeight() for text in texts]
+    label = widgets.introduction(texts[0], width, "warning", "identity_missing")
+    label.setFixedHeight(max(heights) if len(missing) > MAX_NAMED_FIELDS else heights[0])
+    return label
+
+
+def _show_missing(label: QLabel, missing: Sequence[str]) -> None:
+    """Name or count the fields that are missing now."""
+    label.setText(missing_details_text(missing, in_form=True))
+    label.setProperty("role", "warning" if missing else "success")
+    label.style().unpolish(label)
+    label.style().polish(label)
+
+
 def missing_details_text(missing: Sequence[str], *, in_form: bool) -> str:
     """Text of the fields that a signed report needs and that are empty.
 
     Many are not all named; ``in_form``, they are marked.
     """
+    if not missing:
+        return gettext("No details are missing for a signed report.")
     if len(missing) > MAX_NAMED_FIELDS:
         text = (
             N_("{count:n} details are missing for a signed report; they are marked with *.")

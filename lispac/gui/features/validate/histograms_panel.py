@@ -146,6 +146,10 @@ PLOT_TITLES = (
 )
 PERCENT_PLOT, PROFILE_PLOT, PAIRS_VIEW = 1, 2, 3
 """Indices in `PLOT_TITLES`; the last one is a table."""
+PAIRS_HINT = N_(
+    "Offsets are positive if the first line is nearer to the vessel. ⇄: reciprocal lines, run in "
+    "opposite directions."
+)
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 LEGEND_TEMPLATES = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
@@ -443,14 +447,15 @@ class HistogramsPanel(QWidget):
             self.pairs.show_rows(pairs_table.pair_rows(comparison, values.criteria))
 
     def _show_idle_reading(self) -> None:
-        """Show the values that exceed a limit, or what the mouse does, below the planes."""
+        """Show the values that exceed a limit, and the signs of pairs or what the mouse does."""
         comparison, values = self._current_comparison, self._values
         failures = (
             () if comparison is None or values is None else failed_texts(values, comparison.name)
         )
-        hint = "" if self.plot.currentIndex() == PAIRS_VIEW else gettext(ZOOM_HINT)
-        self.reading.setText("\n".join(failures) or hint)
-        self.reading.setToolTip(widgets.wrapped_tip("\n".join(failures)))
+        is_table = self.plot.currentIndex() == PAIRS_VIEW
+        texts = [*failures, gettext(PAIRS_HINT)] if is_table else failures or [gettext(ZOOM_HINT)]
+        self.reading.setText("\n".join(texts))
+        self.reading.setToolTip(widgets.wrapped_tip("\n".join(texts if is_table else failures)))
 
     def select(self, name: str) -> None:
         """Draw the histograms of one plane without emitting a signal."""

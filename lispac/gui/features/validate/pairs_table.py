@@ -38,7 +38,7 @@ def _marked_row(row: Row, pair: PairValues, criteria: AcceptanceCriteriaValues) 
     before, rms = pair.before.distances.rms_m, pair.after.distances.rms_m
     reasons, colours = [], {}
     if rms - before >= LEAST_CHANGE_M:
-        colours[RMS_AFTER] = "doubtful"
+        colours[RMS_AFTER] = "warning"
         reasons.append(
             gettext(
                 "Worse than before the calibration: RMS {before} → {after}",

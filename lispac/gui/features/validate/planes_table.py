@@ -22,6 +22,7 @@ from lispac.acceptance import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
+from lispac.gui.widgets.marked_cells import MarkedCells
 from lispac.gui.widgets.result_tables import local_cell_text, local_number, window_columns
 from lispac.language import N_, gettext
 from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
@@ -68,6 +69,7 @@ class PlanesTable(QTableWidget):
         self.verticalHeader().setMinimumSectionSize(ROW_HEIGHT_PX)
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
         self.setShowGrid(False)
+        self.setItemDelegate(MarkedCells(self))
         self.setAlternatingRowColors(True)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

@@ -84,9 +84,6 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
-        self.model_difference = widgets.label("", "warning", wrap=True, name="validate_other_model")
-        self.model_difference.hide()
-        layout.addWidget(self.model_difference)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
             gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
@@ -108,7 +105,10 @@ class ValidatePanel(QWidget):
         self.acceptance = AcceptanceForm()
         self.acceptance.edited.connect(self.acceptance_edited)
         layout.addWidget(self.acceptance)
-        # Texts that change with the criteria are below their fields, which then stay in place
+        # Texts that change with the options and criteria are below all fields, which stay in place
+        self.model_difference = widgets.label("", "warning", wrap=True, name="validate_other_model")
+        self.model_difference.hide()
+        layout.addWidget(self.model_difference)
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
         self.outcome = AcceptanceOutcome()

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import VarianceComponent
 from lispac.gui.app.settings import ReportChoice
 from lispac.gui.features.report import report_export
-from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS
+from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS, missing_details_text
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
 from lispac.gui.project.status import VALIDATE
@@ -136,6 +136,32 @@ def test_only_the_form_of_the_details_refers_to_its_asterisks(adjusted: Driver) 
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
     use_next_dialog(adjusted, look)
+    click(adjusted, adjusted.window.report.fill_in)
+
+
+def test_the_missing_details_are_counted_while_they_are_typed(adjusted: Driver) -> None:
+    open_step(adjusted, REPORT_STEP)
+    document = adjusted.window.document
+    document.edit("details", adjusted.project.with_identity(Identity()))
+
+    def fill_in(dialog: QWidget) -> None:
+        banner, height = dialog.findChild(QLabel, "identity_missing"), 0
+        for number, name in enumerate(REQUIRED_FIELDS):
+            missing = REQUIRED_FIELDS[number:]
+            assert banner.text() == missing_details_text(missing, in_form=True)
+            height = height or banner.height()
+            assert banner.height() == height
+            assert banner.heightForWidth(banner.width()) <= height
+            type_into(adjusted, field(dialog, name), "2026-03-04" if name == "dates" else "x")
+        assert banner.text() == missing_details_text((), in_form=True)
+        assert banner.property("role") == "success"
+        first = field(dialog, REQUIRED_FIELDS[0])
+        type_into(adjusted, first, " ")
+        assert banner.text() == missing_details_text(REQUIRED_FIELDS[:1], in_form=True)
+        assert banner.property("role") == "warning"
+        adjusted.bot.keyClick(dialog, Key.Key_Escape)
+
+    use_next_dialog(adjusted, fill_in)
     click(adjusted, adjusted.window.report.fill_in)
 
 

@@ -8,14 +8,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
 from lispac.adjustment.result import CrossCheck, CrossChecks
+from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
-from lispac.gui.features.validate.planes_table import P95
+from lispac.gui.features.validate.histograms_panel import (
+    PAIRS_HINT,
+    PAIRS_VIEW,
+    HistogramsPanel,
+)
+from lispac.gui.features.validate.pairs_table import OFFSET_AFTER
+from lispac.gui.features.validate.planes_table import P95, RMS
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
+from lispac.language import gettext
 from lispac.present.acceptance import AcceptanceValues
 from lispac.present.validation import ValidationPlane
 from lispac.project import Project
@@ -30,8 +38,10 @@ from tests.gui.support import (
     open_step,
     press,
     sentence,
+    show_panel,
     type_into,
 )
+from tests.support.view_scenes import array_of
 
 
 @pytest.fixture
@@ -335,3 +345,52 @@ def test_the_reasons_are_below_the_text_that_refers_to_them(judged: Driver) -> N
     judged.rest()
     assert panel.advice.text()
     assert panel.advice.geometry().bottom() < panel.outcome.geometry().top()
+
+
+@pytest.mark.parametrize("is_dark", [False, True], ids=["light", "dark"])
+def test_failing_values_of_selected_rows_keep_their_colour(
+    request, qapp: QApplication, driver: Driver, demo: Demo, validated: Project, is_dark: bool
+) -> None:
+    theme.apply_theme(qapp, "dark" if is_dark else "light")
+    request.addfinalizer(lambda: theme.apply_theme(qapp, "light"))
+    limits = NO_CRITERIA.changed(rms=0.0001, offset=0.0001)
+    driver.window.document.open(validated.with_acceptance(limits), demo.survey)
+    driver.rest()
+    panel = show_panel(driver.window, "Histograms").widget()
+    assert isinstance(panel, HistogramsPanel)
+    panel.plot.setCurrentIndex(PAIRS_VIEW)
+    panel.plot.activated.emit(PAIRS_VIEW)
+    driver.rest()
+    rows = range(panel.pairs.rowCount())
+    row = next(k for k in rows if panel.pairs.item(k, OFFSET_AFTER).font().bold())
+    for table, item in (
+        (panel.table, panel.table.item(0, RMS)), (panel.pairs, panel.pairs.item(row, OFFSET_AFTER))
+    ):  # fmt: skip
+        place = table.visualItemRect(item)
+        driver.bot.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=place.center())
+        assert item.isSelected()
+        driver.rest()
+        picture = array_of(table.viewport().grab(place).toImage()).astype(int)
+        redder = picture[..., 0] - picture[..., 2]
+        assert np.count_nonzero(redder > 50) >= 10, "letters of the colour of an error"
+        assert np.count_nonzero(redder < -20) >= 100, "background of a selected row"
+
+
+def test_the_signs_of_the_pairs_are_explained_beside_them(judged: Driver) -> None:
+    panel = show_panel(judged.window, "Histograms").widget()
+    assert isinstance(panel, HistogramsPanel)
+    panel.plot.setCurrentIndex(PAIRS_VIEW)
+    panel.plot.activated.emit(PAIRS_VIEW)
+    judged.rest()
+    text = gettext(PAIRS_HINT)
+    for limit in (None, 0.0001):
+        criteria = NO_CRITERIA.changed(rms=limit)
+        judged.window.document.edit("limits", judged.project.with_acceptance(criteria))
+        judged.rest()
+        assert text in panel.reading.text()
+        assert text.split()[0] in panel.reading.toolTip()
+    heads = [panel.pairs.horizontalHeaderItem(k) for k in range(panel.pairs.columnCount())]
+    assert "reciprocal" in heads[0].text()
+    for head in heads:
+        if "Offset" in head.text() or "offset" in head.text():
+            assert "positive if the first" in head.toolTip().replace("\n", " ")

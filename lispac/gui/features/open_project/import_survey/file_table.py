@@ -17,6 +17,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.open_project.import_survey import file_texts
+from lispac.gui.widgets.marked_cells import MarkedCells
 from lispac.io.format_types import Kind
 from lispac.language import N_, gettext
 from lispac.workflow.importing.input_file import InputFile
@@ -64,6 +65,7 @@ class FileTable(QTableWidget):
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
         self.setShowGrid(False)
+        self.setItemDelegateForColumn(STATE, MarkedCells(self))
         self.setStyleSheet("QTableWidget::item { padding: 0 6px; }")
         self.setAlternatingRowColors(True)
         self.setTabKeyNavigation(False)
