@@ -39,6 +39,21 @@ class ReportChoice:
     extent: str = ""
 
 
+@dataclass(frozen=True)
+class Appearance:
+    """Settings that are applied when a window is created.
+
+    Attributes
+    ----------
+    units : keys of the units of angles and lengths
+    """
+
+    language: str
+    units: tuple[str, str]
+    theme: str
+    colour_scale: Scale
+
+
 class AppSettings:
     """Recent projects, layout and preferences, stored in the user's cache folder.
 
@@ -204,6 +219,16 @@ class AppSettings:
     @colour_scale.setter
     def colour_scale(self, scale: Scale) -> None:
         self._store.setValue("colour_scale", scale)
+
+    @property
+    def appearance(self) -> Appearance:
+        """Settings that require a new window."""
+        return Appearance(self.language, self.units, self.theme, self.colour_scale)
+
+    @appearance.setter
+    def appearance(self, chosen: Appearance) -> None:
+        self.language, self.units = chosen.language, chosen.units
+        self.theme, self.colour_scale = chosen.theme, chosen.colour_scale
 
     @property
     def sensors(self) -> Path:

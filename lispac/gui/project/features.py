@@ -132,8 +132,9 @@ class Feature:
     actions : actions by name, whose functions the controllers connect
     dialogs : class with the dialogues of the feature; None if it has none
     panels : panels that the window does not connect with those of other features
-    connect : function that creates the controllers that belong to no panel; None if there are none,
-        or if the window connects them with other features
+    connect : function that creates the controllers that belong to no panel, and returns the one
+        whose state is copied when the window is rebuilt; None if there are none, or if the window
+        connects them with other features
     """
 
     actions: Mapping[str, ActionRecord]

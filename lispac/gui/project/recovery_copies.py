@@ -31,7 +31,13 @@ LOCKED_PROJECT_ERROR = error("window.unsaved_work_elsewhere")
 
 
 class RecoveryCopies(QObject):
-    """Writes the recovery copy and holds the lock of the project in a window."""
+    """Writes the recovery copy and holds the lock of the project in a window.
+
+    Parameters
+    ----------
+    former : RecoveryCopies, optional
+        Those of the window that this one replaces. They hold the lock until `take_lock_from`.
+    """
 
     problem_changed = Signal()
     """`problem` has changed."""
@@ -44,8 +50,10 @@ class RecoveryCopies(QObject):
         controller: Controller,
         questions: Questions,
         settings: AppSettings,
+        former: "RecoveryCopies | None" = None,
     ) -> None:
         super().__init__(controller)
+        self._former = former
         self._document, self._questions = document, questions
         self._settings, self._note = settings, controller.logged.emit
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
@@ -72,6 +80,12 @@ class RecoveryCopies(QObject):
     def _on_project_opened(self) -> None:
         """Lock the project that was opened, and offer unsaved changes for recovery."""
         project = self._document.project
+        former, self._former = self._former, None
+        if former is not None:
+            former.finish_writing()
+            self._folder, self._writes_copies = former._folder, former._writes_copies
+            self._set_problem(former.problem)
+            return
         self.discard()
         self.release_lock()
         self._set_problem(None)
@@ -132,6 +146,14 @@ class RecoveryCopies(QObject):
         if self._lock is not None:
             self._lock.unlock()
         self._lock = self._folder = None
+
+    def take_lock_from(self, former: "RecoveryCopies") -> None:
+        """Hold the lock of the project instead of the window that this one replaces."""
+        self._lock, former._lock = former._lock, None
+
+    def finish_writing(self) -> None:
+        """Wait until the recovery copy is written."""
+        self._writer.submit(lambda: None).result()
 
     def stop(self) -> None:
         """Finish writing, stop the worker and release the lock."""

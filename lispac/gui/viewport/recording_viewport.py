@@ -126,12 +126,15 @@ class RecordingViewport:
         self, clouds: Mapping[str, Array] | None, highlights: Sequence[Highlight] = ()
     ) -> None:
         """Remember the other placement."""
+        self._require_colours(clouds or {})
         self._record("show_wipe", clouds, highlights)
         self.wipe_clouds = None if clouds is None else dict(clouds)
         self.wipe_highlights = tuple(highlights)
 
     def show_linked(self, views: Sequence[LinkedView]) -> None:
         """Remember the linked views."""
+        for view in views:
+            self._require_colours(view.clouds or {})
         self._record("show_linked", views)
         self.linked = tuple(views)
 
@@ -247,6 +250,11 @@ class RecordingViewport:
     def highlight_styles(self) -> dict[tuple[str, str], SightingStyle]:
         """Style of each sighting."""
         return {each.key: sighting_style(each, self.selected) for each in self.highlights}
+
+    def _require_colours(self, clouds: Mapping[str, Array]) -> None:
+        """Raise an error if lines are shown in another placement before `show_clouds`."""
+        if missing := clouds.keys() - self.colours:
+            raise KeyError(*missing)
 
     def _record(self, name: str, *arguments: object) -> None:
         self.calls.append((name, arguments))

@@ -95,8 +95,10 @@ class SketchLayer(QObject):
         self.stop_hovering()
 
     def show_dividing_line(self, visible: bool) -> None:
-        """Show or hide the line that divides the picture."""
-        self._shows_dividing_line, self.share = visible, 0.5
+        """Show the line that divides the picture, or hide it and move it to the middle."""
+        self._shows_dividing_line = visible
+        if not visible:
+            self.share = 0.5
         self._overlay.update()
 
     def stop_hovering(self) -> None:

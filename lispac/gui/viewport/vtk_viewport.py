@@ -346,13 +346,14 @@ class VtkViewport:
         self._navigator.step_view(steps)
 
     def copy_view_from(self, former: Viewport) -> None:
-        """Take over the camera, the former views and the emphasis of another `VtkViewport`."""
+        """Take over camera, former views, emphasis and dividing line of another `VtkViewport`."""
         assert isinstance(former, VtkViewport)
         if not former._layer.clouds:
             return
         self._keeps_view = True
         self._navigator.copy_view_from(former._navigator)
         self.select(former._main.sightings.selected)
+        self._sketch_layer.share = former._sketch_layer.share
 
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""

@@ -1,10 +1,21 @@
 """Main window: creates its parts and connects their signals."""
 
 from collections.abc import Mapping
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QPoint, QSize, Qt, QTimer, QUrl, Signal
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QObject,
+    QPoint,
+    QSize,
+    Qt,
+    QTimer,
+    QUrl,
+    Signal,
+)
 from PySide6.QtGui import QCloseEvent, QCursor, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QToolTip, QWidget
 
@@ -91,10 +102,8 @@ class MainWindow(QMainWindow):
         View of the lines, which the window owns from then on.
     settings, dialogs
         If None, the stored settings and the dialogues of the program.
-    document : Document, optional
-        Document to show, which the window owns from then on.
-    scene : Scene, optional
-        Scene of the window that this one replaces, which shows the same document.
+    former : MainWindow, optional
+        Window that this one replaces, which stays usable.
     """
 
     renewal_requested = Signal()
@@ -105,8 +114,7 @@ class MainWindow(QMainWindow):
         viewport: Viewport,
         settings: AppSettings | None = None,
         dialogs: Dialogs | None = None,
-        document: Document | None = None,
-        scene: Scene | None = None,
+        former: "MainWindow | None" = None,
     ) -> None:
         super().__init__()
         self.setObjectName("main_window")
@@ -114,16 +122,32 @@ class MainWindow(QMainWindow):
         self.dialogs = dialogs or Dialogs()
         self.dialogs.parent = self
         self.viewport = viewport
-        self.document = document or Document()
+        self.docks: dict[str, docks.Dock] = {}
+        self.panel_windows: dict[str, PanelWindow] = {}
+        self._stops = ExitStack()  # in the reverse order of the creation of the parts
+        self._stops.callback(viewport.close)
+        try:
+            self._assemble(former)
+        except BaseException:
+            self.discard()
+            raise
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _assemble(self, former: "MainWindow | None") -> None:
+        viewport = self.viewport
+        self.document = Document() if former is None else former.document.copy_for_new_window()
         self.document.setParent(self)
         self._noted_project: Project | None = None
         self.runner = TaskRunner(self)
+        self._stops.callback(self.runner.close)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
         self.computations = Computations(self.document, self.runner, self.scene, self.controller)
         self.estimation = Estimation(
             self.document, self.runner, self.scene, self.controller, self.dialogs
         )
+        self._stops.callback(self.estimation.stop)
         self.actions_ = Actions(self, ALL_ACTIONS, MENUS)
         self.actions_.submenus["Recent"].setObjectName("recent_menu")
         self.actions_.connect_undo_stack(self.document.undo_stack)
@@ -145,17 +169,14 @@ class MainWindow(QMainWindow):
         self._connect_panels()
         self._connect_actions()
         self._connect_tasks()
-        self._create_controllers()
+        self._create_controllers(former)
         self._connect_features()
-        if document is None:
+        if former is None:
             self.panel_refresh.refresh()
             self._set_title()
         else:
-            if scene is not None:
-                self.scene.continue_from(scene)
-            document.notify_opened()
-
-    # -- assembly ----------------------------------------------------------------------------
+            self.scene.continue_from(former.scene)
+            self.document.notify_opened()
 
     def _name_panels(self) -> None:
         panels = self.panels
@@ -165,7 +186,7 @@ class MainWindow(QMainWindow):
         self.table, self.histograms = panels.table, panels.histograms
         self.diagnostics, self.warnings = panels.diagnostics, panels.warnings
 
-    def _create_controllers(self) -> None:
+    def _create_controllers(self, former: "MainWindow | None") -> None:
         """Create the controllers that are connected with each other."""
         document, runner, scene, control = (
             self.document, self.runner, self.scene, self.controller
@@ -202,10 +223,10 @@ class MainWindow(QMainWindow):
             panels.report,
         )  # fmt: skip
         panels.data.details_requested.connect(report.ask_details)
-        preferences = PreferencesController(
+        self.preferences = PreferencesController(
             viewport, control, dialogs, settings, actions, self.rebuild_window
         )
-        preferences.report_choice_changed.connect(report.show_choice)
+        self.preferences.report_choice_changed.connect(report.show_choice)
         self.manual = Manual(runner, control, actions, lambda: panels.workflow.opened)
         self.site_design = SiteDesign(
             document,
@@ -213,11 +234,16 @@ class MainWindow(QMainWindow):
             dialogs, settings, actions,
             dialogs.shortcuts, self,
         )  # fmt: skip
-        self.recovery_copies = RecoveryCopies(document, control, dialogs, settings)
+        self._stops.callback(self.site_design.end)
+        self.recovery_copies = RecoveryCopies(
+            document, control, dialogs, settings, None if former is None else former.recovery_copies
+        )
+        self._stops.callback(self.recovery_copies.stop)
         self.warning_list = WarningList(
             document, runner, panels.warnings, self.warnings_button, actions,
             lambda: self.recovery_copies.problem,
         )  # fmt: skip
+        self._stops.callback(self.warning_list.stop)
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
@@ -251,10 +277,11 @@ class MainWindow(QMainWindow):
             self.computations, self.dialogs, self.settings, self.actions_, tools.mouse_tool,
             lambda: tools.clipping.box,
         )  # fmt: skip
+        self.feature_controllers: list[object] = []
         self.panel_controllers: dict[str, QObject] = {}
         for feature in FEATURES:
             if feature.connect is not None:
-                feature.connect(parts)
+                self.feature_controllers.append(feature.connect(parts))
             for each in feature.panels:
                 if each.connect is not None:
                     panel = self.panels[each.name]
@@ -263,6 +290,7 @@ class MainWindow(QMainWindow):
     def _build(self) -> None:
         self.panels = Panels()
         self._name_panels()
+        self._stops.callback(self.adjust.stop)
         self.central_widget = CentralWidget(self.viewport)
         self.setCentralWidget(self.central_widget)
         self.task_bar = TaskStatusBar()
@@ -576,10 +604,10 @@ class MainWindow(QMainWindow):
         for each in self.panel_windows.values():
             each.hide()
         self.hide()
-        self.site_design.end()
-        self.adjust.stop()
-        self.estimation.stop()
-        self.warning_list.stop()
-        self.runner.close()
-        self.recovery_copies.stop()
-        self.viewport.close()
+        self._stops.close()
+
+    def discard(self) -> None:
+        """Stop all work and delete the window, which may be incomplete, at once."""
+        self.stop_and_hide()
+        self.deleteLater()
+        QCoreApplication.sendPostedEvents(self, QEvent.Type.DeferredDelete)

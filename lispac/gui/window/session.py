@@ -4,12 +4,13 @@ Widgets get their texts and colours when they are created. Therefore the window 
 same document and with everything the user has in it (`copy_window_state`).
 """
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from types import TracebackType
 
 from PySide6.QtCore import (
-    QCoreApplication,
-    QEvent,
     QItemSelectionModel,
     QModelIndex,
     QObject,
@@ -62,33 +63,41 @@ class Session(QObject):
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
         self.window = self._create_window(None)
+        self._shown = self._settings.appearance, theme.current_scheme()
         self._theme_timer = QTimer(self, singleShot=True, interval=THEME_DELAY_MS)
         self._theme_timer.timeout.connect(self._follow_system_theme)
         application.styleHints().colorSchemeChanged.connect(self._delay_theme_change)
 
     def _create_window(self, former: MainWindow | None) -> MainWindow:
         in_front = QApplication.activeWindow()
-        set_language(self._settings.language)
-        units.set_units(*self._settings.units)
-        set_colour_scale(self._settings.colour_scale)
-        theme.apply_theme(self._application, self._settings.theme)
-        document = None if former is None else former.document.copy_for_new_window()
-        scene = None if former is None else former.scene
-        window = MainWindow(self._viewport(), self._settings, self._dialogs, document, scene)
-        if former is not None:
-            copy_window_state(former, window)
+        self._apply_appearance()
+        window = MainWindow(self._viewport(), self._settings, self._dialogs, former)
+        try:
+            if former is not None:
+                copy_window_state(former, window)
+            show_window_and_docks(window, window.docks)
+            if former is not None and former.dock_layout.is_maximised:
+                window.actions_["maximise"].trigger()
+            window.activateWindow()
+            if former is not None:
+                window.scene.draw_now()
+                window.site_design.copy_state_from(former.site_design)
+                designed = in_front is not None and in_front is former.site_design.window
+                (window.site_design.window if designed else window).activateWindow()
+        except BaseException:
+            window.discard()
+            raise
         # Queued, since the action that emits it belongs to the window that is replaced
         window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
-        show_window_and_docks(window, window.docks)
-        if former is not None and former.dock_layout.is_maximised:
-            window.actions_["maximise"].trigger()
-        window.activateWindow()
-        if former is not None:
-            window.scene.draw_now()
-            window.site_design.copy_state_from(former.site_design)
-            designed = in_front is not None and in_front is former.site_design.window
-            (window.site_design.window if designed else window).activateWindow()
         return window
+
+    def _apply_appearance(self) -> None:
+        """Apply the settings that widgets use when they are created."""
+        chosen = self._settings.appearance
+        set_language(chosen.language)
+        units.set_units(*chosen.units)
+        set_colour_scale(chosen.colour_scale)
+        theme.apply_theme(self._application, chosen.theme)
 
     @property
     def log_folder(self) -> Path:
@@ -129,18 +138,63 @@ class Session(QObject):
             self.window.rebuild_window()
 
     def rebuild_window(self) -> None:
-        """Replace the window by a new one with the present settings."""
-        former = self.window
+        """Replace the window by a new one with the present settings.
+
+        If an error occurs, the window is kept, with its settings.
+        """
+        former, in_front = self.window, QApplication.activeWindow()
         former.save_layout()
-        former.recovery_copies.stop()
-        # Shown before the former one is closed, since Qt ends when the last window is closed
-        self.window = self._create_window(former)
-        former.stop_and_hide()
-        former.deleteLater()
+        with _collected_errors() as errors:
+            try:
+                # Shown before the former one is closed: Qt ends when the last window is closed
+                window = self._create_window(former)
+            except Exception as error:
+                errors.insert(0, error)
+            else:
+                if errors:
+                    window.discard()
+        if errors:
+            self._dialogs.parent = former
+            self._restore_appearance()
+            former.preferences.show_choices()
+            (in_front or former).activateWindow()
+            self._uncaught.emit(errors[0])
+            return
+        window.recovery_copies.take_lock_from(former.recovery_copies)
+        self.window = window
+        self._shown = self._settings.appearance, theme.current_scheme()
+        former.discard()
         # Frees the points and graphics of the former window immediately.
-        QCoreApplication.sendPostedEvents(former, QEvent.Type.DeferredDelete)
         del former
         collect_all()
+
+    def _restore_appearance(self) -> None:
+        """Restore the settings of the window, and its colours if the system has changed them."""
+        self._settings.appearance, scheme = self._shown
+        self._apply_appearance()
+        if theme.current_scheme() is not scheme:
+            theme.apply_theme(self._application, "dark" if scheme.is_dark else "light")
+
+
+@contextmanager
+def _collected_errors() -> Iterator[list[Exception]]:
+    """Context that collects the exceptions of slots, which do not reach their callers."""
+    errors: list[Exception] = []
+    former = sys.excepthook
+
+    def collect(
+        kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        if isinstance(error, Exception):
+            errors.append(error)
+        else:
+            former(kind, error, trace)
+
+    sys.excepthook = collect
+    try:
+        yield errors
+    finally:
+        sys.excepthook = former
 
 
 def copy_window_state(former: MainWindow, window: MainWindow) -> None:
@@ -171,12 +225,16 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
 
 
 def _copy_view(former: MainWindow, window: MainWindow) -> None:
-    """Copy camera, former views, hidden lines, colours and number of views."""
+    """Copy camera, former views, hidden lines, colours and number of views.
+
+    The lines are drawn before they are shown several times, in split or linked views.
+    """
     for name in ("orthographic", "hover"):
         if former.actions_[name].isChecked():
             window.actions_[name].trigger()
     window.viewport.copy_view_from(former.viewport)
     window.data.copy_hidden_lines_from(former.data)
+    window.scene.draw_now()
     window.actions_[COLOUR_ACTIONS[former.scene.colouring]].setChecked(True)
     window.actions_["seed_validation"].setChecked(former.actions_["seed_validation"].isChecked())
     if former.actions_["wipe"].isChecked():
@@ -222,7 +280,10 @@ def _copy_tools(former: MainWindow, window: MainWindow) -> None:
 
 
 def _copy_features(former: MainWindow, window: MainWindow) -> None:
-    """Copy the state of the panels that features have registered."""
+    """Copy the state of the features and of the panels that they have registered."""
+    for before, after in zip(former.feature_controllers, window.feature_controllers, strict=True):
+        if isinstance(after, StateCopier):
+            after.copy_state_from(before)
     for each in panel_records():
         controller = window.panel_controllers.get(each.name)
         if isinstance(controller, StateCopier):

@@ -13,6 +13,8 @@ from lispac.gui.app.docks import raise_panel
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance.theme import apply_theme
+from lispac.gui.features.studies.study_dialog import LineQualityDialog
+from lispac.gui.window.actions import ALL_ACTIONS
 from lispac.gui.window.session import Session
 from lispac.messages import note
 from lispac.project import Project
@@ -21,6 +23,7 @@ from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
 
 SOON_MS = 20_000
+Alt = Qt.KeyboardModifier.AltModifier
 
 
 @pytest.fixture(autouse=True)
@@ -257,6 +260,33 @@ def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
     assert [target.name for target in window.document.project.targets] == list(ticked)
 
 
+def test_the_differences_between_lines_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo, estimated: Project
+) -> None:
+    """The dialogue beside the view, with its order, its selected row and the marked places."""
+    window = session.window
+    window.document.open(estimated, demo.survey)
+    wait_until_idle(session, qtbot)
+    window.actions_["line_quality"].trigger()
+    qtbot.waitUntil(lambda: window.findChild(LineQualityDialog) is not None, timeout=WAIT_MS)
+    wait_until_idle(session, qtbot)
+    dialog = window.findChild(LineQualityDialog)
+    dialog.table.sortItems(5, Qt.SortOrder.DescendingOrder)
+    place = dialog.table.visualItemRect(dialog.table.item(2, 0)).center()
+    qtbot.mouseClick(dialog.table.viewport(), Left, pos=place)
+    row, marked = dialog.table.selected_row, window.viewport.sketches["line_differences"].points
+    size, quality = dialog.size(), dialog.quality
+    for _ in changes(session, qtbot, with_theme=True):
+        (dialog,) = session.window.findChildren(LineQualityDialog)
+        assert dialog.isVisible()
+        assert dialog.size() == size
+        assert dialog.quality is quality
+        assert (dialog.table.selected_row, dialog.table.currentRow()) == (row, 2)
+        assert session.window.viewport.sketches["line_differences"].points == marked
+    shown = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
+    assert set(shown) == {session.window, dialog}
+
+
 def test_linked_views_and_a_measurement_are_kept(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project
 ) -> None:
@@ -281,40 +311,139 @@ def test_linked_views_and_a_measurement_are_kept(
     assert session.window.viewport.linked == ()
 
 
-def test_the_camera_and_the_former_views_are_kept(
-    qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo
-) -> None:
+@pytest.fixture
+def drawn(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
+    """A session in English and in the light theme whose viewport draws."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
+    from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     settings = AppSettings(tmp_path / "settings.ini")
     settings.language, settings.theme = "en", "light"
-    session = Session(qapp, VtkViewport, settings, ScriptedDialogs())
-    try:
-        window = session.window
-        qtbot.waitUntil(window.isActiveWindow, timeout=SOON_MS)
-        window.document.open(demo.picked, demo.survey)
-        wait_until_idle(session, qtbot)
-        qtbot.keyClick(window, Key.Key_2)
-        top = window.viewport.camera
-        canvas = window.viewport.canvas
-        qtbot.mousePress(canvas, Left, pos=QPoint(300, 200))
-        qtbot.mouseMove(canvas, QPoint(340, 230))
-        qtbot.mouseRelease(canvas, Left, pos=QPoint(340, 230))
-        camera = window.viewport.camera
-        choose_theme(session, qtbot, "Dark")
-        wait_until_idle(session, qtbot)
-        window = session.window
-        assert window.viewport.camera is not None
-        np.testing.assert_allclose(window.viewport.camera.position, camera.position)
-        assert window.viewport.camera.azimuth == camera.azimuth
-        assert window.viewport.camera.elevation == camera.elevation
-        qtbot.keyClick(window, Key.Key_Left, Qt.KeyboardModifier.AltModifier)
-        assert window.viewport.camera.elevation == top.elevation
-    finally:
-        session.window.stop_and_hide()
-        session.window.deleteLater()
-        session.deleteLater()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        apply_theme(qapp)
+    made = Session(qapp, lambda: LazyViewport(VtkViewport), settings, ScriptedDialogs())
+    qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
+    yield made
+    made.window.stop_and_hide()
+    made.window.deleteLater()
+    made.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    apply_theme(qapp)
+
+
+def test_the_camera_and_the_former_views_are_kept(drawn: Session, qtbot: QtBot, demo: Demo) -> None:
+    window = drawn.window
+    window.document.open(demo.picked, demo.survey)
+    wait_until_idle(drawn, qtbot)
+    qtbot.keyClick(window, Key.Key_2)
+    top = window.viewport.camera
+    canvas = window.viewport.canvas
+    qtbot.mousePress(canvas, Left, pos=QPoint(300, 200))
+    qtbot.mouseMove(canvas, QPoint(340, 230))
+    qtbot.mouseRelease(canvas, Left, pos=QPoint(340, 230))
+    camera = window.viewport.camera
+    choose_theme(drawn, qtbot, "Dark")
+    wait_until_idle(drawn, qtbot)
+    window = drawn.window
+    assert window.viewport.camera is not None
+    np.testing.assert_allclose(window.viewport.camera.position, camera.position)
+    assert window.viewport.camera.azimuth == camera.azimuth
+    assert window.viewport.camera.elevation == camera.elevation
+    qtbot.keyClick(window, Key.Key_Left, Alt)
+    assert window.viewport.camera.elevation == top.elevation
+
+
+APPEARANCE_ACTIONS = {"theme_light", "theme_dark", "english", "french"}
+VIEW_KEYS = {
+    "before": [(Key.Key_B, None)],
+    "after": [],
+    "split": [(Key.Key_W, None)],
+    "two views": [(Key.Key_2, Alt)],
+    "four views": [(Key.Key_4, Alt)],
+}
+"""Keys, with modifiers, that lead from the lines after the adjustment to a choice of views."""
+
+
+def shown_views(session: Session) -> object:
+    """What the viewport draws: titles, parts, points, colours and sightings of its pictures."""
+    view = session.window.viewport._real_viewport()
+    return (
+        [
+            (
+                pane.picture.part,
+                pane.picture.direction,
+                {line: (len(points), points.sum()) for line, points in pane.layer.clouds.items()},
+                sorted(pane.layer.visible),
+                pane.layer.shading is None,
+                [each.key for each in pane.sightings.highlights],
+            )
+            for pane in view._panes
+        ],
+        view._wipe_layer is None or {line: p.sum() for line, p in view._wipe_layer.visible.items()},
+        [each.key for each in view._wipe_sightings.highlights],
+        view._sketch_layer.share,
+        sorted(marker.label for marker in view._overlay.markers),
+    )
+
+
+def move_dividing_line(session: Session, bot: QtBot) -> None:
+    """Drag the dividing line from the middle of the picture to its right part."""
+    canvas = session.window.viewport.canvas
+    start = canvas.rect().center()
+    end = start + QPoint(canvas.width() // 4, 0)
+    bot.mouseMove(canvas, start)
+    bot.mousePress(canvas, Left, pos=start)
+    bot.mouseMove(canvas, end)
+    bot.mouseRelease(canvas, Left, pos=end)
+    assert session.window.viewport._real_viewport()._sketch_layer.share > 0.7
+
+
+def checked_actions(session: Session) -> set[str]:
+    """Names of the chosen actions."""
+    return {name for name in ALL_ACTIONS if session.window.actions_[name].isChecked()}
+
+
+@pytest.mark.parametrize("colours", [None, Key.Key_C])
+@pytest.mark.parametrize("views", VIEW_KEYS)
+def test_the_drawn_views_are_kept(
+    drawn: Session,
+    qtbot: QtBot,
+    demo: Demo,
+    estimated: Project,
+    views: str,
+    colours: Key | None,
+) -> None:
+    """Single, split and linked views, with a clip box, in another theme and language."""
+    window = drawn.window
+    window.document.open(estimated, demo.survey)
+    wait_until_idle(drawn, qtbot)
+    if colours is not None:
+        qtbot.keyClick(window, colours)
+        window._select("T1", "")
+        qtbot.keyClick(window, Key.Key_X)
+    for key, modifier in VIEW_KEYS[views]:
+        qtbot.keyClick(window, key, modifier or Qt.KeyboardModifier.NoModifier)
+    wait_until_idle(drawn, qtbot)
+    if views == "split":
+        move_dividing_line(drawn, qtbot)
+    if colours is not None:
+        qtbot.keyClick(window, Key.Key_F11)
+        wait_until_idle(drawn, qtbot)
+    expected, count = shown_views(drawn), window.tools.linked_views.count
+    checked = checked_actions(drawn)
+    assert (count, "wipe" in checked) == (
+        {"two views": 2, "four views": 4}.get(views, 1), views == "split"
+    )  # fmt: skip
+    for _ in changes(drawn, qtbot, with_theme=True):
+        window = drawn.window
+        assert shown_views(drawn) == expected
+        assert window.tools.linked_views.count == count
+        assert window.dock_layout.is_maximised == (colours is not None)
+        assert checked_actions(drawn) ^ checked <= {
+            "theme_light",
+            "theme_dark",
+            "english",
+            "french",
+        }
+        assert drawn._dialogs.errors == []
+    assert window.document.project is estimated

@@ -57,7 +57,7 @@ class BeforeAfterWipe(QObject):
 
     def _show_wipe(self) -> None:
         survey = self._document.survey
-        if not self._is_on:
+        if not self._is_on or self._scene.awaits_lines:  # `drawn` follows
             return
         if self._scene.which == "prior" or survey is None:
             self._stop_wipe()

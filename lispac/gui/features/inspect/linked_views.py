@@ -72,6 +72,8 @@ class LinkedViews(QObject):
         if self._mouse_tool.tool in OUTLINE_TOOLS:
             self._mouse_tool.end()
         self.count = count
+        chosen = next(name for name, each in COUNTS.items() if each == count)
+        self._actions[chosen].setChecked(True)
         self._show_choice()
         self._note(gettext("Linked views: Esc returns to one view."))
         self._mouse_tool.end_mode = self.end
@@ -123,6 +125,8 @@ class LinkedViews(QObject):
             self.end()
 
     def _show(self) -> None:
+        if self._scene.awaits_lines:
+            return  # `drawn` follows
         prior_chosen = self._scene.which == "prior" and self._scene.has_estimated
         if (
             self._document.survey is None

@@ -34,9 +34,9 @@ class PreferencesController(QObject):
         super().__init__(actions)
         self._viewport, self._controller, self._dialogs = viewport, controller, dialogs
         self._settings, self._rebuild_window = settings, rebuild_window
+        self._actions = actions
         self._set_point_budget()
-        actions["french" if current_language() == "fr" else "english"].setChecked(True)
-        actions[THEME_ACTIONS[settings.theme]].setChecked(True)
+        self.show_choices()
         actions.connect_slots(
             {
                 "settings": self.show_dialog,
@@ -46,13 +46,19 @@ class PreferencesController(QObject):
             }
         )
 
+    def show_choices(self) -> None:
+        """Show the present language and theme in the menus."""
+        language = "french" if current_language() == "fr" else "english"
+        for name in (language, THEME_ACTIONS[self._settings.theme]):
+            self._actions[name].setChecked(True)
+
     def show_dialog(self) -> None:
         """Show the dialogue and apply the choices.
 
         A new language, theme, system of units or colour scale rebuilds the window.
         """
         settings = self._settings
-        before = _appearance(settings)
+        before = settings.appearance
         entered = self._dialogs.preferences(Preferences.of(settings), settings)
         if entered is None:
             return
@@ -63,7 +69,7 @@ class PreferencesController(QObject):
         self._viewport.set_point_size(entered.point_size)
         self._set_point_budget()
         self.report_choice_changed.emit()
-        if _appearance(settings) != before:
+        if settings.appearance != before:
             self._rebuild_window()
 
     def _set_language(self, language: str) -> None:
@@ -78,8 +84,3 @@ class PreferencesController(QObject):
 
     def _set_point_budget(self) -> None:
         self._viewport.set_point_budget(self._settings.point_budget)
-
-
-def _appearance(settings: AppSettings) -> tuple[object, ...]:
-    """Settings that require a new window: language, units, theme, colour scale."""
-    return settings.language, settings.units, settings.theme, settings.colour_scale

@@ -83,6 +83,10 @@ class Studies(QObject):
             moved.connect(self._enable_controls)
         self._enable_controls()
 
+    def copy_state_from(self, former: "Studies") -> None:
+        """Show the dialogue that the former window shows beside the view."""
+        self._differences.copy_state_from(former._differences)
+
     def history(self) -> None:
         """Show the calibrations of a vessel's system in a folder of projects."""
         project = self._document.project
@@ -232,6 +236,14 @@ class LineDifferences(QObject):
         self._dialog = self._dialogs.line_quality(quality)
         self._dialog.row_selected.connect(self._mark)
         self._dialog.finished.connect(self._on_closed)
+
+    def copy_state_from(self, former: "LineDifferences") -> None:
+        """Show the dialogue of a former window of the same document."""
+        project, survey = self._document.project, self._document.survey
+        if former._dialog is not None and project is not None and survey is not None:
+            self.show(former._dialog.quality, project, survey)
+            assert self._dialog is not None
+            self._dialog.copy_state_from(former._dialog)
 
     def _mark(self, title: str, places: Array) -> None:
         """Mark at most `MAX_MARKED_PLACES` of some places, evenly."""

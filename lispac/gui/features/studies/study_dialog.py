@@ -292,7 +292,7 @@ class LineQualityDialog(StudyDialog):
         super().__init__(
             "line_quality", title, gettext(LINE_QUALITY_INTRODUCTIONS[quality.which]), table, parent
         )
-        self._quality, self._values = quality, quality.rows()
+        self.quality, self._values = quality, quality.rows()
         self.show_rows(window_rows(LINE_DIFFERENCES_TABLE, self._values))
         self.message_label.setText("\n".join(map(message_text, quality.not_compared)))
         self.message_label.setVisible(bool(quality.not_compared))
@@ -301,13 +301,21 @@ class LineQualityDialog(StudyDialog):
         self._draw(quality.pairs, gettext(ALL_PAIRS_TITLE, facing=gettext(facing)))
         self.resize(900, 760)
 
+    def copy_state_from(self, former: "LineQualityDialog") -> None:
+        """Take over the geometry, the order and the selected row of a former dialogue."""
+        self.restoreGeometry(former.saveGeometry())
+        order = former.table.horizontalHeader()
+        self.table.sortItems(order.sortIndicatorSection(), order.sortIndicatorOrder())
+        if former.table.selected_row is not None:
+            self.table.selectRow(former.table.currentRow())
+
     def _show_selected(self) -> None:
         """Show the places of the selected row in the map, and announce them."""
         number = self.table.selected_row
         if number is None:
             return
         row = self._values[number]
-        pairs, title = self._quality.places(row), difference_title(row)
+        pairs, title = self.quality.places(row), difference_title(row)
         self._draw(pairs, title)
         self.row_selected.emit(title, np.concatenate([pair.place for pair in pairs]))
 
@@ -315,7 +323,7 @@ class LineQualityDialog(StudyDialog):
         # Matplotlib is imported late, so that the window starts without it.
         from lispac.report.line_map import line_difference_map
 
-        line_difference_map(self._quality.pairs, self.figure(), shown=pairs, title=title)
+        line_difference_map(self.quality.pairs, self.figure(), shown=pairs, title=title)
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(
             gettext("Map of the differences between lines: {title}", title=title)
