@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui.appearance import quantities, theme
-from lispac.gui.features.inspect.section_panel import AHEAD_LABEL, HEIGHT_LABEL
+from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLE, LOW_TITLES
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
@@ -28,18 +28,8 @@ CUT_TITLES_WITH_OFFSET = {
     "prior": N_("Before: largest offset {offset} ({lines})"),
     "estimated": N_("After: largest offset {offset} ({lines})"),
 }
-ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
-"""Titles of the axes of an exaggerated picture of a plane."""
 MIN_TITLE_LENGTH = 14
 """Smallest length after which the title of the vertical axis is wrapped, characters."""
-LOW_TITLES = {
-    HEIGHT_LABEL: N_("Height (m)"),
-    AHEAD_LABEL: N_("Away (m)"),
-    ACROSS_TITLE: N_("Across (m)"),
-    ALONG_TITLE: N_("Along (m)"),
-}
-"""Titles of the vertical axis in a low picture, which have one line; the title of the cut contains
-the factor."""
 FILLED_QUANTILE = 0.99
 """Share of the points that an enlarged picture contains; single points off the surface may be out
 of it."""

@@ -10,6 +10,12 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme
+from lispac.gui.features.inspect.section_titles import (
+    AHEAD_LABEL,
+    ALONG_LABEL,
+    HEIGHT_LABEL,
+    RIGHT_LABEL,
+)
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext, number
 from lispac.present.validation import PairOffset
@@ -31,11 +37,6 @@ OFFSET_HINT = N_(
     "Offset in a title: the largest one of two lines on the whole plane, as in the table of the "
     "pairs of lines (step 4)."
 )
-AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
-RIGHT_LABEL = N_("From the middle to the right (m)")
-HEIGHT_LABEL = N_("Height above the middle (m)")
-ALONG_LABEL = N_("Distance from the first point (m)")
-"""Titles of the axes."""
 PRINT_DPI = 200
 
 

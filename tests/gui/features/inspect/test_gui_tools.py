@@ -13,7 +13,8 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui.features.inspect.section_figure import draw_section
-from lispac.gui.features.inspect.section_panel import AHEAD_LABEL, EMPTY_TEXT, HEIGHT_LABEL
+from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
+from lispac.gui.features.inspect.section_titles import AHEAD_LABEL, HEIGHT_LABEL
 from lispac.gui.features.inspect.sections import DRAG_UPDATE_MS, section_box_sketch
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint

@@ -1,0 +1,18 @@
+"""Titles of the axes of sections, without the libraries that draw them."""
+
+from lispac.language import N_
+
+AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
+RIGHT_LABEL = N_("From the middle to the right (m)")
+HEIGHT_LABEL = N_("Height above the middle (m)")
+ALONG_LABEL = N_("Distance from the first point (m)")
+ACROSS_TITLE, ALONG_TITLE = N_("Across the surface (m)"), N_("Along the surface (m)")
+"""Titles of the axes of an exaggerated picture of a plane."""
+LOW_TITLES = {
+    HEIGHT_LABEL: N_("Height (m)"),
+    AHEAD_LABEL: N_("Away (m)"),
+    ACROSS_TITLE: N_("Across (m)"),
+    ALONG_TITLE: N_("Along (m)"),
+}
+"""Titles of the vertical axis in a low picture, which have one line; the title of the cut contains
+the factor."""
