@@ -15,7 +15,6 @@ from lispac.workflow.project.output_crs import LOCAL_FRAME
 
 MIN_WIDTH_PX, MARGIN_PX = 620, 16
 SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
-FILE_PATTERNS = "*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts"
 
 
 class SurveyedFileDialog(NumberDialog):
@@ -105,7 +104,10 @@ class SurveyedFileDialog(NumberDialog):
             self, self._browse_title, str(self._start),
             ";;".join(
                 [
-                    gettext("Scans and lists of points ({patterns})", patterns=FILE_PATTERNS),
+                    gettext(
+                        "Scans and lists of points ({patterns})",
+                        patterns="*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts",
+                    ),
                     gettext("All files (*)"),
                 ]
             ),
