@@ -6,7 +6,7 @@ from textwrap import fill
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QResizeEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -317,9 +317,6 @@ class VerticalScrollArea(QScrollArea):
         self.setWidget(inside)
         self.verticalScrollBar().installEventFilter(self)
         self._reserve_bar(is_shown=False)
-        if isinstance(inside, WrappedBody):
-            self.verticalScrollBar().valueChanged.connect(lambda _place: self._hold_place())
-            QApplication.instance().focusChanged.connect(self._on_focus_moved)
 
     def _reserve_bar(self, *, is_shown: bool) -> None:
         """Keep the width of the content, whether the scroll bar is shown or not."""
@@ -348,23 +345,13 @@ class VerticalScrollArea(QScrollArea):
                 return True
         return super().event(event)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hold the place at the new height."""
-        super().resizeEvent(event)
-        self._hold_place()
-
-    def _on_focus_moved(self, _old: QWidget | None, new: QWidget | None) -> None:
-        """Hold the place from now on, or release it when the focus is elsewhere in the window."""
-        if new is not None:
-            self._hold_place()
-
-    def _hold_place(self) -> None:
-        """Keep the content as high as needed for the visible part while it has the focus."""
-        body, focused = self.widget(), QApplication.focusWidget()
-        if isinstance(body, WrappedBody):
-            holds = focused is not None and body.isAncestorOf(focused)
-            place = self.verticalScrollBar().value()
-            body.hold_height(place + self.viewport().height() if holds and place else 0)
+    @property
+    def held_height(self) -> int:
+        """Height of the content with which the visible part stays in place; 0 without the focus."""
+        focused, place = QApplication.focusWidget(), self.verticalScrollBar().value()
+        if not place or focused is None or not self.isAncestorOf(focused):
+            return 0
+        return place + self.viewport().height()
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size for content and scroll bar, in pixels."""
@@ -379,17 +366,12 @@ class WrappedBody(QWidget):
     The smallest size of a layout has the height of texts that are wrapped at their smallest width.
     """
 
-    _held_height = 0
-
-    def hold_height(self, height: int) -> None:
-        """Be at least so high, pixels; the texts may need less."""
-        if height != self._held_height:
-            self._held_height = height
-            self.updateGeometry()
-
     def heightForWidth(self, width: int) -> int:
-        """Height of the texts, or the height to hold."""
-        return max(super().heightForWidth(width), self._held_height)
+        """Height of the texts, or more so that a lower content does not scroll its fields."""
+        viewport = self.parentWidget()
+        area = None if viewport is None else viewport.parentWidget()
+        held = area.held_height if isinstance(area, VerticalScrollArea) else 0
+        return max(super().heightForWidth(width), held)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels; the scroll area adds the height for the width."""

@@ -18,6 +18,7 @@ from lispac.acceptance import largest_offset
 from lispac.gui.app.language import set_language
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate.histograms_panel import (
+    PAIRS_HINT,
     PAIRS_VIEW,
     PROFILE_PLOT,
     ZOOM_HINT,
@@ -207,7 +208,7 @@ def test_no_distance_below_zero_is_shown(driver: Driver, panel: HistogramsPanel)
 def test_the_hint_on_zooming_is_only_shown_with_a_plot(panel: HistogramsPanel) -> None:
     assert panel.reading.text().startswith("Wheel")
     panel.plot.setCurrentIndex(PAIRS_VIEW)
-    assert panel.reading.text() == ""
+    assert panel.reading.text() == PAIRS_HINT
     panel.plot.setCurrentIndex(0)
     assert panel.reading.text().startswith("Wheel")
 
