@@ -195,6 +195,8 @@ def _collected_errors() -> Iterator[list[Exception]]:
         yield errors
     finally:
         sys.excepthook = former
+        for name in ("last_exc", "last_type", "last_value", "last_traceback"):
+            vars(sys).pop(name, None)  # would keep the discarded window in memory
 
 
 def copy_window_state(former: MainWindow, window: MainWindow) -> None:
