@@ -143,6 +143,7 @@ class Session(QObject):
         If an error occurs, the window is kept, with its settings.
         """
         former, in_front = self.window, QApplication.activeWindow()
+        existing = set(QApplication.topLevelWidgets())
         former.save_layout()
         with _collected_errors() as errors:
             try:
@@ -154,12 +155,15 @@ class Session(QObject):
                 if errors:
                     window.discard()
         if errors:
+            for each in set(QApplication.topLevelWidgets()) - existing:
+                each.deleteLater()  # panels that were not yet in the new window
             self._dialogs.parent = former
             self._restore_appearance()
             former.preferences.show_choices()
             (in_front or former).activateWindow()
             self._uncaught.emit(errors[0])
             return
+        existing.clear()
         window.recovery_copies.take_lock_from(former.recovery_copies)
         self.window = window
         self._shown = self._settings.appearance, theme.current_scheme()
@@ -195,6 +199,8 @@ def _collected_errors() -> Iterator[list[Exception]]:
         yield errors
     finally:
         sys.excepthook = former
+        for name in ("last_exc", "last_type", "last_value", "last_traceback"):
+            vars(sys).pop(name, None)  # would keep the discarded window in memory
 
 
 def copy_window_state(former: MainWindow, window: MainWindow) -> None:
