@@ -128,11 +128,11 @@ TEXTS: Mapping[str, Template] = {
         "{field:title}: a name must have 1 to {longest:n} characters. Change the name."
     ),
     "window.lidar_axes_incomplete": N_(
-        "The standard deviations of the LiDAR along X, Y and Z are incomplete. Fill in "
+        "The standard deviations of the LiDAR along X, Y and Z are incomplete. Missing: "
         "{fields:names}."
     ),
     "window.lidar_beam_incomplete": N_(
-        "The standard deviations of the LiDAR in range and angle are incomplete. Fill in "
+        "The standard deviations of the LiDAR in range and angle are incomplete. Missing: "
         "{fields:names}."
     ),
     "window.not_a_decimal_year": N_(

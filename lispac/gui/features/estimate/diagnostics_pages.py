@@ -245,8 +245,9 @@ class TablePage(DiagnosticsPage):
         self.explanation_label = widgets.label(
             gettext(self.explanation), "muted", wrap=True, name=f"{self.name}_explanation"
         )
-        self.explanation_label.setVisible(bool(self.explanation))
         layout.addWidget(self.explanation_label)
+        if not self.explanation:
+            self.explanation_label.hide()
         layout.addWidget(self.table)
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
