@@ -1,4 +1,8 @@
-"""Noise of LiDAR points, and its component along the normal of a surface."""
+"""Noise of LiDAR points, and its component along the normal of a surface.
+
+The component follows from the propagation of variances to the condition equation of the adjustment
+(thesis equations 4.1 and 4.4).
+"""
 
 from dataclasses import dataclass
 
@@ -45,8 +49,7 @@ class LidarNoise:
         Parameters
         ----------
         points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
-        normals_lidar : ndarray of shape (n, 3), LiDAR frame
-            Unit vectors.
+        normals_lidar : ndarray of shape (n, 3), vectors of length 1, no unit, LiDAR frame
         """
         sigmas = self.sigmas(points_lidar)
         if self.beam is None:
