@@ -168,7 +168,7 @@ class Mounting:
 
     @property
     def scan_angle_rotation(self) -> Array:
-        """Rotation matrix of the scan-angle offset, shape (3, 3)."""
+        """Rotation matrix of the scan-angle offset, shape (3, 3), no unit, LiDAR frame."""
         return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 
@@ -203,12 +203,12 @@ def directions_to_lidar(directions_local: Array, poses: Poses, mounting: Mountin
 
     Parameters
     ----------
-    directions_local : ndarray of shape (n, 3)
+    directions_local : ndarray of shape (n, 3), vectors of length 1, no unit, local frame
     poses : Poses of n points
 
     Returns
     -------
-    ndarray of shape (n, 3), LiDAR frame
+    ndarray of shape (n, 3), vectors of length 1, no unit, LiDAR frame
     """
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     directions_body = np.einsum("nji,nj->ni", rotation_local_body, directions_local)

@@ -1,4 +1,8 @@
-"""Noise of LiDAR points, and its component along the normal of a surface."""
+"""Noise of LiDAR points, and its component along the normal of a surface.
+
+The component follows from the propagation of variances to the condition equation of the adjustment
+(thesis equations 4.1 and 4.4).
+"""
 
 from dataclasses import dataclass
 
@@ -45,8 +49,7 @@ class LidarNoise:
         Parameters
         ----------
         points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
-        normals_lidar : ndarray of shape (n, 3), LiDAR frame
-            Unit vectors.
+        normals_lidar : ndarray of shape (n, 3), vectors of length 1, no unit, LiDAR frame
         """
         sigmas = self.sigmas(points_lidar)
         if self.beam is None:
@@ -57,7 +60,13 @@ class LidarNoise:
         return np.sqrt(along**2 * sigmas[:, 0] ** 2 + across * sigmas[:, 1] ** 2)
 
     def normal_sigma(self, points_lidar: Array, normals_lidar: Array) -> float:
-        """Root mean square of `along_normals`, metres: the expected RMS of a flat surface."""
+        """Root mean square of `along_normals`, metres: the expected RMS of a flat surface.
+
+        Parameters
+        ----------
+        points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+        normals_lidar : ndarray of shape (n, 3), vectors of length 1, no unit, LiDAR frame
+        """
         if self.beam is None and len(set(self.axes)) == 1:
             return self.axes[0]
         return float(np.sqrt(np.mean(self.along_normals(points_lidar, normals_lidar) ** 2)))
