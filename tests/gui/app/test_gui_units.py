@@ -33,7 +33,7 @@ from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
-from tests.gui.support import Demo, Driver, ScriptedDialogs, show_panel
+from tests.gui.support import Demo, Driver, ScriptedDialogs, finish_layouts, show_panel
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 """International foot (1959) and US survey foot (1893) in metres."""
@@ -249,6 +249,8 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     driver.window.document.open(validated, demo.survey)
     dock = show_panel(driver.window, "Histograms")
     driver.window.resizeDocks([dock], [400], Qt.Orientation.Vertical)
+    driver.rest()
+    finish_layouts()
     driver.rest()
     panel, first = driver.window.histograms, validated.validation[0]
     assert panel.table.item(0, RMS).text().replace("\u00a0", " ") == (

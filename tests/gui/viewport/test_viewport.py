@@ -25,7 +25,7 @@ from lispac.gui.viewport.base import (
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from tests.gui.support import WAIT_MS
+from tests.gui.support import WAIT_MS, finish_layouts
 from tests.support.long_runs import others_long
 from tests.support.view_scenes import (
     BLUE,
@@ -349,6 +349,7 @@ def _slow_layout(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
+    finish_layouts()
     height = viewport.canvas.height()
     middle = viewport._navigator._surface_at(*viewport._navigator._middle_of_view())
     before = viewport.to_pixels(middle[None])[0]
