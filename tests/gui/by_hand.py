@@ -262,7 +262,11 @@ def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
     """Choose a menu entry with clicks, through submenus where needed."""
     for name in names:
         action = next(a for a in menu.actions() if name in a.text().replace("&", ""))
-        bot.mouseClick(menu, Left, pos=menu.actionGeometry(action).center())
+        place = menu.actionGeometry(action).center()
+        # A menu follows the pointer of the screen, too: left elsewhere, its late events would
+        # deselect the entry before the submenu opens.
+        bot.mouseMove(menu, place)
+        bot.mouseClick(menu, Left, pos=place)
         if action.menu() is not None:
             menu = action.menu()
             bot.waitUntil(menu.isVisible, timeout=WAIT_MS)
