@@ -86,8 +86,8 @@ class Identity:
 
 EMPTY_IDENTITY = Identity()
 _DATE_PATTERN = re.compile(
-    r"(?<!\d)(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d{1,2})(?P=sign)(?P<day>\d{1,2})(?!\d)",
-    re.ASCII,
+    r"(?<!\d)(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d{1,2})(?P=sign)(?P<day>\d[\da-z]?)(?!\d)",
+    re.ASCII | re.IGNORECASE,
 )
 FIELD_NAMES = tuple(field.name for field in fields(Identity))
 

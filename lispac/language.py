@@ -330,13 +330,23 @@ def without_negative_zero(value: float, decimals: int) -> float:
     return value if float(f"{value:.{decimals}f}") else 0.0
 
 
+def nonzero_decimals(decimals: int, *values: float) -> int:
+    """Number of decimals, at most two more, with which small magnitudes are not written as zero."""
+    further = range(decimals, decimals + 3)
+    small = [abs(value) for value in values]
+    return next((k for k in further if not any(is_rounded_to_zero(v, k) for v in small)), decimals)
+
+
 def decimals_apart(value: float, other: float, decimals: int) -> int:
     """Number of decimals with which two magnitudes are written differently, unless they are equal.
+
+    Small ones are not written as zero: see `nonzero_decimals`.
 
     Parameters
     ----------
     decimals : smallest number of decimals
     """
+    decimals = nonzero_decimals(decimals, value, other)
     further = range(decimals, decimals + MAX_FURTHER_DECIMALS + 1)
     low, high = abs(value), abs(other)
     return next((k for k in further if f"{low:.{k}f}" != f"{high:.{k}f}"), decimals)

@@ -110,13 +110,16 @@ def build_parser(words: Sequence[str] | None = None) -> ArgumentParser:
         names = {next((word for word in words if word in names), "")}
     parser = ArgumentParser(
         prog="lispac",
+        usage="%(prog)s [-h] [--version] COMMAND ...\n       lispac-gui (starts the window)",
         description="Boresight calibration of mobile LiDAR systems.",
         epilog="Angles: roll positive port side up, pitch positive bow down, yaw positive "
         "clockwise; rotation from LiDAR to body frame (forward, left, up). Lengths in "
         "metres, angles in degrees.",
     )
     parser.add_argument("--version", action="version", version=f"lispac {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    commands = parser.add_subparsers(
+        prog="lispac", dest="command", required=True, metavar="COMMAND"
+    )
     for each in COMMANDS:
         description = each.help[0].upper() + each.help[1:] + "."
         added = commands.add_parser(each.name, help=each.help, description=description)

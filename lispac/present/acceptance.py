@@ -143,13 +143,14 @@ def decisive_checks(
     return [check for checks in decisive.values() for check in checks[:max_failed]]
 
 
-def _format(check: AcceptanceCheckValues) -> Format:
+def check_format(check: AcceptanceCheckValues) -> Format:
+    """Format that writes a value beyond its limit differently from the limit."""
     usual = ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
     return usual.apart(check.limit, check.value)
 
 
 MEASURED_COLUMN, LIMIT_COLUMN = (
-    Column[AcceptanceCheckValues](name, title, _format, has_unit_in_cells=True)
+    Column[AcceptanceCheckValues](name, title, check_format, has_unit_in_cells=True)
     for name, title in (("value", N_("Measured")), ("limit", N_("Limit")))
 )
 

@@ -11,6 +11,7 @@ from lispac.language import (
     decimals_apart,
     gettext,
     is_rounded_to_zero,
+    nonzero_decimals,
     without_negative_zero,
 )
 from lispac.messages import Message
@@ -70,22 +71,30 @@ class Format:
         shown = [decimals_apart(self.factor * value, self.factor * k, self.decimals) for k in known]
         return replace(self, decimals=max(shown, default=self.decimals))
 
+    def nonzero(self, value: float) -> "Format":
+        """Format with enough decimals that a small value is not written as zero."""
+        return replace(self, decimals=nonzero_decimals(self.decimals, self.factor * value))
+
     def text(self, value: float) -> str:
         """The number in the language in use, without its unit."""
         shown = self.factor * value
         if self.unit == "%" and is_rounded_to_zero(shown, self.decimals):
             return LESS_THAN + fixed_number(10.0**-self.decimals, self.decimals)
         if self.is_half_interval:
-            return interval_text(fixed_number(shown, self.decimals))
+            return interval_text(fixed_number(shown, nonzero_decimals(self.decimals, shown)))
         if self.is_signed or not self.is_grouped:
             return fixed_number(shown, self.decimals, sign=self.is_signed)
         return grouped_number(shown, self.decimals)
 
     def plain_text(self, value: float) -> str:
         """The number as Python writes it, rounded as in `text`, without unit and plus-minus."""
-        shown = without_negative_zero(self.factor * value, self.decimals)
+        shown = self.factor * value
+        decimals = (
+            nonzero_decimals(self.decimals, shown) if self.is_half_interval else self.decimals
+        )
+        shown = without_negative_zero(shown, decimals)
         sign = "+" if self.is_signed and not self.is_half_interval and shown else ""
-        return f"{shown:{sign}.{self.decimals}f}"
+        return f"{shown:{sign}.{decimals}f}"
 
 
 COUNT = Format()

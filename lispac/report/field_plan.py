@@ -28,6 +28,7 @@ from lispac.report.figures import (
     SMALL_TEXT_SIZE,
     TEXT_SIZE,
     LocalisedFormatter,
+    draw_north_arrow,
 )
 from lispac.simulation.closed_form_survey import Ball, Board
 
@@ -200,20 +201,7 @@ def _draw_north_and_scale(axes: Axes) -> None:
     axes.autoscale(False)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     wide, tall = right - left, high - low
-    x, y = right - 0.04 * wide, high - 0.22 * tall
-    axes.arrow(
-        x, y, 0.0, 0.1 * tall, width=0.003 * wide, head_width=0.016 * wide,
-        head_length=0.04 * tall, length_includes_head=True, color=INK_COLOUR,
-    )  # fmt: skip
-    axes.text(
-        x,
-        y + 0.11 * tall,
-        "N",
-        fontsize=TEXT_SIZE + 2,
-        weight="bold",
-        color=INK_COLOUR,
-        ha="center",
-    )
+    draw_north_arrow(axes)
     bar = max(
         (each for each in SCALE_BAR_LENGTHS_M if each <= 0.2 * wide), default=SCALE_BAR_LENGTHS_M[0]
     )

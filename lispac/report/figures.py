@@ -350,6 +350,36 @@ def _fitted_title(title: str, width: float) -> str:
     return title.replace(", ", ",\n")
 
 
+def draw_north_arrow(axes: Axes, *, is_right: bool = False) -> None:
+    """Draw an arrow to the north in the upper right corner of a map.
+
+    Parameters
+    ----------
+    is_right : whether north is at the right and not at the top
+    """
+    points = ((-14.0, -44.0), (-14.0, -20.0), (-14.0, -12.0))
+    tail, tip, letter = (
+        offset_copy(
+            axes.transAxes,
+            axes.get_figure(root=True),
+            *(each[::-1] if is_right else each),
+            "points",
+        )
+        for each in points
+    )
+    corner = 1.0, 1.0
+    axes.annotate(
+        "", corner, xycoords=tip, xytext=corner, textcoords=tail,
+        arrowprops={
+            "arrowstyle": "-|>", "color": INK_COLOUR, "lw": 1.3, "shrinkA": 0, "shrinkB": 0,
+        },
+    )  # fmt: skip
+    axes.annotate(
+        gettext("N"), corner, xycoords=letter, fontsize=TEXT_SIZE, weight="bold",
+        color=INK_COLOUR, ha="center", va="center",
+    )  # fmt: skip
+
+
 def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
     """Set labels, grid, spines and number format common to all figures."""
     axes.set_xlabel(x_label, fontsize=TEXT_SIZE, color=INK_COLOUR)

@@ -13,6 +13,7 @@ from lispac.report.figures import (
     TEXT_SIZE,
     LocalisedFormatter,
     blank_figure,
+    draw_north_arrow,
     style_axes,
 )
 from lispac.validation.line_differences import LineDifference
@@ -35,7 +36,8 @@ def line_difference_map(
     """Plan view of the places compared, coloured by the distance between the two lines.
 
     If several places lie above each other, as on a wall, the largest distance is visible. A site
-    that is longer from north to south than the figure is high has north at the right.
+    that is longer from north to south than the figure is high has north at the right. An arrow
+    points to the north.
 
     Parameters
     ----------
@@ -61,6 +63,7 @@ def line_difference_map(
     axes.autoscale_view()
     axes.set_aspect("equal", adjustable="datalim")
     style_axes(axes, *titles)
+    draw_north_arrow(axes, is_right=across == 0)
     if title:
         axes.set_title(title, fontsize=TEXT_SIZE, color=INK_COLOUR, loc="left", parse_math=False)
     bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8, format=LocalisedFormatter())

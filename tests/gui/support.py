@@ -76,7 +76,7 @@ class ScriptedDialogs(Dialogs):
         """Where the files of a moved project are now, one folder for each request."""
         self.safety: list[str] = []
         """Asked about unsaved work and other windows; tests in other processes share the demo."""
-        self.recovers, self.opens_twice, self.overwrites = False, True, True
+        self.recovers, self.opens_twice, self.overwrites, self.stops = False, True, True, True
         self.requests: list[str] = []
         self.proposed = Path()
         self.opened: list[Path] = []
@@ -168,6 +168,10 @@ class ScriptedDialogs(Dialogs):
     def ask_to_save_changes(self, name: str) -> SaveChoice:
         self.requests.append(name)
         return self.save_choice
+
+    def ask_to_stop(self, task: str) -> bool:
+        self.safety.append(f"stop {task}")
+        return self.stops
 
     def ask_to_recover(self, name: str, when: str) -> bool:
         self.safety.append(f"recover {name}")

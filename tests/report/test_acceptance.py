@@ -298,7 +298,7 @@ def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Proj
 
 
 def test_warnings_and_table_give_a_value_with_the_same_decimals(project: Project) -> None:
-    content = content_with(project, rms=1.23456e-3, offset=1.23456e-4, yaw_sigma_deg=0.00123)
+    content = content_with(project, rms=1.23456e-3, offset=3e-5, yaw_sigma_deg=0.00123)
     failed = [each for each in content.acceptance.checks if each.verdict == "fail"]
     assert {each.quantity for each in failed} == {"rms", "offset", "yaw"}
     texts = [message_text(each).replace(" deg", "°") for each in content.warnings
@@ -309,6 +309,7 @@ def test_warnings_and_table_give_a_value_with_the_same_decimals(project: Project
             for column in (MEASURED_COLUMN, LIMIT_COLUMN)
         ]
         assert any(all(number in text for number in numbers) for text in texts), numbers
+        assert not cell_text(LIMIT_COLUMN, check).startswith("0.0\u00a0mm")
 
 
 def test_the_table_of_planes_gives_the_largest_offset_and_its_lines(project: Project) -> None:

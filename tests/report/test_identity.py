@@ -88,6 +88,7 @@ def test_details_are_saved_and_keep_the_results(tmp_path: Path) -> None:
         ({"dates": "2026-13-45"}, "no_date", {"text": "2026-13-45"}),
         ({"dates": "2026-02-28 to 2026-02-30"}, "no_date", {"text": "2026-02-30"}),
         ({"dates": "2026/3/0"}, "no_date", {"text": "2026/3/0"}),
+        ({"dates": "2026-11-2x"}, "no_date", {"text": "2026-11-2x"}),
         ({"epoch": "2010-00-01"}, "no_date", {"text": "2010-00-01"}),
     ],
 )

@@ -195,23 +195,52 @@ class Questions:
         cancel = box.button(QMessageBox.StandardButton.Cancel)
         return self._is_confirmed(box, anyway, default=cancel)
 
+    def ask_to_stop(self, task: str) -> bool:
+        """Ask whether to close the program although a task is running."""
+        return self._may_leave(
+            self.parent,
+            "stop_dialog",
+            gettext("A task is running: {task}.", task=task),
+            gettext("If you close the program, the task is stopped without a result."),
+            stay=gettext("Continue the task"),
+            leave=gettext("Stop and close"),
+        )
+
     @staticmethod
-    def confirm_leave(dialog: QWidget) -> bool:
+    def ask_to_leave_import(dialog: QWidget) -> bool:
         """Ask whether to close the import dialogue without importing its files."""
-        box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
-            parent=dialog,
-        )  # fmt: skip
-        box.setObjectName("leave_dialog")
-        box.setInformativeText(
-            gettext("The import settings will be lost. The files are not changed.")
+        return Questions._may_leave(
+            dialog,
+            "leave_dialog",
+            gettext("Close without importing the files?"),
+            gettext("The import settings will be lost. The files are not changed."),
+            stay=gettext("Continue importing"),
+            leave=gettext("Close without importing"),
         )
-        stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
-        confirm_leave = box.addButton(
-            gettext("Close without importing"), QMessageBox.ButtonRole.DestructiveRole
+
+    @staticmethod
+    def ask_to_discard_input(dialog: QWidget) -> bool:
+        """Ask whether to close a dialogue although its fields were changed."""
+        return Questions._may_leave(
+            dialog,
+            "discard_dialog",
+            gettext("Close without keeping what you typed?"),
+            gettext("The fields stay as they were before this dialogue was opened."),
+            stay=gettext("Continue typing"),
+            leave=gettext("Close without keeping"),
         )
-        box.setEscapeButton(stay)
-        return Questions._is_confirmed(box, confirm_leave, default=stay)
+
+    @staticmethod
+    def _may_leave(
+        parent: QWidget | None, name: str, question: str, effect: str, *, stay: str, leave: str
+    ) -> bool:
+        box = widgets.MessageBox(QMessageBox.Icon.Question, "LISPAC", question, parent=parent)
+        box.setObjectName(name)
+        box.setInformativeText(effect)
+        stay_button = box.addButton(stay, QMessageBox.ButtonRole.RejectRole)
+        leave_button = box.addButton(leave, QMessageBox.ButtonRole.DestructiveRole)
+        box.setEscapeButton(stay_button)
+        return Questions._is_confirmed(box, leave_button, default=stay_button)
 
     @staticmethod
     def _is_confirmed(

@@ -517,16 +517,18 @@ class Controller(QObject):
 
     # -- edits -------------------------------------------------------------------------------
 
-    def rename(self, old: str, new: str) -> None:
-        """Rename a target."""
+    def rename(self, old: str, new: str) -> bool:
+        """Rename a target; return whether the name is accepted."""
         if self._project is None:
-            return
+            return False
         try:
             edited = edits.with_renamed_target(self._project, old, new)
-            self._document.edit(N_("renaming of {target}"), edited, target=old)
         except LispacError as error:
             self.refused.emit(error)
             self._document.changed.emit()
+            return False
+        self._document.edit(N_("renaming of {target}"), edited, target=old)
+        return True
 
     def remove(self, name: str) -> None:
         """Remove a target."""

@@ -70,12 +70,23 @@ class _Edit(QUndoCommand):
         super().__init__(gettext(name.template, **name.params))
         self.name = name
         self._document, self._before, self._after = document, before, after
+        self._is_new = True
 
     def redo(self) -> None:
         self._document._set_state(self._after)
+        if not self._is_new:  # Qt calls this at first for the edit itself
+            self._announce(self._before, self._after)
+        self._is_new = False
 
     def undo(self) -> None:
         self._document._set_state(self._before)
+        self._announce(self._after, self._before)
+
+    def _announce(self, former: _ProjectState, shown: _ProjectState) -> None:
+        others = former.project.targets
+        edited = [each.name for each in shown.project.targets if each not in others]
+        if len(edited) == 1:
+            self._document.reverted.emit(edited[0])
 
 
 class Document(QObject):
@@ -93,6 +104,8 @@ class Document(QObject):
     """Whether the project now has unsaved changes."""
     saved = Signal()
     """The project was saved."""
+    reverted = Signal(str)
+    """An edit was undone or redone: name of the only target that this added or changed."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -109,12 +109,17 @@ def _python_form(form: Format) -> str:
     return f"{sign}{group}.{form.decimals}f"
 
 
+def _fitted(value: float, form: Format) -> Format:
+    """Format of this value: half an interval is not written as zero."""
+    return form.nonzero(value) if form.is_half_interval else form
+
+
 def local_number(value: float, form: Format) -> str:
     """The number in the unit and the language of the user, without its unit."""
     base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return form.text(value)
-    return units.local_figure(form.factor * value, base, _python_form(form))
+    return units.local_figure(form.factor * value, base, _python_form(_fitted(value, form)))
 
 
 def fact_text(fact: Fact) -> str:
@@ -129,7 +134,7 @@ def local_amount(value: float, form: Format) -> str:
     base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return with_unit(form.text(value), form.unit)
-    return units.local_amount(form.factor * value, base, _python_form(form))
+    return units.local_amount(form.factor * value, base, _python_form(_fitted(value, form)))
 
 
 def html_table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:

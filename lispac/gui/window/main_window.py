@@ -406,6 +406,7 @@ class MainWindow(QMainWindow):
 
     def _connect_tasks(self) -> None:
         self.document.changed.connect(self._clear_outdated_note)
+        self.document.reverted.connect(self._select_reverted)
         for bar in self._task_bars:
             bar.cancel_requested.connect(self.runner.cancel)
             self.runner.progress_changed.connect(lambda bar=bar: bar.show_task(self.runner.current))
@@ -524,6 +525,14 @@ class MainWindow(QMainWindow):
         if self.targets.line is None:  # else the next seed would add to it
             self.targets.select(name)
 
+    def _select_reverted(self, name: str) -> None:
+        """Select the target of the edit that was undone or redone; the status bar names the edit.
+
+        A restored validation would otherwise select its worst plane.
+        """
+        self.scene.select(name)
+        self._select_in_panels(name, "")
+
     def _preview_settings(self) -> HoverPreviewSettings:
         targets = self.targets
         return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
@@ -555,9 +564,12 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.document.is_modified)
 
     def _rename(self, old: str, new: str) -> None:
-        self.controller.rename(old, new)
-        if new.strip() in self.targets.names:  # renamed, and still selected
+        if self.controller.rename(old, new):
             self._select(new.strip(), "")
+        else:
+            self._select(old, "")
+            # Later, since the table closes the field of the refused name only now
+            QTimer.singleShot(0, self.targets, partial(self.targets.edit_name, new))
 
     def rebuild_window(self) -> None:
         """Request a new window with the present settings, after tasks that are not quiet."""
@@ -577,7 +589,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the window, unless the user keeps unsaved changes."""
         commit_focused_field()
-        if not (self.lifecycle.may_leave() and self.site_design.leave()):
+        if not (self._may_stop_tasks() and self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
         self._restore_panel_height()
@@ -586,6 +598,15 @@ class MainWindow(QMainWindow):
         self.settings.last_project = None
         self.stop_and_hide()
         event.accept()
+
+    def _may_stop_tasks(self) -> bool:
+        """Whether no task is running, or the user agrees that it is stopped."""
+        titles = [
+            runner.current.title
+            for runner in (self.runner, *self.site_design.runners)
+            if runner.busy and runner.current is not None
+        ]
+        return not titles or self.dialogs.ask_to_stop(titles[0])
 
     def save_layout(self) -> None:
         """Store the layout of window and panels in the settings."""

@@ -78,6 +78,8 @@ class Session(QObject):
             show_window_and_docks(window, window.docks)
             if former is not None and former.dock_layout.is_maximised:
                 window.actions_["maximise"].trigger()
+            if former is not None:
+                window.workflow.focus_open_step()
             window.activateWindow()
             if former is not None:
                 window.scene.draw_now()

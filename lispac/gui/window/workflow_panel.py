@@ -14,6 +14,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -68,6 +69,7 @@ class WorkflowPanel(QWidget):
         self.opened = -1
         self._width = 0
         self.open(0)
+        QApplication.instance().focusChanged.connect(self._pass_on_focus)
 
     def input_errors(self) -> list[Message | None]:
         """First reason why a text typed in each step is not accepted; None if all texts are."""
@@ -97,6 +99,15 @@ class WorkflowPanel(QWidget):
         if step != self.opened:
             self.opened = step
             self.step_opened.emit(step)
+
+    def focus_open_step(self) -> None:
+        """Focus the header of the open step."""
+        self.headers[self.opened].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _pass_on_focus(self, former: QWidget | None, focused: QWidget | None) -> None:
+        """Focus the open step if Qt focuses another one because a widget was hidden."""
+        if former is not None and not former.isVisible() and focused in self.headers:
+            self.focus_open_step()
 
     def go_to(self, step: int) -> None:
         """Open one step, numbered from 0, in front of other panels, and focus its header."""

@@ -11,11 +11,18 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QLineEdit,
+    QMessageBox,
+    QPushButton,
+)
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.io.project.project_file import UNSAVED_NAME, write_unsaved
 from lispac.project import Project
 from lispac.workflow.planning.demo import demo_seeds
@@ -175,6 +182,82 @@ def test_closing_with_unsaved_changes(
     after = ["North wall", *before[1:]] if button == "Save the changes" else before
     assert names(picked_folder) == after
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
+
+
+@pytest.mark.parametrize("button", ["Continue the task", "Stop and close"])
+def test_closing_while_a_task_runs(hands: Hands, picked_folder: Path, button: str) -> None:
+    """The question comes first; a task that the user continues gives its result."""
+    open_by_keys(hands, picked_folder)
+    before = (picked_folder / "project.json").read_bytes()
+    press(hands, Key.Key_F9)
+    assert hands.window.runner.busy
+    push(hands, button)
+    if button == "Stop and close":
+        press(hands, Key.Key_Q, Control)
+        hands.until_dialogs_used()
+        assert not hands.window.isVisible()
+        assert (picked_folder / "project.json").read_bytes() == before
+        return
+    press(hands, Key.Key_Q, Control)
+    hands.until_dialogs_used()
+    assert hands.window.isVisible()
+    hands.rest()
+    assert hands.project.result is not None
+
+
+def test_a_refused_name_is_typed_again_in_its_field(hands: Hands, picked_folder: Path) -> None:
+    open_by_keys(hands, picked_folder)
+    click(hands, hands.window.workflow.headers[1])
+    table, names_before = hands.window.targets.table, names(picked_folder)
+    row = names_before.index("T2")
+    place = table.visualItemRect(table.item(row, 0)).center()
+    hands.bot.mouseClick(table.viewport(), Left, pos=place)
+    hands.bot.keyClick(table, Key.Key_F2)
+    hands.bot.keyClicks(table.findChild(QLineEdit), "T1")
+    push(hands, "Close")
+    hands.bot.keyClick(table.findChild(QLineEdit), Key.Key_Return)
+    hands.until_dialogs_used()
+    hands.until(lambda: [each.text() for each in table.findChildren(QLineEdit)] == ["T1"])
+    field = table.findChild(QLineEdit)
+    assert (field.text(), hands.window.targets.current) == ("T1", "T2")
+    assert [each.name for each in hands.project.targets] == names_before
+    hands.bot.keyClicks(field, "Crane")
+    hands.bot.keyClick(field, Key.Key_Return)
+    hands.rest()
+    assert hands.project.targets[row].name == hands.window.targets.current == "Crane"
+
+
+def test_typed_details_are_not_discarded_by_escape(hands: Hands, picked_folder: Path) -> None:
+    open_by_keys(hands, picked_folder)
+    seen: list[str] = []
+
+    def type_and_escape(dialog: IdentityDialog) -> bool:
+        field = dialog.findChild(QLineEdit, "identity_client")
+        if not seen:
+            hands.bot.keyClicks(field, "Port of Rimouski")
+        seen.append(field.text())
+        hands.bot.keyClick(field, Key.Key_Escape)
+        return True
+
+    def go_on(dialog: IdentityDialog) -> bool:
+        field = dialog.findChild(QLineEdit, "identity_client")
+        seen.append(field.text())
+        hands.bot.keyClick(field, Key.Key_Escape)
+        return True
+
+    hands.answers.expect(IdentityDialog, type_and_escape)
+    push(hands, "Continue typing")
+    hands.answers.expect(IdentityDialog, go_on)
+    push(hands, "Close without keeping")
+    click(hands, hands.window.workflow.headers[4])
+    details = hands.window.findChild(QPushButton, "report_details")
+    click(hands, details)
+    hands.until_dialogs_used()
+    assert seen == ["Port of Rimouski"] * 2
+    assert hands.project.identity.client == ""
+    hands.answers.expect(IdentityDialog, lambda dialog: bool(dialog.reject()) or True)
+    click(hands, details)  # unchanged, so that nothing is asked
+    hands.until_dialogs_used()
 
 
 @pytest.mark.long

@@ -9,12 +9,11 @@ from lispac.errors import InputError
 from lispac.geometry import point_measurements
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
-from lispac.gui.appearance import units
-from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.gui.appearance import theme, units
+from lispac.gui.viewport.base import Array, PickedPoint, Sketch, Viewport
 from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
 
-SKETCH_COLOUR: Colour = (0, 90, 200)
 SKETCH_NAME = "measure"
 HINTS = {
     "measure_distance": (N_("Click the first point"), N_("Click the second point")),
@@ -127,5 +126,6 @@ def _measurement_sketch(points: list[Array], text: str, metric: str) -> Sketch:
         middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
         label_point = (float(middle[0]), float(middle[1]), float(middle[2]))
     return Sketch(
-        places, edges, SKETCH_COLOUR, dots=True, label=text, label_point=label_point, metric=metric
-    )
+        places, edges, theme.rgb("accent"), dots=True, label=text, label_point=label_point,
+        metric=metric,
+    )  # fmt: skip

@@ -17,7 +17,6 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import (
     Array,
-    Colour,
     DragHandle,
     PickedPoint,
     Sketch,
@@ -37,7 +36,6 @@ from lispac.workflow.checking.survey_sections import (
 )
 
 SKETCH_NAME = "section"
-SKETCH_COLOUR: Colour = (0, 90, 200)
 DRAG_UPDATE_MS = 150
 """Time between two updates of the picture while the section is dragged."""
 MIN_LENGTH_M = 0.1
@@ -137,7 +135,7 @@ class SectionTool(QObject):
     def _show_first_end(self) -> None:
         north, west, up = (float(v) for v in self._ends[0])
         self._mouse_tool.hint(gettext(HINTS[1]))
-        self._draw_sketch(Sketch(((north, west, up),), (), SKETCH_COLOUR, dots=True))
+        self._draw_sketch(Sketch(((north, west, up),), (), theme.rgb("accent"), dots=True))
 
     def _discard_points(self) -> None:
         if len(self._ends) < 2:
@@ -303,7 +301,7 @@ def section_box_sketch(section: Section, *, has_ends: bool) -> Sketch:
         along = 0.5 * section.width * section.right
         handles += [_handle(section.centre + sign * along, section.right) for sign in (-1.0, 1.0)]
     places = tuple((float(x), float(y), float(z)) for x, y, z in section_box(section).corners)
-    return Sketch(places, BOX_EDGES, SKETCH_COLOUR, handles=tuple(handles))
+    return Sketch(places, BOX_EDGES, theme.rgb("accent"), handles=tuple(handles))
 
 
 def _handle(place: Array, axis: Array) -> DragHandle:

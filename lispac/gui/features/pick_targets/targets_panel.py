@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QHeaderView,
+    QLineEdit,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -455,7 +456,7 @@ class TargetsPanel(QWidget):
             gettext("Remove"), "remove_target", icon="trash-can-outline",
             tip=gettext("Remove (Del)"),
         )  # fmt: skip
-        self.rename.clicked.connect(self._rename)
+        self.rename.clicked.connect(lambda: self.edit_name())
         self.remove.clicked.connect(self._remove)
         delete = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
         delete.setContext(Qt.ShortcutContext.WidgetShortcut)
@@ -484,10 +485,16 @@ class TargetsPanel(QWidget):
         rows.addWidget(self.list_seeds, 1, 1)
         return rows
 
-    def _rename(self) -> None:
-        if self.current is not None:
-            self.table.setFocus()
-            self.table.editItem(self.table.item(self._names.index(self.current), 0))
+    def edit_name(self, text: str = "") -> None:
+        """Open the field for the name of the selected target; ``text`` replaces its name there."""
+        if self.current is None:
+            return
+        self.table.setFocus()
+        self.table.editItem(self.table.item(self._names.index(self.current), 0))
+        field = self.window().focusWidget()
+        if text and isinstance(field, QLineEdit):
+            field.setText(text)
+            field.selectAll()
 
     def _remove(self) -> None:
         if self.current is not None:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import widgets
+from lispac.gui.app.questions import Questions
 from lispac.gui.app.unavailable import Unavailable, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
@@ -123,6 +124,7 @@ class IdentityDialog(QDialog):
         self._missing_label.setVisible(bool(missing))
         layout.addWidget(self._missing_label)
         self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
+        self._initial_texts = self._texts()
         for name, text in suggestions.items():
             field = self.fields[name]
             if isinstance(field, QLineEdit):
@@ -166,6 +168,14 @@ class IdentityDialog(QDialog):
         for each_field in self.fields.values():
             each_field.textChanged.connect(self._check_input)
         self.fields[missing[0] if missing else FIELD_NAMES[0]].setFocus()
+
+    def reject(self) -> None:
+        """Ask before changed fields are discarded, on Escape or when the dialogue is closed."""
+        if self._texts() == self._initial_texts or Questions.ask_to_discard_input(self):
+            super().reject()
+
+    def _texts(self) -> dict[str, str]:
+        return {name: _field_text(field) for name, field in self.fields.items()}
 
     def _form(self, groups: Sequence[tuple[str, Sequence[str]]]) -> QFormLayout:
         """Fields of some groups below each other; the only field of a group is below its label."""
@@ -241,7 +251,7 @@ class IdentityDialog(QDialog):
 
     def _check_input(self) -> None:
         """Accept the typed texts, or show the error in them."""
-        texts = {name: _field_text(field) for name, field in self.fields.items()}
+        texts = self._texts()
         _show_missing(
             self._missing_label, [name for name in REQUIRED_FIELDS if not texts[name].strip()]
         )

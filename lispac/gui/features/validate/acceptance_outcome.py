@@ -1,7 +1,6 @@
 """Verdict on the calibration, the values that exceed their limits, and the probable causes."""
 
 from collections.abc import Iterable
-from math import radians
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
@@ -9,12 +8,14 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
+from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.acceptance import (
     AcceptanceCheckValues,
     AcceptanceValues,
     calibration_verdict_text,
+    check_format,
     verdict_text,
 )
 from lispac.present.cross_checks import cross_check_values
@@ -159,12 +160,5 @@ def _reason(check: AcceptanceCheckValues) -> str:
     """Value that is larger than its limit."""
     what = f"{check.title}, {check.place}" if check.place else check.title
     assert check.value is not None
-    if check.unit == "deg":
-        return gettext(
-            "{what}: {value:deg.4}°, limit {limit:deg.4}°",
-            what=what, value=radians(check.value), limit=radians(check.limit),
-        )  # fmt: skip
-    return gettext(
-        "{what}: {value:mm.1} mm, limit {limit:mm.1} mm",
-        what=what, value=check.value, limit=check.limit,
-    )  # fmt: skip
+    value, limit = (local_amount(each, check_format(check)) for each in (check.value, check.limit))
+    return gettext("{what}: {value}, limit {limit}", what=what, value=value, limit=limit)

@@ -198,7 +198,7 @@ class PlanesTable(QTableWidget):
             # Units or limits in a second line, so that all columns fit on a small screen
             text = shown.title.replace(" (", "\n(")
             if limit is not None:
-                figure = local_number(limit, MILLIMETRES)
+                figure = local_number(limit, MILLIMETRES.nonzero(limit))
                 text = gettext("{title}\nlimit {limit}", title=shown.title, limit=figure)
             head = QTableWidgetItem(text)
             head.setToolTip(widgets.wrapped_tip(shown.tip))

@@ -125,6 +125,26 @@ def test_the_status_bar_and_the_log_name_the_undone_edit(picked: Driver) -> None
     assert bar.currentMessage() != undone
 
 
+def test_the_target_of_an_undone_edit_is_selected(picked: Driver) -> None:
+    """Undone and redone edits of one target select it in the list and in the view."""
+    window, stack = picked.window, picked.window.document.undo_stack
+    window.controller.remove("T1")
+    window._select("V1", "")
+    for undone in (True, False):
+        window._select("V1", "")
+        press(picked, Key.Key_Z, Control if undone else Control | Qt.KeyboardModifier.ShiftModifier)
+        wait_until_idle(picked)
+        expected = "T1" if undone else "V1"  # nothing of a removed target can be selected
+        assert (window.targets.current, window.scene.selected) == (expected, (expected, ""))
+    stack.undo()
+    window.controller.use_target("T2", False)
+    window._select("V1", "")
+    for key in (Control, Control | Qt.KeyboardModifier.ShiftModifier):
+        press(picked, Key.Key_Z, key)
+        wait_until_idle(picked)
+        assert (window.targets.current, window.scene.selected) == ("T2", ("T2", ""))
+
+
 def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
     window, control = picked.window, picked.window.controller
     stack = window.document.undo_stack

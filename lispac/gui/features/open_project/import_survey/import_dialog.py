@@ -431,7 +431,7 @@ class ImportDialog(NumberDialog):
         """Ask before the added files are discarded, on Escape or when the dialogue is closed."""
         if all(
             file.project_reading is not None for file in self.input_files.files
-        ) or Questions.confirm_leave(self):
+        ) or Questions.ask_to_leave_import(self):
             self._discard()
 
     def _discard(self) -> None:
