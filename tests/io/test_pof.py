@@ -65,8 +65,8 @@ def test_the_first_record_of_a_file_of_riprocess(tmp_path: Path) -> None:
         (2, 1, 486_000.0, "utc-week", None),
         (1, 0, 54_000.0, "gps-day", None),
         (1, 1, 54_000.0, "utc-day", None),
-        (1, 2, 54_000.0, "gps-day", "pof.gps_assumed"),
-        (0, 0, 12.0, "gps-week", "pof.unknown_start"),
+        (1, 2, 54_000.0, "gps-day", "trajectory.pof_gps_assumed"),
+        (0, 0, 12.0, "gps-week", "trajectory.pof_unknown_start"),
     ],
 )
 def test_the_header_gives_the_time_base(
@@ -76,7 +76,7 @@ def test_the_header_gives_the_time_base(
     records[:, 0] += start - records[0, 0]
     path = write_pof(tmp_path / "a.pof", records, unit=unit, system=system)
     assert FORMAT.preview(path, {}).choice["time"] == base
-    own = [each for each in codes(path) if each.startswith("pof.")]
+    own = [each for each in codes(path) if each.startswith("trajectory.pof_")]
     assert own == ([] if code is None else [code])
     np.testing.assert_allclose(FORMAT.read(path, {}).time, records[:, 0], rtol=0, atol=1e-9)
 
@@ -90,12 +90,12 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
         with pytest.raises(InputError, check=has_code(code)):
             FORMAT.read(path, {})
 
-    refused(content[:-64], "pof.count")
-    refused(b"\1" * 5000, "pof.header")
-    refused(content[:100], "pof.header")
-    refused(content[:27] + b"\7" + content[28:], "pof.header")  # another major version
+    refused(content[:-64], "trajectory.pof_count")
+    refused(b"\1" * 5000, "trajectory.pof_header")
+    refused(content[:100], "trajectory.pof_header")
+    refused(content[:27] + b"\7" + content[28:], "trajectory.pof_header")  # another major version
     far = bytearray(content)
     far[320 + 64 + 16 : 320 + 64 + 24] = np.float64(99.0).tobytes()
-    refused(bytes(far), "pof.not_on_earth")
+    refused(bytes(far), "trajectory.pof_not_on_earth")
     write_pof(path, vessel(200)[:1])
-    refused(path.read_bytes(), "pof.one_record")
+    refused(path.read_bytes(), "trajectory.pof_one_record")

@@ -173,9 +173,9 @@ def preview_pof(path: Path, choice: Choice) -> FilePreview:
     rows = (columns, *(tuple(f"{value:.10g}" for value in row) for row in records[:5]))
     options = {"time": _time_key(header, records[:, 0])} | dict(choice)
     if not header.time:
-        found.append(warning("pof.unknown_start", file=file))
+        found.append(warning("trajectory.pof_unknown_start", file=file))
     elif header.is_gps_assumed:
-        found.append(warning("pof.gps_assumed", file=file))
+        found.append(warning("trajectory.pof_gps_assumed", file=file))
     for angle, option in (("roll", ROLL_OPTION), ("pitch", PITCH_OPTION)):
         if angle not in choice:
             found.append(sign_assumed_warning(path, angle, option.default))
@@ -203,7 +203,7 @@ def _require_header(path: Path) -> PofHeader:
         raise InputError(error("file.empty", file=str(path), kind="POF"))
     header = read_header(path)
     if header is None:
-        raise InputError(error("pof.header", file=str(path)))
+        raise InputError(error("trajectory.pof_header", file=str(path)))
     return header
 
 
@@ -224,12 +224,13 @@ def _records(path: Path, most: int | None = None) -> tuple[PofHeader, Array]:
                 rest=size % record,
             )
         )  # fmt: skip
-    if size // record != header.count:
+    found = size // record
+    if found != header.count:
         raise InputError(
-            error("pof.count", file=str(path), count=size // record, expected=header.count)
+            error("trajectory.pof_count", file=str(path), count=found, expected=header.count)
         )
     if header.count < 2:
-        raise InputError(error("pof.one_record", file=str(path)))
+        raise InputError(error("trajectory.pof_one_record", file=str(path)))
     count = header.count if most is None else min(most, header.count)
     try:
         numbers = np.fromfile(path, "<f8", count * header.columns, offset=header.offset)
@@ -261,8 +262,8 @@ def _trajectory(path: Path, header: PofHeader, records: Array, choice: Choice) -
         k = int(np.argmax(bad))
         raise InputError(
             error(
-                "pof.not_on_earth", file=str(path), record=k + 1, latitude=float(latitude[k]),
-                longitude=float(longitude[k]),
+                "trajectory.pof_not_on_earth", file=str(path), record=k + 1,
+                latitude=float(latitude[k]), longitude=float(longitude[k]),
             )
         )  # fmt: skip
     height = records[:, 3]

@@ -58,7 +58,7 @@ _PROGRAM_FORMATS: dict[str, tuple[InstallationFormat, ...]] = {
             "convention.pdal_transformation",
         ),
         InstallationFormat(
-            ".json", gettext_lazy(N_("PDAL pipeline, scanner to map with the trajectory")),
+            ".json", gettext_lazy(N_("PDAL pipeline, scanner to earth-centred coordinates")),
             "convention.pdal_georeference", True,
         ),
     ),
