@@ -29,8 +29,6 @@ from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING, offse
 from lispac.survey.conventions.systems import Convention, convention_of_key
 from lispac.workflow.output.georeferencing import require_no_overwrite
 
-TEXT_ENDING = ".txt"
-
 
 @dataclass(frozen=True)
 class InstallationFormat:
@@ -40,30 +38,32 @@ class InstallationFormat:
     ----------
     ending : lower case, with the dot
     name : name in the file dialogue
-    use : code of the note on what the values in the file apply to; empty for the text
+    use : note on what the values in the file apply to; None for the text
     with_trajectory : whether the file names the trajectory
     """
 
     ending: str
     name: LazyText
-    use: str = ""
+    use: Message | None = None
     with_trajectory: bool = False
 
 
-TEXT_FORMAT = InstallationFormat(TEXT_ENDING, gettext_lazy(N_("Values to enter, as text")))
+TEXT_FORMAT = InstallationFormat(".txt", gettext_lazy(N_("Values to enter, as text")))
 _PROGRAM_FORMATS: dict[str, tuple[InstallationFormat, ...]] = {
     "pdal": (
         InstallationFormat(
             ".json", gettext_lazy(N_("PDAL pipeline, scanner to body")),
-            "convention.pdal_transformation",
+            note("convention.pdal_transformation"),
         ),
         InstallationFormat(
             ".json", gettext_lazy(N_("PDAL pipeline, scanner to earth-centred coordinates")),
-            "convention.pdal_georeference", True,
+            note("convention.pdal_georeference"), True,
         ),
     ),
     "kluster": (
-        InstallationFormat(".kfc", gettext_lazy(N_("Kluster vessel")), "convention.kluster_vessel"),
+        InstallationFormat(
+            ".kfc", gettext_lazy(N_("Kluster vessel")), note("convention.kluster_vessel")
+        ),
     ),
 }  # fmt: skip
 """Files that the programs read, by the key of the convention, apart from the text."""
@@ -162,7 +162,7 @@ def write_installation(
     values = ConventionValues.of_mounting(
         new.in_system, new.mounting, has_lever_arm=new.has_lever_arm, warning=sigma_warning
     )
-    if not form.use:
+    if form.use is None:
         write_text_file(path, installation_text(values, values.notes))
         return values.notes
     setup = new.in_system.setup
@@ -174,7 +174,7 @@ def write_installation(
         trajectory = _require_applanix_sbet(trajectory, values.name)
         # PDAL applies the latency too.
         values = replace(values, offsets_text=offsets_note(replace(new.mounting, latency=0.0)))
-    notes = (note(form.use), note("convention.file_not_tried", program=values.name), *values.notes)
+    notes = (form.use, note("convention.file_not_tried", program=values.name), *values.notes)
     remarks = [to_plain_text(message_text(each)) for each in notes]
     if form.with_trajectory:
         assert trajectory is not None
