@@ -48,7 +48,6 @@ NOT_SHOWN: dict[str, set[str]] = {
     },
     "names of other programs": {
         "Applanix POS MV, LVX, POSPac",
-        "CARIS HIPS and SIPS",
         "NovAtel Inertial Explorer, SPAN",
         "PDAL filters.georeference (scan2imu)",
     },

@@ -237,7 +237,7 @@ SYSTEMS: tuple[Convention, ...] = (
     ),
     Convention(
         key="caris",
-        name="CARIS HIPS and SIPS",
+        name="CARIS HIPS",
         axes=STARBOARD_FORWARD_DOWN,
         turns=_left_handed_rotations(),
         order=HEADING_PITCH_ROLL,
