@@ -242,7 +242,7 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_left_handed_rotations(),
         order=HEADING_PITCH_ROLL,
         status="partly",
-        source=N_("HIPS and SIPS 7 help, Vessel Editor (axes; mounting pitch and roll)"),
+        source=N_("HIPS 7 help, Vessel Editor (axes; mounting pitch and roll)"),
         assumption=N_(
             "The axes (left-handed: X starboard, Y forward, Z down) and the signs of the mounting "
             "angles pitch and roll are from the help. Yaw positive clockwise and the order yaw, "
