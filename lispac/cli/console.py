@@ -4,7 +4,6 @@ import json
 import os
 import re
 import sys
-import textwrap
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -24,8 +23,6 @@ SCHEMA_FILE = "commands.schema.json"
 """File with the JSON schema of the output of each command."""
 SCHEMA_VERSION = 1
 """Version of the JSON of the commands; a key that is removed or gets another meaning raises it."""
-TEXT_WIDTH = 100
-"""Number of characters in a line of running text."""
 
 
 class UsageError(Exception):
@@ -119,39 +116,13 @@ def print_schema(command: str) -> None:
 
 def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:
     """Print a table of results as text: title, headings with units, rows, and a blank line."""
-    from lispac.language import to_plain_text
-    from lispac.present.tables import cell_text, title_text, unit_text
+    from lispac.present.plain_text import table_as_text
 
-    heads = [
-        " ".join(
-            [
-                *title_text(column.title).split(),
-                *([f"({unit_text(column.unit)})"] if column.unit else []),
-            ]
-        )
-        for column in table.columns
-    ]
-    lines = [heads, *([cell_text(column, row) for column in table.columns] for row in rows)]
-    lines = [[to_plain_text(cell) for cell in line] for line in lines]
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    print(title_text(table.title))
-    for line in lines:
-        cells = (
-            cell.ljust(width) if column.is_text else cell.rjust(width)
-            for cell, width, column in zip(line, widths, table.columns, strict=True)
-        )
-        print(f"  {'  '.join(cells).rstrip()}")
-    print()
+    print(table_as_text(table, rows), end="\n\n")
 
 
 def print_facts(title: str, facts: "Sequence[Fact]") -> None:
     """Print names and values below a title: one in each row, and a blank line."""
-    from lispac.language import to_plain_text
+    from lispac.present.plain_text import facts_as_text
 
-    print(title)
-    width = max(len(fact.name) for fact in facts)
-    for fact in facts:
-        label = f"  {fact.name:{width}s}  "
-        text = f"{label}{to_plain_text(fact.text)}"
-        print(textwrap.fill(text, TEXT_WIDTH, subsequent_indent=" " * len(label)))
-    print()
+    print(facts_as_text(title, facts), end="\n\n")

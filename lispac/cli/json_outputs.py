@@ -364,7 +364,7 @@ class ConversionOutput:
     """Result of ``lispac angles``.
 
     ``matrix`` is the rotation matrix in the other system; ``correction`` is that of the current
-    settings, or None if they are not given.
+    settings, or None if they are not given; ``file`` was written for the other program, or None.
     """
 
     from_: ConventionValues
@@ -372,6 +372,7 @@ class ConversionOutput:
     matrix: tuple[tuple[float, ...], ...]
     orientation_text: LazyText
     correction: CorrectionValues | None
+    file: Path | None
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from lispac.io.trajectory.inertial_explorer import (
     INERTIAL_EXPLORER_ACCURACY_FORMAT,
     INERTIAL_EXPLORER_FORMAT,
 )
+from lispac.io.trajectory.pof import POF_FORMAT
 from lispac.io.trajectory.pospac_text import POSPAC_ACCURACY_FORMAT, POSPAC_FORMAT
 from lispac.io.trajectory.sbet_formats import SBET_FORMAT, SMRMSG_FORMAT
 from lispac.messages import error
@@ -38,6 +39,7 @@ TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
     EXAIL_FORMAT,
     POSPAC_FORMAT,
     INERTIAL_EXPLORER_FORMAT,
+    POF_FORMAT,
     ASCII_FORMAT,
     CIDCO_STATES_FORMAT,
 )

@@ -44,4 +44,47 @@ TEXTS: Mapping[str, Template] = {
         "lever arm is that of the matrix, rotated by the estimated boresight. If the lines were "
         "only rotated, enter the 3x3 matrix alone and the lever arm of the lines."
     ),
+    # -- files for other programs ------------------------------------------------------------------
+    "convention.pdal_transformation": N_(
+        "The matrix applies to points in the frame of the scanner and gives points in the body "
+        "frame of the POS (X forward, Y starboard, Z down), in metres. Do not apply it to "
+        "georeferenced points: no constant matrix corrects the boresight of these."
+    ),
+    "convention.pdal_georeference": N_(
+        "The pipeline applies to points in the frame of the scanner whose times have the time base "
+        "of the trajectory, and gives earth-centred coordinates. Specify input and output in "
+        "PDAL, and add filters.reprojection for a map."
+    ),
+    "convention.kluster_vessel": N_(
+        "The vessel contains one system, LiDAR, with the POS centre as reference point; the "
+        "scanner has the values of transmitter and receiver. Waterline and opening angles are "
+        "zero: set them in Kluster."
+    ),
+    "convention.file_not_tried": N_(
+        "The file follows the source code of {program}, but has not been opened in that program "
+        "(not verified). Check one line over a known surface before use."
+    ),
+    "convention.file_ending": N_(
+        "{file}: for {program}, the file extension must be {endings:choices}. Use one of these."
+    ),
+    "convention.file_needs_lever_arm": N_(
+        "A file for {program} must contain the lever arm. Give the lever arm too."
+    ),
+    "convention.file_as_documented": N_(
+        "A file for {program} can only be written with its documented axes. Use these axes, or "
+        "write the values as text."
+    ),
+    "convention.file_needs_trajectory": N_(
+        "This file for {program} names the trajectory. Give an SBET."
+    ),
+    "convention.no_trajectory_in_file": N_(
+        "A file for {program} does not name a trajectory. Omit the trajectory."
+    ),
+    "convention.not_sbet": N_(
+        "{file}: {program} reads trajectories in SBET only. Export the trajectory as SBET."
+    ),
+    "convention.sbet_signs": N_(
+        "{file}: the signs, angles or byte order of this SBET differ from Applanix's convention, "
+        "which {program} assumes. Export the trajectory as SBET."
+    ),
 }

@@ -11,6 +11,7 @@ TEXTS: Mapping[str, Template] = {
     "format.exail": N_("Exail (iXblue) APPS or Delph INS text"),
     "format.pospac": N_("Applanix POSPac text"),
     "format.inertial_explorer": N_("NovAtel Inertial Explorer text"),
+    "format.pof": N_("RIEGL POF"),
     "format.ascii": N_("Text with given columns"),
     "format.cidco_states": N_("CIDCO binary, states of the points"),
     "format.cidco_sigmas": N_("CIDCO binary, standard deviations of the states"),
@@ -72,6 +73,10 @@ TEXTS: Mapping[str, Template] = {
         "Conventions of Applanix in the file: roll positive starboard down, pitch positive bow up, "
         "true heading = platform heading minus wander angle. In the program and the report, pitch "
         "is positive bow down."
+    ),
+    "assumed.pof": N_(
+        "RIEGL does not publish the format POF. The layout is that of a public reader: degrees, "
+        "longitude before latitude."
     ),
     "assumed.heading_less_wander": N_(
         "The true heading is the platform heading minus the wander angle."

@@ -168,6 +168,30 @@ TEXTS: Mapping[str, Template] = {
         "its header, or choose the generic text format and name the columns."
     ),
     # -- SBET and smrmsg ---------------------------------------------------------------------
+    "trajectory.pof_header": N_(
+        "{file}: this file is not a POF with a known header. Export the trajectory from RiPROCESS "
+        "as text or SBET."
+    ),
+    "trajectory.pof_count": N_(
+        "{file}: the file has {count:n} records, but its header specifies {expected:n}. Export "
+        "the trajectory again."
+    ),
+    "trajectory.pof_one_record": N_(
+        "{file}: the file has only one record, but a trajectory needs at least two. Export the "
+        "whole trajectory."
+    ),
+    "trajectory.pof_not_on_earth": N_(
+        "{file}: in record {record:n}, latitude {latitude:deg.3} and longitude {longitude:deg.3}° "
+        "are impossible. Export the trajectory from RiPROCESS as text or SBET."
+    ),
+    "trajectory.pof_unknown_start": N_(
+        "{file}: the times count from a start that the file does not specify. Choose the time "
+        "base, or export the trajectory with the time of the day or week."
+    ),
+    "trajectory.pof_gps_assumed": N_(
+        "{file}: the file does not specify whether its times are GPS time or UTC. GPS time is "
+        "assumed; if this is wrong, choose the other time base."
+    ),
     "sbet.not_readable": N_(
         "{file}: this SBET file cannot be read. Check the disk or network drive."
     ),

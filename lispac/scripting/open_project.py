@@ -40,6 +40,11 @@ from lispac.workflow.control import control_import
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest, export
+from lispac.workflow.output.installation import (
+    format_of_path,
+    project_replacement,
+    write_installation,
+)
 from lispac.workflow.output.report_options import report_options
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project import projects
@@ -485,6 +490,35 @@ class OpenProject:
         )  # fmt: skip
         paths, _ = export(self.project, self.survey, request, progress=self._progress)
         return paths
+
+    def save_installation(
+        self, program: str, path: AnyPath, *, trajectory: AnyPath | None = None
+    ) -> tuple[str, ...]:
+        """Write the estimated boresight and the lever arm into a file for another program.
+
+        Parameters
+        ----------
+        program : str
+            As ``--to`` of ``lispac angles``.
+        path : str or Path
+            .json for ``pdal``, .kfc for ``kluster``; .txt for the values to enter in any program.
+        trajectory : str or Path, optional
+            SBET for a pipeline of ``pdal`` that georeferences the points.
+
+        Returns
+        -------
+        tuple of str
+            Notes on the file.
+        """
+        new, sigma_warning = project_replacement(self.project, program)
+        form = format_of_path(
+            Path(path), new.in_system.setup.convention, with_trajectory=trajectory is not None
+        )
+        notes = write_installation(
+            Path(path), new, form, trajectory=None if trajectory is None else Path(trajectory),
+            sigma_warning=sigma_warning, project=self.project,
+        )  # fmt: skip
+        return tuple(map(message_text, notes))
 
     def script(self) -> str:
         """Python script that makes this project from its raw files.

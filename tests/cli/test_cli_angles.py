@@ -106,7 +106,7 @@ def test_unverified_systems_are_marked_as_assumed(capsys, key: str) -> None:
 
 
 def test_conversion_there_and_back_gives_the_same_angles(capsys) -> None:
-    for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
+    for key in ("applanix", "caris", "novatel", "hypack", "opals", "phoenix", "terrascan"):
         there = run_json(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
         back = run_json(capsys, *degrees(there), "--lever-arm", *there["lever_arm_m"],
                         "--from", key)["to"]  # fmt: skip

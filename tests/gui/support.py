@@ -29,6 +29,7 @@ from lispac.project import BoresightChoice, LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_files import ImportRequest
 from lispac.workflow.output.export_request import ExportContent, ExportRequest
+from lispac.workflow.output.installation import InstallationFormat
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey
 
@@ -154,6 +155,13 @@ class ScriptedDialogs(Dialogs):
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
         self.requests.append(start.name)
         return self.path
+
+    def installation_file(
+        self, start: Path, formats: Sequence[InstallationFormat]
+    ) -> tuple[Path, InstallationFormat] | None:
+        self.requests.append(start.name)
+        fitting = [each for each in formats if self.path and self.path.suffix == each.ending]
+        return (self.path, fitting[-1]) if self.path and fitting else None
 
     def export(
         self,

@@ -19,7 +19,7 @@ from tests.support.trajectory_files import (
     write_records,
 )
 
-BINARY = ("sbet", "smrmsg")
+BINARY = ("sbet", "pof", "smrmsg")
 TEXT = tuple(key for key in VALID_FILES if key not in BINARY and not key.startswith("cidco"))
 
 

@@ -59,6 +59,7 @@ UNTRANSLATED_TEXTS = [
     for code in (
         "project.former_text", "axis.latitude", "axis.longitude", "unit.date", "unit.milliradians",
         "unit.radians", "unit.minutes", "format.e57", "format.ply", "format.pcd",
+        "format.pof",
     )
 ]  # fmt: skip
 """Texts that are the same in every language."""

@@ -184,6 +184,33 @@ def _angle(degrees: float, *, dms: bool) -> str:
     return f"{sign}{int(minutes // 60)} {int(minutes % 60):02d} {seconds:09.6f}"
 
 
+def write_pof(
+    path: Path, records: np.ndarray, *, minor: int = 1, unit: int = 2, system: int = 0
+) -> Path:
+    """Write a RIEGL POF, as the public reader ``pos`` (docs.rs/pos) reads it, of 2023-06-27.
+
+    Parameters
+    ----------
+    minor : minor version; from 1 on, the records contain the distance
+    unit : 0 for times from some start, 1 for those of the day, 2 for those of the week
+    system : 0 for GPS time, 1 for UTC, 2 for an unknown time
+    """
+    lon, lat = np.degrees(records[:, 2]), np.degrees(records[:, 1])
+    steps = np.diff(records[:, 0])
+    head = struct.pack("<27sHHIHHHq", b"RIEGL POF", 1, minor, 320, 2023, 6, 27, len(records))
+    for values in (lon, lat, records[:, 3]):
+        head += struct.pack("<2d", values.min(), values.max())
+    head += struct.pack("<3d", steps.mean(), steps.max(), steps.std()) if len(steps) else bytes(24)
+    head += struct.pack("<BB", unit, system) + struct.pack("<16s16s32s32s32s32s32s", *[b""] * 7)
+    rows = [head.ljust(320, b"\0")]
+    for k, row in enumerate(records):
+        roll, pitch, yaw = np.degrees([row[7], row[8], row[9] - row[10]])
+        values = [row[0], lon[k], lat[k], row[3], roll, pitch, yaw % 360, 0.0]
+        rows.append(struct.pack(f"<{7 + min(minor, 1)}d", *values[: 7 + min(minor, 1)]))
+    path.write_bytes(b"".join(rows))
+    return path
+
+
 def truth(records: np.ndarray) -> dict[str, np.ndarray]:
     """Position and attitude in the convention of the program."""
     attitude = np.stack([records[:, 7], -records[:, 8], records[:, 9] - records[:, 10]], axis=1)
@@ -221,6 +248,7 @@ VALID_FILES: dict[str, Callable[[Path], Path]] = {
     "pospac-sigmas": lambda path: write_pospac(path, vessel(200)),
     "inertial-explorer-text": lambda path: write_inertial_explorer(path, vessel(200)),
     "inertial-explorer-sigmas": lambda path: write_inertial_explorer(path, vessel(200)),
+    "pof": lambda path: write_pof(path, vessel(200)),
     "ascii-trajectory": _write_columns,
     "smrmsg": _write_smrmsg,
     "cidco-states": cidco,

@@ -172,6 +172,7 @@ FORMULAS: dict[str, Formula] = {
     "opals": each_point(opals),
     "phoenix": each_point(phoenix),
     "phoenix-1-5": each_point(phoenix_old),
+    "caris": each_point(hypack),
     "hypack": each_point(hypack),
 }
 IMU_AXES = {"phoenix": ("starboard", "forward", "up")}
@@ -270,7 +271,7 @@ def test_phoenix_turns_about_fixed_axes() -> None:
     )
 
 
-@pytest.mark.parametrize("key", ["applanix", "kluster", "qinsy", "terrascan", "hypack"])
+@pytest.mark.parametrize("key", ["applanix", "kluster", "qinsy", "caris", "terrascan", "hypack"])
 def test_small_angles_differ_in_the_sign_of_the_pitch_only(key: str) -> None:
     converted = convert_to_system(
         Mounting(np.zeros(3), np.radians([0.1, 0.0, 0.0])), ConventionSetup(convention_of_key(key))

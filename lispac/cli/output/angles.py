@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, add_triple_option
 from lispac.cli.console import UsageError, print_json
+from lispac.cli.messages import print_messages
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from lispac.cli.output.angles_output import ConversionInput
+    from lispac.messages import Message
     from lispac.survey.conventions.conversion import ConventionSetup
-    from lispac.survey.conventions.mounting_replacement import CurrentMountingInSystem
+    from lispac.survey.conventions.mounting_replacement import (
+        CurrentMountingInSystem,
+        MountingReplacement,
+    )
 
     Array = NDArray[np.float64]
 
@@ -72,6 +78,20 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="text file with the 3x3 or 4x4 matrix from scanner to body of the --from system",
     )
+    parser.add_argument(
+        "--output",
+        type=Path,
+        metavar="FILE",
+        help="also write a file for the --to program: .json (a pipeline for pdal), .kfc (a vessel "
+        "for kluster), or .txt (the values to enter, for any program)",
+    )
+    parser.add_argument(
+        "--trajectory",
+        type=Path,
+        metavar="SBET",
+        help="trajectory of the pipeline for pdal: it then georeferences the points of the "
+        "scanner; without it, it converts them to the body frame",
+    )
     _add_axes_options(parser)
     add_json_option(parser)
 
@@ -106,7 +126,11 @@ def run(arguments: Namespace) -> None:
     from lispac.cli.output.angles_output import conversion_output, list_systems, print_conversion
     from lispac.survey.conventions.mounting_replacement import replace_mounting
 
+    if arguments.trajectory is not None and arguments.output is None:
+        raise UsageError("angles: --trajectory requires --output.")
     if not arguments.values and arguments.from_matrix is None:
+        if arguments.output is not None:
+            raise UsageError("angles: --output requires angles, a project or --from-matrix.")
         list_systems(arguments.json)
         return
     conversion_input = _conversion_input(arguments)
@@ -118,10 +142,34 @@ def run(arguments: Namespace) -> None:
         target, conversion_input.mounting, conversion_input.covariance, current,
         applied=arguments.current_applied, has_lever_arm=conversion_input.has_lever_arm,
     )  # fmt: skip
+    notes = _write_file(arguments, conversion_input, new)
     if arguments.json:
-        print_json(conversion_output(conversion_input, new))
+        print_json(conversion_output(conversion_input, new, arguments.output))
     else:
         print_conversion(conversion_input, new, matrices=arguments.matrix)
+        if arguments.output is not None:
+            print(f"\nFile: {arguments.output}")
+    print_messages(notes)
+
+
+def _write_file(
+    arguments: Namespace, conversion_input: ConversionInput, new: MountingReplacement
+) -> Sequence[Message]:
+    """Write the file for the other program if one is requested; return the notes on it."""
+    from lispac.workflow.output.installation import format_of_path, write_installation
+
+    if arguments.output is None:
+        return ()
+    form = format_of_path(
+        arguments.output, new.in_system.setup.convention,
+        with_trajectory=arguments.trajectory is not None,
+    )  # fmt: skip
+    notes = write_installation(
+        arguments.output, new, form, trajectory=arguments.trajectory,
+        sigma_warning=conversion_input.warning, project=conversion_input.project,
+    )  # fmt: skip
+    shown = conversion_input.converted(new).notes
+    return [each for each in notes if each not in shown]
 
 
 def _convention_setup(arguments: Namespace, key: str) -> ConventionSetup:
@@ -203,6 +251,7 @@ def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
         np.asarray(result.covariance)[:3, :3],
         UNCORRELATED_WARNING if independent else None,
         PROJECT_INPUT_NAME,
+        project=project,
     )
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.console import TEXT_WIDTH, print_facts, print_json, print_table
+from lispac.cli.console import print_facts, print_json, print_table
 from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -27,7 +28,9 @@ from lispac.present.conventions import (
     rotation_text,
     signs_text,
 )
+from lispac.present.plain_text import TEXT_WIDTH
 from lispac.present.tables import DEGREES, Fact
+from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import lever_arm_text as position_text
@@ -58,6 +61,8 @@ class ConversionInput:
         Title of the angles, which describes their source.
     typed : ndarray of shape (3,), radians, or None
         The angles as entered by the user.
+    project : Project or None
+        Project with the mounting.
     """
 
     setup: ConventionSetup
@@ -67,6 +72,7 @@ class ConversionInput:
     warning: Message | None = None
     name: str = "Given angles"
     typed: Array | None = None
+    project: Project | None = None
 
     @property
     def values(self) -> ConventionValues:
@@ -176,9 +182,9 @@ def _print_matrices(
 
 
 def conversion_output(
-    conversion_input: ConversionInput, new: MountingReplacement
+    conversion_input: ConversionInput, new: MountingReplacement, file: Path | None
 ) -> ConversionOutput:
-    """Result of the conversion for JSON."""
+    """Result of the conversion for JSON; ``file`` was written for the other program."""
     from lispac.cli.json_outputs import ConversionOutput
 
     mounting = conversion_input.mounting
@@ -188,4 +194,5 @@ def conversion_output(
         matrix(new.in_system.rotation),
         orientation_text(mounting.without_nominal_axes.boresight),
         CorrectionValues.of(new),
+        file,
     )

@@ -38,7 +38,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--trajectory", type=Path, required=True, metavar="FILE",
-        help="trajectory: SBET; Exail, POSPac or Inertial Explorer text; text with named columns",
+        help="trajectory: SBET, POF; Exail, POSPac or Inertial Explorer text; text with named "
+        "columns",
     )  # fmt: skip
     parser.add_argument(
         "--trajectory-accuracy",

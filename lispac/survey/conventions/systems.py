@@ -160,6 +160,15 @@ def _z_up_rotations(
     )
 
 
+def _left_handed_rotations() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
+    # X starboard, Y forward, Z down: the axes are left-handed, so all signs are reversed.
+    return (
+        AxisRotation(N_("roll"), 1, -1, _STARBOARD_DOWN),
+        AxisRotation(N_("pitch"), 0, -1, _BOW_UP),
+        AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
+    )
+
+
 def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # Right-handed rotations about the axes X, Y and Z.
     return (
@@ -170,6 +179,7 @@ def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
 
 
 FORWARD_STARBOARD_DOWN: Axes = ("forward", "starboard", "down")
+STARBOARD_FORWARD_DOWN: Axes = ("starboard", "forward", "down")
 STARBOARD_FORWARD_UP: Axes = ("starboard", "forward", "up")
 HEADING_PITCH_ROLL = (2, 1, 0)
 """Order of the factors from the left, as indices into angles roll, pitch, heading."""
@@ -224,6 +234,20 @@ SYSTEMS: tuple[Convention, ...] = (
         order=HEADING_PITCH_ROLL,
         status="verified",
         source=N_("Kluster's code (rotations, orientation)"),
+    ),
+    Convention(
+        key="caris",
+        name="CARIS HIPS",
+        axes=STARBOARD_FORWARD_DOWN,
+        turns=_left_handed_rotations(),
+        order=HEADING_PITCH_ROLL,
+        status="partly",
+        source=N_("HIPS 7 help, Vessel Editor (axes; mounting pitch and roll)"),
+        assumption=N_(
+            "The axes (left-handed: X starboard, Y forward, Z down) and the signs of the mounting "
+            "angles pitch and roll are from the help. Yaw positive clockwise and the order yaw, "
+            "pitch, roll are assumed."
+        ),
     ),
     Convention(
         key="novatel",
@@ -333,12 +357,8 @@ SYSTEMS: tuple[Convention, ...] = (
     Convention(
         key="hypack",
         name="Hypack",
-        axes=("starboard", "forward", "down"),
-        turns=(
-            AxisRotation(N_("roll"), 1, -1, _STARBOARD_DOWN),
-            AxisRotation(N_("pitch"), 0, -1, _BOW_UP),
-            AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
-        ),
+        axes=STARBOARD_FORWARD_DOWN,
+        turns=_left_handed_rotations(),
         order=HEADING_PITCH_ROLL,
         status="unverified",
         source=N_("third-party descriptions of the offsets"),

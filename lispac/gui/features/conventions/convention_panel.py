@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from html import escape
 
 import numpy as np
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -53,7 +53,10 @@ from lispac.present.conventions import (
 )
 from lispac.present.tables import DEGREES, Format, Table, cell_text, title_text
 from lispac.survey.conventions.conversion import ConventionSetup
-from lispac.survey.conventions.mounting_replacement import replace_mounting
+from lispac.survey.conventions.mounting_replacement import (
+    MountingReplacement,
+    replace_mounting,
+)
 from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.systems import (
     LISPAC_CONVENTION,
@@ -149,10 +152,19 @@ _SCANNER_AXES_TEXTS: dict[Scanner, tuple[str, str]] = {
 
 
 class ConventionPanel(QWidget):
-    """Boresight in the convention of a chosen program, with its assumptions."""
+    """Boresight in the convention of a chosen program, with its assumptions.
+
+    Attributes
+    ----------
+    replacement : MountingReplacement or None
+        Mounting that is shown.
+    """
+
+    save_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
+        self.replacement: MountingReplacement | None = None
         self._all_digits = self._all_angles = ""
         self.inputs, self.current, self.imu = BoresightInputs(), CurrentSettingsInputs(), ImuAxes()
         self._build()
@@ -258,7 +270,23 @@ class ConventionPanel(QWidget):
         row.addWidget(self.copy_angles)
         row.addStretch(1)
         layout.addLayout(row)
+        self.save = widgets.button(
+            gettext("Save for this program…"), "convention_save", icon="content-save",
+            tip=gettext(
+                "Write boresight and lever arm into a file that this program reads, or as text"
+            ),
+        )  # fmt: skip
+        self.save.clicked.connect(self.save_requested)
+        layout.addWidget(self.save, alignment=Qt.AlignmentFlag.AlignLeft)
+        self.saved = widgets.label("", "muted", wrap=True, name="convention_saved", rich=True)
+        self.saved.hide()
+        layout.addWidget(self.saved)
         return box
+
+    def show_saved(self, texts: Sequence[str]) -> None:
+        """Show the name of the file that was written, and the notes on it."""
+        self.saved.setText("<br>".join(map(escape, texts)))
+        self.saved.show()
 
     # -- actions of the user ------------------------------------------------------------------
 
@@ -283,6 +311,8 @@ class ConventionPanel(QWidget):
 
     def _refresh(self) -> None:
         convention, inputs = self.convention, self.inputs
+        self.replacement = None
+        self.saved.hide()
         has_values = inputs.has_values or self.current.has_values
         for widget in (self.status, self.mounting_text, self.gizmo):
             widget.setVisible(has_values)
@@ -306,6 +336,7 @@ class ConventionPanel(QWidget):
             has_lever_arm=new.has_lever_arm, warning=inputs.sigma_warning,
         )  # fmt: skip
         correction = CorrectionValues.of(new)
+        self.replacement = new
         self.imu.show_z(setup.axes[2])
         self._show_rules(values)
         self._show_values(values, correction)
@@ -322,7 +353,7 @@ class ConventionPanel(QWidget):
         for widget in (self.table, self.notes, self.lever, self.rules, self.matrix):
             widget.hide()
         self.values_head.setText(gettext("No angles computed"))
-        for button in (self.copy, self.copy_angles):
+        for button in (self.copy, self.copy_angles, self.save):
             button.setEnabled(False)
 
     def _show_rules(self, values: ConventionValues) -> None:
@@ -339,7 +370,8 @@ class ConventionPanel(QWidget):
     def _show_values(self, values: ConventionValues, correction: CorrectionValues | None) -> None:
         for widget in (self.lever, self.rules, self.matrix):
             widget.setVisible(True)
-        self.copy.setEnabled(True)
+        for button in (self.copy, self.save):
+            button.setEnabled(True)
         self.copy_angles.setEnabled(bool(values.angles))
         self.table.setVisible(bool(values.angles))
         self.values_head.setText(angles_title(values))

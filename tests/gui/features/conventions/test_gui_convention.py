@@ -1,25 +1,31 @@
 """Tests of the panel that converts the boresight to another program's convention."""
 
+import json
 from dataclasses import replace
+from html import unescape
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QFileDialog
 from pytestqt.qtbot import QtBot
 from scipy.spatial.transform import Rotation
 
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.conventions.convention_panel import TITLE, ConventionPanel
+from lispac.gui.features.conventions.dialogs import ConventionDialogs
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView, exaggeration_factor
 from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
+from lispac.workflow.output.installation import installation_formats
 from lispac.workflow.project.survey import Survey
 from tests.gui import by_hand
 from tests.gui.support import Driver, Key, Left, click, show_panel
+from tests.support.error_codes import has_code
 
 Calibrated = tuple[Project, Survey]
 
@@ -323,6 +329,57 @@ def test_the_panel_shows_the_boresight_of_the_window(
     driver.rest()
     assert panel.inputs.source.text().startswith("Prior boresight")
     assert "1 sigma" not in rows(panel)
+
+
+def test_the_boresight_is_saved_for_a_program(
+    driver: Driver, calibrated: Calibrated, tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    window, panel = driver.window, driver.window.panels["convention"]
+    show_panel(window, TITLE)
+    assert not panel.save.isEnabled()
+    window.document.open(project, survey)
+    driver.rest()
+    for key, name in (("kluster", "boat.kfc"), ("pdal", "a.json"), ("qinsy", "a.txt")):
+        choose(driver.bot, panel, key)
+        assert not panel.saved.isVisible()
+        driver.dialogs.path = tmp_path / name
+        click(driver, panel.save)
+        driver.rest()
+        assert driver.dialogs.requests[-1] == f"{project.name}-boresight-{key}"
+        assert (tmp_path / name).exists()
+        assert panel.saved.isVisible()
+        unverified = message_text(note("convention.file_not_tried", program=panel.convention.name))
+        assert (unverified in unescape(panel.saved.text())) is (key != "qinsy")
+    (stage,) = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    assert stage["type"] == "filters.georeference", "the trajectory of the project is an SBET"
+    # Without a lever arm, the refusal is shown, and nothing is written.
+    choose(driver.bot, panel, "kluster")
+    for field in panel.inputs.lever_arm.fields:
+        type_in(driver.bot, field, "0")
+    driver.dialogs.path = tmp_path / "none.kfc"
+    click(driver, panel.save)
+    driver.rest()
+    assert has_code("convention.file_needs_lever_arm")(driver.dialogs.errors.pop())
+    assert not driver.dialogs.path.exists()
+
+
+def test_the_filter_of_the_dialogue_selects_the_file(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    formats = installation_formats(convention_of_key("pdal"), with_trajectory=True)
+    answers = iter((("", 0), ("a", 1), ("b.json", 0), ("c.json", 2)))
+
+    def answer(_parent: object, _title: str, start: str, filters: str) -> tuple[str, str]:
+        assert start.endswith("p.json")
+        name, k = next(answers)
+        return str(tmp_path / name) if name else "", filters.split(";;")[k]
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", answer)
+    dialogs = ConventionDialogs()
+    assert dialogs.installation_file(tmp_path / "p", formats) is None
+    for name, k in (("a.json", 1), ("b.json", 0), ("c.json.txt", 2)):
+        assert dialogs.installation_file(tmp_path / "p", formats) == (tmp_path / name, formats[k])
 
 
 def test_the_panel_has_a_window_of_its_own(driver: Driver) -> None:

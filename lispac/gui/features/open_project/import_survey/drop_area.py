@@ -11,7 +11,7 @@ _FILE_KINDS = (
     (
         "ferry",
         N_("Trajectory"),
-        N_("SBET; POSPac, Exail (iXblue) or Inertial Explorer text; other text with columns"),
+        N_("SBET, POF; POSPac, Exail (iXblue) or Inertial Explorer text; other text with columns"),
     ),
     (
         "chart-bell-curve",
