@@ -263,13 +263,26 @@ def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
     for name in names:
         action = next(a for a in menu.actions() if name in a.text().replace("&", ""))
         place = menu.actionGeometry(action).center()
-        # A menu follows the pointer of the screen, too: left elsewhere, its late events would
-        # deselect the entry before the submenu opens.
-        bot.mouseMove(menu, place)
         bot.mouseClick(menu, Left, pos=place)
         if action.menu() is not None:
-            menu = action.menu()
-            bot.waitUntil(menu.isVisible, timeout=WAIT_MS)
+            former, menu = menu, action.menu()
+            _open_submenu(bot, former, place, menu)
+
+
+def _open_submenu(bot: QtBot, menu: QMenu, place: QPoint, submenu: QMenu) -> None:
+    """Wait until a clicked submenu is open; click again if it does not open.
+
+    A late event of the pointer of the screen, which is elsewhere, may deselect the entry in the
+    short time before the submenu opens.
+    """
+    until = monotonic() + WAIT_MS / 1000
+    while not submenu.isVisible() and monotonic() < until:
+        for _ in range(100):
+            bot.wait(10)
+            if submenu.isVisible():
+                return
+        bot.mouseClick(menu, Left, pos=place)
+    assert submenu.isVisible()
 
 
 def shows_something(hands: Hands, file: Path) -> None:
