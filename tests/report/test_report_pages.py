@@ -147,6 +147,16 @@ def test_the_distance_between_tables_does_not_depend_on_their_lengths(
     assert distances[0] == pytest.approx(distances[1], abs=0.5)
 
 
+def test_a_table_of_many_rows_is_on_one_page(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = sample_content(project)
+    document = replace(_document(1), sections=(Section("Tables", (_table("Cells", 48),)),))
+    pages = _written_pages(content, tmp_path / "r.pdf", monkeypatch, document)
+    (begun,) = (k for k, page in enumerate(pages) if "Cells row 0" in page)
+    assert "Cells row 47" in pages[begun]
+
+
 @pytest.mark.parametrize("page", ["a4", "letter"])
 @pytest.mark.parametrize("size", [(1400, 1000), (1000, 1000), (500, 900)])
 def test_pictures_before_and_after_are_on_one_page(
