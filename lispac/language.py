@@ -12,7 +12,8 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   megabytes; ``x``: a number without a unit. Without a number of decimals, three significant digits
   are written, or all digits before the decimal sign if there are more; ``+`` also writes a plus
   sign, except before a number that is rounded to zero. A positive ratio that would be rounded to
-  zero is written as less than the smallest number with these decimals: ``< 0.1``. The unit itself
+  zero is written as less than the smallest number with these decimals: ``< 0.1``. Seconds have no
+  separators between groups of three digits, as in the trajectory file. The unit itself
   is part of the text. The window may show ``m``, ``mm`` and, with three or more decimals, ``deg``
   in another unit (`use_units`); the sign after the number is then replaced. Headings and
   inclinations have fewer decimals and remain in degrees. ``|other`` at the end, as in
@@ -299,12 +300,15 @@ def _translated(template: str | Plural, count: int, language: str, has_degree_si
     return _DEGREES_IN_TEXT.sub("°", text) if has_degree_signs else text
 
 
-def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
+def number(
+    value: float, decimals: int | None = None, *, sign: bool = False, is_grouped: bool = True
+) -> str:
     """Number formatted for the current language; three significant digits by default.
 
     Parameters
     ----------
     sign : whether positive numbers have a plus sign; a number rounded to zero has no sign
+    is_grouped : whether groups of three digits are separated
     """
     value = value if isinstance(value, int) else float(value)
     if isinstance(value, float) and not isfinite(value):
@@ -314,7 +318,8 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
         return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT_DIGITS}g}"
     if decimals is None:
         decimals = _significant_decimals(value)
-    places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
+    whole = "#,##0" if is_grouped else "0"
+    places = f"{whole}.{'0' * decimals}" if decimals else whole
     value = without_negative_zero(value, decimals)
     pattern = f"+{places};-{places}" if sign and value else places
     return _formatted_number(value, pattern, _LOCALES[current_language()])
@@ -454,7 +459,8 @@ class TextFormatter(Formatter):
                 decimals = decimals_apart(scaled, float(other) * factor, decimals)
             if unit == "percent" and decimals is not None and is_rounded_to_zero(scaled, decimals):
                 return LESS_THAN + number(10.0**-decimals, decimals)
-            text = number(scaled, decimals, sign=format_spec.endswith("+"))
+            # Times are written as in the trajectory file, to be searched for in it
+            text = number(scaled, decimals, sign=format_spec.endswith("+"), is_grouped=unit != "s")
             return text.replace("-", "\N{MINUS SIGN}") if _has_minus_signs.get() else text
         if format_spec:
             raise ValueError(f"no format specification {format_spec!r}")

@@ -90,9 +90,14 @@ TEXTS: Mapping[str, Template] = {
         "{project} contains no line of this survey plan: targets are matched by name "
         "({targets:names}), lines by heading. Choose another project or another plan."
     ),
-    "plan_survey.line_not_surveyed": N_("Line {line:n} ({heading}) was not surveyed."),
+    "plan_survey.line_not_surveyed": N_(
+        "Line {line:n} (heading {heading:deg.0}°) was not surveyed."
+    ),
     "plan_survey.target_not_used": N_("Target {target} was not used."),
-    "plan_survey.other_distance": N_("Line {line:n} ({heading}) was surveyed at {distance:m.0} m."),
+    "plan_survey.other_distance": N_(
+        "Line {line:n} (heading {heading:deg.0}°) was surveyed at {distance:m.0} m instead of "
+        "{planned:m.0} m."
+    ),
     "plan_survey.would_be_determined": N_(
         "{missing} With it the boresight angles would be determined."
     ),

@@ -53,6 +53,8 @@ TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
 MAX_SIGHTINGS_PER_FIGURE = 20
 """Largest number of sightings in a bar chart, which is then half as high as a page."""
+MAX_POS_ERRORS_PER_FIGURE = 22
+"""The same in a figure of POS errors, whose rows are lower."""
 
 SIMPLE_STEPS, OTHER_STEPS = (1.0, 2.0, 2.5, 5.0), (1.5, 3.0, 4.0, 6.0, 8.0)
 """Steps of ticks up to powers of ten; the others are used if none of the simple ones fits."""
@@ -196,7 +198,10 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw the estimated POS errors with their prior, in parts with one scale."""
     widest = _pos_error_ranges(sightings)
-    return [_draw_pos_errors(None, part, widest) for part in _parts_of(sightings)]
+    return [
+        _draw_pos_errors(None, part, widest)
+        for part in _parts_of(sightings, MAX_POS_ERRORS_PER_FIGURE)
+    ]
 
 
 def pos_error_figure(sightings: Sequence[SightingValues], figure: Figure) -> Figure:
@@ -224,17 +229,19 @@ def pos_errors_height(sightings: int) -> float:
     return 0.75 + 0.17 * sightings
 
 
-def _parts_of(sightings: Sequence[SightingValues]) -> list[Sequence[SightingValues]]:
-    """Sightings divided evenly into parts for figures of at most half a page.
+def _parts_of(
+    sightings: Sequence[SightingValues], most: int = MAX_SIGHTINGS_PER_FIGURE
+) -> list[Sequence[SightingValues]]:
+    """Sightings divided evenly into parts of at most ``most``, for figures of half a page.
 
     A target with few sightings is not divided.
     """
     total = len(sightings)
-    count = max(1, -(-total // MAX_SIGHTINGS_PER_FIGURE))
+    count = max(1, -(-total // most))
     first = [0, *(k for k in range(1, total) if sightings[k].target != sightings[k - 1].target)]
     even = [total * k // count for k in range(1, count)]
     ends = [0, *(min(first, key=lambda k: (abs(k - end), k)) for end in even), total]
-    if any(not 0 < end - start <= MAX_SIGHTINGS_PER_FIGURE for start, end in pairwise(ends)):
+    if any(not 0 < end - start <= most for start, end in pairwise(ends)):
         ends = [0, *even, total]
     return [sightings[start:end] for start, end in pairwise(ends)]
 

@@ -156,6 +156,7 @@ def test_replay_of_the_built_in_survey(
     (message,) = off["messages"]
     assert message["code"] == "plan_survey.other_distance"
     assert message["params"]["line"] == 1
+    assert message["params"]["planned"] == 30
     assert message["params"]["distance"] == pytest.approx(15, abs=0.5)
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"

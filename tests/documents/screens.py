@@ -278,12 +278,11 @@ def main() -> None:
     parser.add_argument("--lengths", default="metres", choices=LENGTH_UNITS)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    application = QApplication(sys.argv[:1])
     with tempfile.TemporaryDirectory() as scratch:
-        for variable in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
-            os.environ[variable] = (
-                scratch  # the tour changes the demo, but must not change that of the user
-            )
+        # The tour changes the demo, but must not change that of the user
+        for variable in ("HOME", "USERPROFILE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+            os.environ[variable] = scratch
+        application = QApplication(sys.argv[:1])
         copy = Path(scratch) / "harbour"
         if arguments.project is None:
             run_demo(copy)

@@ -92,18 +92,18 @@ def test_a_small_share_is_not_rounded_to_zero(share: float, text: str, cell: str
 def test_values_are_formatted_by_unit_and_language() -> None:
     text = (
         "{name}: {count:n} points, {step:ms} ms, {turn:deg.2+} deg, {share:percent} %, "
-        "{lines:names}, {ways:choices}"
+        "{lines:names}, {ways:choices}, {time:s.3} s"
     )
     values = {
         "name": "L1", "count": 12_345, "step": 0.01, "turn": 0.0349065850, "share": 0.25,
-        "lines": ("L1", "L2", "L3"), "ways": ("a", "b"),
+        "lines": ("L1", "L2", "L3"), "ways": ("a", "b"), "time": 486014.39,
     }  # fmt: skip
     assert format_text(text, values) == (
-        "L1: 12,345 points, 10.0 ms, +2.00 deg, 25.0 %, L1, L2 and L3, a or b"
+        "L1: 12,345 points, 10.0 ms, +2.00 deg, 25.0 %, L1, L2 and L3, a or b, 486014.390 s"
     )
     with in_language("fr"):
         assert format_text(text, values) == (
-            "L1: 12\u202f345 points, 10,0 ms, +2,00 deg, 25,0 %, L1, L2 et L3, a ou b"
+            "L1: 12\u202f345 points, 10,0 ms, +2,00 deg, 25,0 %, L1, L2 et L3, a ou b, 486014,390 s"
         )
 
 

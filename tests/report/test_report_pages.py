@@ -147,6 +147,16 @@ def test_the_distance_between_tables_does_not_depend_on_their_lengths(
     assert distances[0] == pytest.approx(distances[1], abs=0.5)
 
 
+def test_a_table_of_many_rows_is_on_one_page(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = sample_content(project)
+    document = replace(_document(1), sections=(Section("Tables", (_table("Cells", 48),)),))
+    pages = _written_pages(content, tmp_path / "r.pdf", monkeypatch, document)
+    (begun,) = (k for k, page in enumerate(pages) if "Cells row 0" in page)
+    assert "Cells row 47" in pages[begun]
+
+
 @pytest.mark.parametrize("page", ["a4", "letter"])
 @pytest.mark.parametrize("size", [(1400, 1000), (1000, 1000), (500, 900)])
 def test_pictures_before_and_after_are_on_one_page(
@@ -317,17 +327,30 @@ def test_figures_of_planes_leave_no_page_less_than_half_full_wherever_they_begin
 
 
 def test_figures_of_planes_do_not_overlap_the_list_above_them(
-    project: Project, tmp_path: Path
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    write_pdf(_survey_content(project, 6), tmp_path / "r.pdf", {}, FULL_REPORT)
-    words = re.findall(
-        r'yMin="([0-9.]+)" xMax="[0-9.]+" yMax="([0-9.]+)">([^<]*)<',
-        _pdf_text(tmp_path / "r.pdf", "-bbox"),
-    )
-    (first,) = (k for k, (*_, word) in enumerate(words) if word == "Maps:")
-    (_, above, line), (top, _, _) = words[first - 1], words[first]
-    assert line.startswith("L")  # the last pair of lines that was not compared
-    assert float(top) > float(above)
+    content, below_list = _survey_content(project, 6), 0
+    document = pdf.report_document(content, {}, FULL_REPORT)
+    for lines in (0, 8, 16, 24):
+        sections = tuple(
+            replace(section, blocks=(*(Paragraph("above"),) * lines, *section.blocks))
+            if section.title == "Validation"
+            else section
+            for section in document.sections
+        )
+        moved = replace(document, sections=sections)
+        monkeypatch.setattr(pdf, "report_document", lambda *_, moved=moved: moved)
+        write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
+        words = re.findall(
+            r'yMin="([0-9.]+)" xMax="[0-9.]+" yMax="([0-9.]+)">([^<]*)<',
+            _pdf_text(tmp_path / "r.pdf", "-bbox"),
+        )
+        (first,) = (k for k, (*_, word) in enumerate(words) if word == "Maps:")
+        (_, above, line), (top, _, _) = words[first - 1], words[first]
+        if line.startswith("L"):  # the last pair of lines that was not compared, on the same page
+            below_list += 1
+            assert float(top) > float(above)
+    assert below_list
 
 
 def test_the_short_report_names_the_colours_of_the_lines(

@@ -439,7 +439,7 @@ def free_label_place(
     picture : rectangle that the label does not leave
     leftwards : whether the upper left is preferred instead
     labels, leaders : other labels, which the line to the label does not cross, and their lines,
-        which the label does not cover
+        which neither the label nor its line crosses
     """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
     least, found = np.inf, QRectF()
@@ -447,20 +447,27 @@ def free_label_place(
         farther = ring * (height + 3.0)
         right, left = spot.x() + 12.0 + farther, spot.x() - 12.0 - width - farther
         above, below = spot.y() - 18.0 - height - farther, spot.y() + 18.0 + farther
-        for y in (above, below):
-            for x in (left, right) if leftwards else (right, left):
-                box = QRectF(x, y, width, height)
-                if picture is not None:
-                    box = _moved_into(box, picture)
-                covered = sum(_area(box.intersected(other)) for other in occupied)
-                line = leader_line(spot, box)
-                crossings = sum(_is_crossed(other, line) for other in labels)
-                crossings += sum(_is_crossed(box, other) for other in leaders)
-                covered += crossings * _area(box)
-                if covered < least:
-                    least, found = covered, box
-                if covered == 0.0:
-                    return box
+        sides = (left, right) if leftwards else (right, left)
+        middle = spot.x() - 0.5 * width, spot.y() - 0.5 * height
+        places = [
+            *((x, y) for y in (above, below) for x in sides),
+            *((x, middle[1]) for x in sides), *((middle[0], y) for y in (above, below)),
+        ]  # fmt: skip
+        for x, y in places:
+            box = QRectF(x, y, width, height)
+            if picture is not None:
+                box = _moved_into(box, picture)
+            covered = sum(_area(box.intersected(other)) for other in occupied)
+            line = leader_line(spot, box)
+            crossings = sum(_is_crossed(other, line) for other in labels)
+            crossings += sum(
+                _is_crossed(box, other) or _cross_each_other(line, other) for other in leaders
+            )
+            covered += crossings * _area(box)
+            if covered < least:
+                least, found = covered, box
+            if covered == 0.0:
+                return box
     return found
 
 
@@ -472,10 +479,11 @@ def _moved_into(box: QRectF, picture: QRectF) -> QRectF:
 
 
 def leader_line(spot: QPointF, box: QRectF) -> QLineF:
-    """Line from a point to its label."""
+    """Line from a point to the nearest place of its label, beside the rounded corners."""
+    inner = box.adjusted(2.0, 0.0, -2.0, 0.0)
     end = QPointF(
-        box.left() + 2.0 if box.left() > spot.x() else box.right() - 2.0,
-        box.bottom() if box.bottom() < spot.y() else box.top(),
+        min(max(spot.x(), inner.left()), inner.right()),
+        min(max(spot.y(), inner.top()), inner.bottom()),
     )
     return QLineF(spot, end)
 
@@ -485,8 +493,11 @@ def _is_crossed(rect: QRectF, line: QLineF) -> bool:
     if rect.contains(line.p1()) or rect.contains(line.p2()):
         return True
     corners = (rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft())
-    bounded = QLineF.IntersectionType.BoundedIntersection
-    return any(line.intersects(QLineF(corners[k - 1], corners[k]))[0] == bounded for k in range(4))
+    return any(_cross_each_other(line, QLineF(corners[k - 1], corners[k])) for k in range(4))
+
+
+def _cross_each_other(line: QLineF, other: QLineF) -> bool:
+    return line.intersects(other)[0] == QLineF.IntersectionType.BoundedIntersection
 
 
 def _area(rect: QRectF) -> float:

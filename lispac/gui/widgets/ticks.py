@@ -64,11 +64,16 @@ class _RoundLocator(MaxNLocator):
         self._factor, self._spacing = factor, spacing
 
     def __call__(self) -> Sequence[float]:
-        """Ticks for the present length of the axis, which its aspect may have reduced."""
+        """Ticks for the present length of the axis, which its aspect may have reduced.
+
+        Axes that share the axis have the same length, but are reduced only when they are drawn.
+        """
         if self._spacing is not None and self.axis is not None:
             axes = self.axis.axes
             is_horizontal = self.axis.axis_name == "x"
-            pixels = axes.bbox.width if is_horizontal else axes.bbox.height
+            shared = axes.get_shared_x_axes() if is_horizontal else axes.get_shared_y_axes()
+            boxes = [each.bbox for each in shared.get_siblings(axes)]
+            pixels = min(each.width if is_horizontal else each.height for each in boxes)
             bins = int(pixels / axes.figure.dpi / self._spacing)
             self.set_params(nbins=max(bins, 1), min_n_ticks=1)
         return super().__call__()

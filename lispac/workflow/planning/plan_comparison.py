@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,7 +60,7 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
     found_flatness = float(result.surfaces[0])
     costs = [
         _precision_cost(note("plan_survey.line_not_surveyed", line=k + 1,
-                             heading=plan.lines[k].name), kept.with_lines(
+                             heading=radians(plan.lines[k].heading_deg)), kept.with_lines(
             [sailed_as.get(j, line) for j, line in enumerate(plan.lines)
              if j in sailed_as or j == k]
         ), sailed)
@@ -95,8 +96,9 @@ def _distance_notes(plan: Plan, sailed_as: Mapping[int, Line]) -> list[Message]:
         note(
             "plan_survey.other_distance",
             line=k + 1,
-            heading=plan.lines[k].name,
+            heading=radians(plan.lines[k].heading_deg),
             distance=line.distance,
+            planned=plan.lines[k].distance,
         )
         for k, line in sorted(sailed_as.items())
         if abs(line.distance - plan.lines[k].distance)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import shiboken6
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QCursor, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
@@ -353,6 +353,9 @@ def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     height = viewport.canvas.height()
     middle = viewport._navigator._surface_at(*viewport._navigator._middle_of_view())
     before = viewport.to_pixels(middle[None])[0]
+    QCursor.setPos(
+        viewport.widget.mapToGlobal(QPoint(-10, -10))
+    )  # else the surface under it counts
     viewport.keep_picture()
     viewport.widget.resize(viewport.widget.width(), height - 60)
     qtbot.waitUntil(lambda: viewport.canvas.height() == height - 60)
@@ -441,6 +444,7 @@ SEPARATE_PROGRAM = """
 import sys
 import numpy as np
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
 from lispac.gui.viewport.vtk_viewport import VtkViewport

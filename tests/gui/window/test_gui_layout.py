@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QLabel,
     QMenu,
+    QScrollArea,
     QToolBar,
     QToolButton,
     QToolTip,
@@ -44,12 +45,13 @@ from tests.gui.support import (
     click,
     estimate,
     in_front,
+    open_step,
     press,
     seed,
     sentence,
     show_panel,
 )
-from tests.support.long_runs import LONG
+from tests.support.long_runs import LONG, others_long
 
 SIZES = {(1920, 1080): 0.55, (1600, 1000): 0.55, (1366, 768): 0.45}
 """Smallest share of the view by the size of the window, pixels."""
@@ -165,6 +167,36 @@ def test_the_view_has_most_of_the_window_in_every_state(
     print(language, size, {state: round(share, 2) for state, share in shares.items()})
     assert shares["start"] >= 0.6
     assert shares["import done"] >= 0.6
+
+
+def test_the_steps_with_assumed_noise_fit_into_the_initial_width(
+    language: str, driver: Driver, demo: Demo
+) -> None:
+    settings = replace(demo.project.settings, lidar_beam_sigma=None)
+    driver.window.document.open(replace(demo.project, settings=settings), demo.survey)
+    driver.rest()
+    open_step(driver, DATA)
+    assert driver.window.data.angle_sigma.isVisibleTo(driver.window.data)
+    assert driver.window.docks["Workflow"].minimumSizeHint().width() <= SIDE_WIDTH_PX, language
+
+
+@pytest.mark.parametrize("height", others_long([1000, *range(900, 1000, 7)]))
+def test_the_lowest_row_of_the_results_is_whole(
+    driver: Driver, demo: Demo, validated: Project, height: int
+) -> None:
+    driver.window.resize(1600, height)
+    driver.window.document.open(validated, demo.survey)
+    show_panel(driver.window, "Results")
+    driver.rest()
+    (area,) = driver.window.results.findChildren(QScrollArea)
+    rows = [
+        (each.mapTo(area.viewport(), QPoint()).y(), each)
+        for each in area.widget().findChildren(QLabel)
+        if each.isVisible() and each.height() < 20
+    ]
+    limit = area.viewport().height()
+    assert sum(top + each.height() <= limit for top, each in rows) > 5
+    assert not [each.text() for top, each in rows if top < limit < top + each.height()]
 
 
 # -- panels that open by themselves ----------------------------------------------------------

@@ -182,7 +182,11 @@ def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledP
     assert len(found.missing_lines) == 4
     costs = [each.params.get("missing", each) for each in found.messages[-5:]]
     assert codes(costs) == ["plan_survey.line_not_surveyed"] * 4 + ["plan_survey.target_not_used"]
-    assert tuple(each.params["heading"] for each in costs[:4]) == found.missing_lines
+    unsurveyed = [planned.plan.lines[each.params["line"] - 1] for each in costs[:4]]
+    assert tuple(line.name for line in unsurveyed) == found.missing_lines
+    assert [each.params["heading"] for each in costs[:4]] == pytest.approx(
+        [radians(line.heading_deg) for line in unsurveyed]
+    )
     assert costs[4].params["target"] == "T2"
     assert "plan_survey.smaller_sigma" not in codes(found.messages)
     assert found.rows[1].values is None

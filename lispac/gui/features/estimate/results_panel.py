@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from html import escape
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QBrush, QColor, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -67,6 +67,7 @@ EMPTY_TEXT = N_(
 )
 WAITING_TEXT = N_("Estimating …")
 _ROW_HEIGHT_PX = 19
+_RIGHT_MARGIN_PX = 4
 _SIGNS_HEIGHT_PX = 37
 """Height of a header of two lines."""
 _MIN_VALUE_WIDTH_PX = 190
@@ -112,15 +113,42 @@ class ResultsPanel(QWidget):
         layout.addStretch(1)
         self._stack.addWidget(empty)
         filled = QWidget()
-        row = QHBoxLayout(filled)
-        row.setContentsMargins(0, 0, 4, 0)
+        self._row = row = QHBoxLayout(filled)
+        row.setContentsMargins(0, 0, _RIGHT_MARGIN_PX, 0)
         row.setSpacing(0)
-        row.addWidget(self._create_body(), 1)
+        self._area = self._create_body()
+        self._area.widget().installEventFilter(self)
+        row.addWidget(self._area, 1)
         self.enlarge = widgets.enlarge_button("enlarge_results")
         self.enlarge.setToolTip(gettext("Enlarge the panel for all results, or restore its height"))
         self.enlarge.toggled.connect(self.enlarged)
         row.addWidget(self.enlarge, 0, Qt.AlignmentFlag.AlignTop)
         self._stack.addWidget(filled)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep the lowest visible row whole when the rows have been laid out."""
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
+            QTimer.singleShot(0, self, self._hide_cut_rows)
+        return super().eventFilter(watched, event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the lowest visible row whole."""
+        super().resizeEvent(event)
+        self._hide_cut_rows()
+
+    def _hide_cut_rows(self) -> None:
+        """Leave a margin below the results, of at most two rows, instead of a part of a row."""
+        body = self._area.widget()
+        tops_and_bottoms = [
+            (top := each.mapTo(body, QPoint()).y(), top + each.height())
+            for each in body.findChildren(QWidget)
+            if each.isVisibleTo(body) and each.height() <= _ROW_HEIGHT_PX
+        ]
+        bottom = height = self.height()
+        while cut := [top for top, end in tops_and_bottoms if top < bottom < end]:
+            bottom = min(cut)
+        margin = height - bottom if height - bottom <= 2 * _ROW_HEIGHT_PX else 0
+        self._row.setContentsMargins(0, 0, _RIGHT_MARGIN_PX, margin)
 
     def show_checking(self, running: bool) -> None:
         """Show whether missing cross-checks are being computed."""

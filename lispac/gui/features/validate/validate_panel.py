@@ -9,6 +9,7 @@ from lispac.gui.features.validate.acceptance_form import AcceptanceForm
 from lispac.gui.features.validate.acceptance_outcome import AcceptanceOutcome
 from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.gui.widgets.number_input import first_input_error
+from lispac.gui.widgets.tab_order import set_tab_order
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
@@ -160,6 +161,8 @@ class ValidatePanel(QWidget):
         self.outcome.show_project(
             project, first_input_error(self.acceptance), is_validating=state.is_validating
         )
+        # Later buttons would follow all other fields of the window
+        set_tab_order(self.acceptance.source, self.outcome.buttons)
         self.advice.setText(status.advice)
         busy = first_reason((state.is_busy, Unavailable.BUSY))
         self.run.set_reason(reason_text(status.reason or busy))

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -225,6 +226,42 @@ def test_only_points_in_the_picture_have_labels_and_these_are_whole(qapp) -> Non
     assert len(found) == 16
     assert all(picture.contains(box) for box in found)
     assert boxes([(-4.0, 150.0), (404.0, 150.0), (200.0, -4.0), (200.0, 304.0)]) == []
+
+
+HARBOUR_TARGETS = {
+    "T1": (-9.1, -3.8, 4.2), "T2": (-9.0, -1.1, 4.0), "T3": (-17.5, -3.4, 36.1),
+    "T4": (-20.0, -13.5, 40.1), "V1": (-9.4, -2.6, 0.6), "V2": (-11.7, -3.0, 43.2),
+    "V3": (-20.7, 10.9, 21.1), "V4": (-20.7, -17.1, 20.8), "V5": (-22.1, 7.0, 38.5),
+}  # fmt: skip
+"""East, north and up of targets of a harbour, some of them above others, metres."""
+
+
+@pytest.mark.parametrize("pixels_per_metre", [2, 3, 4, 5, 6, 7, 8, 10, 15])
+def test_labels_do_not_overlap_in_a_top_view(qapp, pixels_per_metre: int) -> None:
+    stage, size = OverlaidView(), ViewportSize(1000.0, 560.0)
+    overlay = stage.overlay
+    picture = QRectF(0.0, 0.0, size.width, size.height)
+    camera = Camera(np.zeros(3), 0.0, 0.0, 20.0, parallel=True)
+    overlay.pictures = [OverlaidPicture(picture, camera)]
+    overlay.markers = [
+        Marker(
+            name,
+            tuple(
+                camera.point_at(
+                    600.0 + pixels_per_metre * east, 280.0 - pixels_per_metre * north, 99.0 - up,
+                    size,
+                )
+            ),
+            (200, 0, 0),
+        )
+        for name, (east, north, up) in HARBOUR_TARGETS.items()
+    ]  # fmt: skip
+    image = QImage(1000, 560, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    overlay.paint(painter, scale=1.0)
+    painter.end()
+    assert len(overlay.label_boxes) == len(HARBOUR_TARGETS)
+    assert not any(a.intersects(b) for a, b in combinations(overlay.label_boxes, 2))
 
 
 def test_labels_of_targets_do_not_overlap_the_colour_scale(qapp) -> None:

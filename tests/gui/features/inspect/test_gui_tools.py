@@ -278,13 +278,16 @@ def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
     adjusted.window._select("T1", "")
     adjusted.rest()
     cuts = adjusted.window.tools.sections._cuts
+    flat = [replace(cut, normal=np.array([0.0, 1.0])) for cut in cuts]
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
-    for upward, size in product((HEIGHT_LABEL, AHEAD_LABEL), ((5.5, 1.5), (7.0, 1.6), (9.0, 1.8))):
+    for shown, upward, size in product(
+        (cuts, flat), (HEIGHT_LABEL, AHEAD_LABEL), ((5.5, 1.5), (7.0, 1.6), (9.0, 1.8))
+    ):
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         with in_language(language):
             draw_section(
-                cuts, colours, (AHEAD_LABEL, upward), {}, figure, labelled=False,
+                shown, colours, (AHEAD_LABEL, upward), {}, figure, labelled=False,
                 has_long_titles=False, exaggeration=None if factor == "automatic" else int(factor),
             )  # fmt: skip
             figure.canvas.draw()
@@ -313,6 +316,10 @@ def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
             assert upward_boxes
             assert all(a.x1 + 2 < b.x0 for a, b in pairwise(across))
             assert all(a.y1 < b.y0 for a, b in pairwise(upward_boxes))
+        before, after = figure.axes
+        if before.get_shared_x_axes().joined(before, after):
+            assert list(before.get_xticks()) == list(after.get_xticks())
+            assert list(before.get_yticks()) == list(after.get_yticks())
 
 
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:

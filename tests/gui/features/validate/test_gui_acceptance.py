@@ -177,6 +177,10 @@ def test_a_failed_calibration_names_its_cause_and_goes_there(judged: Driver) -> 
     )
     assert cause.code == "acceptance.cause_pos"
     (button,) = window.validate.outcome.buttons
+    source = window.validate.acceptance.source
+    source.setFocus()
+    judged.bot.keyClick(source, Key.Key_Tab)
+    assert QApplication.focusWidget() is button
     window.workflow.scroll_to(button)
     click(judged, button)
     judged.rest()

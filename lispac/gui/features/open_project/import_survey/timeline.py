@@ -226,7 +226,7 @@ class TimelineView(QWidget):
 
     def _draw_axis(self, painter: QPainter, start: float, end: float, x, bottom: int) -> None:
         metrics = self.fontMetrics()
-        label = metrics.horizontalAdvance(number(end, 1)) + 24
+        label = metrics.horizontalAdvance(number(end, 1, is_grouped=False)) + 24
         ticks = round_ticks(
             start, end, max(int((self.width() - NAME_WIDTH_PX - TEXT_WIDTH_PX) / label), 2)
         )
@@ -236,7 +236,7 @@ class TimelineView(QWidget):
             painter.setPen(QColor(theme.GRID))
             painter.drawLine(QPointF(x(tick), TOP_MARGIN_PX), QPointF(x(tick), bottom + 4))
             painter.setPen(QColor(theme.TEXT))
-            text = number(tick, 2 if fine else 0)
+            text = number(tick, 2 if fine else 0, is_grouped=False)
             box = QRectF(x(tick) - label / 2, bottom + 4, label, 18)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(QColor(theme.MUTED))
