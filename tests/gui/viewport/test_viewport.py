@@ -353,9 +353,8 @@ def test_a_panel_that_opens_leaves_the_scene_in_place(viewport, qtbot):
     height = viewport.canvas.height()
     middle = viewport._navigator._surface_at(*viewport._navigator._middle_of_view())
     before = viewport.to_pixels(middle[None])[0]
-    QCursor.setPos(
-        viewport.widget.mapToGlobal(QPoint(-10, -10))
-    )  # else the surface under it counts
+    # Else the surface under the pointer would stay in place
+    QCursor.setPos(viewport.widget.mapToGlobal(viewport.widget.rect().bottomRight()) * 1.1)
     viewport.keep_picture()
     viewport.widget.resize(viewport.widget.width(), height - 60)
     qtbot.waitUntil(lambda: viewport.canvas.height() == height - 60)
