@@ -91,6 +91,12 @@ def test_points_are_those_of_the_manual(tmp_path: Path, mode: int) -> None:
     assert set(read.extra["return_type"].tolist()) == types
 
 
+def test_times_are_as_exact_at_any_place_of_a_chunk(tmp_path: Path) -> None:
+    sent = Turning(RNG, count=700)
+    read = whole(write_pcap(tmp_path / "a.pcap", sent.packets))
+    np.testing.assert_allclose(read.time, sent.time, rtol=0, atol=3e-7)
+
+
 def test_equal_returns_are_one_point(tmp_path: Path) -> None:
     distance = np.full((BLOCKS, CHANNELS), 10.0)
     distance[1::2, :8] = 12.0  # the strongest return of the first eight lasers

@@ -93,9 +93,9 @@ MAX_CLOCK_STEP_S = 10.0
 """Change of the difference of both clocks above which one of them has been set."""
 MAX_DECODED_RANGE_M = 1000.0
 """Range beyond that of all models; the option for the maximum range is applied later."""
-MAX_GAP_IN_BATCH_S = 1.0
-"""Longest gap between packets that are decoded together: the decoder counts the times of its points
-from one of the packets, in single precision."""
+PACKETS_PER_BATCH, MAX_GAP_IN_BATCH_S = 250, 1.0
+"""Largest number of packets that are decoded together, and the longest gap between them. The decoder
+counts the times of their points from one of the packets, in single precision."""
 
 
 @dataclass
@@ -326,13 +326,14 @@ def _decode(
             raise InputError(error("velodyne.several_models", file=str(path), models=names))
     times = _times(scanner, packets, path)
     breaks = np.flatnonzero(np.abs(np.diff(times)) > MAX_GAP_IN_BATCH_S) + 1
-    for rows in np.split(np.arange(len(times)), breaks):
-        batch = PacketVector()
+    full = np.arange(PACKETS_PER_BATCH, len(times), PACKETS_PER_BATCH)
+    for rows in np.split(np.arange(len(times)), np.union1d(breaks, full)):
+        batch, origin = PacketVector(), times[rows[0]]
         for k in rows:
-            stamp = TimePair(times[k], times[k])
-            batch.append(VelodynePacket(stamp, packets[k].payload))
-        start, points = scanner.decoder.decode(batch, as_pcl_structs=True)
-        yield points, start.device + points["time"].astype(np.float64)
+            stamp = times[k] - origin
+            batch.append(VelodynePacket(TimePair(stamp, stamp), packets[k].payload))
+        counted_from, points = scanner.decoder.decode(batch, as_pcl_structs=True)
+        yield points, origin + (counted_from.device + points["time"].astype(np.float64))
 
 
 def _add_scanners(
@@ -481,4 +482,5 @@ VELODYNE_FORMAT = FileFormat(
     sniff,
     preview_file,
     read,
+    has_time_base=True,
 )
