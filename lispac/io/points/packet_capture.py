@@ -4,8 +4,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, NamedTuple
 
-import dpkt
-
 from lispac.errors import InputError
 from lispac.io.point_reader_common import report_damage, require_not_empty
 from lispac.messages import error
@@ -58,6 +56,8 @@ def read_udp_packets(path: Path, sizes: tuple[int, ...]) -> Iterator[UdpPacket]:
     InputError
         If the file is missing, empty, damaged or cut, or not a capture.
     """
+    import dpkt
+
     path = require_not_empty(path, CAPTURE_KIND)
     with path.open("rb") as file:
         head = file.read(len(PCAPNG_SIGNATURE))

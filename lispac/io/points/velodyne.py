@@ -94,8 +94,8 @@ MAX_CLOCK_STEP_S = 10.0
 MAX_DECODED_RANGE_M = 1000.0
 """Range beyond that of all models; the option for the maximum range is applied later."""
 PACKETS_PER_BATCH, MAX_GAP_IN_BATCH_S = 250, 1.0
-"""Largest number of packets that are decoded together, and the longest gap between them. The decoder
-counts the times of their points from one of the packets, in single precision."""
+"""Largest number of packets that are decoded together, and the longest gap between two of them. The
+decoder counts the times of their points from one of the packets, in single precision."""
 
 
 @dataclass
