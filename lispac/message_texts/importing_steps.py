@@ -143,8 +143,9 @@ TEXTS: Mapping[str, Template] = {
         "the time base."
     ),
     "import.hour_unknown": N_(
-        "{file}: the times have no full hour, and the time shifts {shifts:choices} all place them "
-        "on the trajectory. Give one of these shifts, or another source of the hour (hour_from)."
+        "{file}: the times have no full hour, and several time shifts place them on the "
+        "trajectory, such as {shifts:choices}. Give the right shift, or another source of the hour "
+        "(hour_from)."
     ),
     # -- time_base -----------------------------------------------------------------------------
     "time_base.gps_week": N_("GPS seconds of the week"),
