@@ -35,6 +35,7 @@ TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "Inertial Explorer text": note("file.kind_inertial_explorer_text"),
     "CIDCO binary": note("file.kind_cidco"),
     "LAS or LAZ": note("file.kind_las"),
+    "packet capture": note("file.kind_capture"),
     "plane": note("file.kind_plane"),
     "target": note("file.kind_target"),
     "a target as CSV": note("file.kind_target_csv"),

@@ -138,7 +138,8 @@ class FileFormat:
         None if this takes as long.
     has_time_base : bool
         Whether the files of a format of trajectories specify their time base. Otherwise it is
-        inferred. LAS and other files of points may specify it.
+        inferred. For a format of points, whether the format defines the base, so that lines are
+        shifted to the trajectory without a question; LAS and others may specify it.
     """
 
     name: Message

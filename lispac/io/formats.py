@@ -8,6 +8,7 @@ from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.points.e57 import E57_FORMAT
 from lispac.io.points.pcd import PCD_FORMAT
 from lispac.io.points.ply import PLY_FORMAT
+from lispac.io.points.velodyne import VELODYNE_FORMAT
 from lispac.io.text.plane_points import PLANE_FORMAT
 from lispac.io.text.target_points import TARGET_FORMAT
 from lispac.io.text.text_chunks import TEXT_FORMAT
@@ -29,6 +30,7 @@ POINT_FORMATS: tuple[FileFormat, ...] = (
     E57_FORMAT,
     PLY_FORMAT,
     PCD_FORMAT,
+    VELODYNE_FORMAT,
     CIDCO_FORMAT,
     PLANE_FORMAT,
     TARGET_FORMAT,

@@ -114,6 +114,14 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the scans have poses. They are applied to georeferenced points, but not to "
         "points in the scanner frame: check the frame of the points."
     ),
+    "velodyne.not_synchronised": N_(
+        "{file}: the clock of the scanner differs by {difference:s.1} s from GPRMC, so it does "
+        "not show UTC. Check the PPS signal and the cable of the GNSS receiver."
+    ),
+    "velodyne.no_pps": N_(
+        "{file}: the scanner reports no PPS signal, so its times may be wrong by up to a second. "
+        "Check the cable of the GNSS receiver, and compare the lines."
+    ),
     "las.unknown_wkt": N_(
         "{file}: the WKT of the header is not a coordinate system that PROJ knows. Choose the "
         "coordinate system."

@@ -22,6 +22,7 @@ TEXTS: Mapping[str, Template] = {
     "format.e57": N_("E57"),
     "format.ply": N_("PLY"),
     "format.pcd": N_("PCD"),
+    "format.velodyne": N_("Velodyne packets (PCAP)"),
     "format.text": N_("Text (CSV, also .gz)"),
     "format.cidco": N_("CIDCO binary (22 columns)"),
     "format.planes": N_("Plane file (25 columns)"),
@@ -37,6 +38,12 @@ TEXTS: Mapping[str, Template] = {
     "fact.cidco": N_("CIDCO binary, 22 numbers per point"),
     "fact.planes": N_("plane file, 25 columns"),
     "fact.target": N_("target as CSV"),
+    "fact.velodyne": Plural(
+        N_("packets of Velodyne {models:names}"),
+        N_("packets of {count:n} Velodyne scanners ({models:names})"),
+    ),
+    "fact.returns_single": N_("one for each laser pulse"),
+    "fact.returns_dual": N_("strongest and last; equal ones are one point"),
     "fact.no_title": N_("without a title"),
     "fact.pospac": N_("POSPac text export"),
     "fact.points_in_scans": N_("{points:n} in {scans:n} scans"),
@@ -68,6 +75,24 @@ TEXTS: Mapping[str, Template] = {
     ),
     "fact.signs": N_("{signs:names} (from the angular rates)"),
     "fact.signs_not_checked": N_("signs could not be checked with the angular rates"),
+    # -- assumptions about packets -----------------------------------------------------------------
+    "assumed.velodyne_frame": N_(
+        "The axes are those of Velodyne: x to the right (azimuth 90°), y forward (azimuth 0°), z "
+        "up."
+    ),
+    "assumed.velodyne_angles": N_(
+        "Angles, offsets and firing times of the lasers are those of the manual for the model."
+    ),
+    "assumed.hour_gprmc": N_(
+        "The full hour of the times comes from GPRMC in the position packets (UTC)."
+    ),
+    "assumed.hour_capture": N_(
+        "The full hour of the times comes from the clock of the recording computer, which differs "
+        "by {difference:s.1} s from the minutes and seconds of the scanner (UTC)."
+    ),
+    "assumed.hour_trajectory": N_(
+        "The times have no full hour (UTC). It follows from the trajectory if only one fits."
+    ),
     # -- assumptions about trajectories ------------------------------------------------------------
     "assumed.applanix": N_(
         "Conventions of Applanix in the file: roll positive starboard down, pitch positive bow up, "

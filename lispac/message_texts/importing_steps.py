@@ -142,6 +142,11 @@ TEXTS: Mapping[str, Template] = {
         "base of the trajectory, {trajectory_base}, is {needed:s.3+} s. Give either the shift or "
         "the time base."
     ),
+    "import.hour_unknown": N_(
+        "{file}: the times have no full hour, and several time shifts place them on the "
+        "trajectory, such as {shifts:choices}. Give the right shift, or another source of the hour "
+        "(hour_from)."
+    ),
     # -- time_base -----------------------------------------------------------------------------
     "time_base.gps_week": N_("GPS seconds of the week"),
     "time_base.gps_day": N_("GPS seconds of the day"),

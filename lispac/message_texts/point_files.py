@@ -16,6 +16,7 @@ TEXTS: Mapping[str, Template] = {
     "file.kind_inertial_explorer_text": N_("Inertial Explorer text"),
     "file.kind_cidco": N_("CIDCO binary"),
     "file.kind_las": N_("LAS or LAZ"),
+    "file.kind_capture": N_("packet capture"),
     "file.kind_plane": N_("plane"),
     "file.kind_target": N_("target"),
     "file.kind_target_csv": N_("target CSV"),
@@ -219,6 +220,45 @@ TEXTS: Mapping[str, Template] = {
     "e57.pose": N_(
         "{file}: the pose of a scan is not a rotation (norm of its quaternion: {norm:x.3} instead "
         "of 1). Copy or export the file again."
+    ),
+    # -- packet captures ---------------------------------------------------------------------
+    "capture.header": N_(
+        "{file}: this is not a packet capture (PCAP or PCAPNG), or its header is damaged. Check "
+        "the file type, or copy the file again."
+    ),
+    "capture.record_size": N_(
+        "{file}: the capture is damaged (a record of {size:n} bytes). Copy the file again."
+    ),
+    "capture.cut": N_(
+        "{file}: the capture ends within a packet after {size:n} bytes, so it is cut. Copy the "
+        "file again, or save its complete packets with Wireshark."
+    ),
+    "velodyne.no_packets": N_(
+        "{file}: the first packets of the capture contain no data of a Velodyne scanner. Check "
+        "the file, or export the points of another scanner as LAS."
+    ),
+    "velodyne.model": N_(
+        "{file}: packets of the model {model} cannot be decoded (known models: {models:names}). "
+        "Export the points as LAS."
+    ),
+    "velodyne.returns": N_(
+        "{file}: packets with the return mode {mode} cannot be decoded. Export the points as LAS."
+    ),
+    "velodyne.several_models": N_(
+        "{file}: the packets from one address are of several models ({models:names}). Save the "
+        "packets of each scanner in a file of its own."
+    ),
+    "velodyne.no_gprmc": N_(
+        "{file}: the first packets contain no GPRMC sentence with a valid position. Choose "
+        "another source of the hour (hour_from)."
+    ),
+    "velodyne.no_date": N_(
+        "{file}: the packets have no date of the recording computer. Choose another source of the "
+        "hour (hour_from)."
+    ),
+    "velodyne.clock_set": N_(
+        "{file}: the clock of the scanner was set by {step:s.3} s during the recording, so the "
+        "times before are wrong. Save the packets after that in a file of their own."
     ),
     # -- PCD ---------------------------------------------------------------------------------
     "pcd.header": N_(

@@ -33,6 +33,7 @@ OPTION_LABELS: Mapping[str, str] = {
     "height": N_("Height"),
     "height_unit": N_("Unit of heights"),
     "heights": N_("Unit of heights"),
+    "hour_from": N_("Source of the full hour"),
     "max_range": N_("Maximum range (m)"),
     "only": N_("Attribute filter"),
     "order": N_("Coordinate order"),
@@ -79,6 +80,7 @@ FACT_LABELS: Mapping[str, str] = {
     "Rate": N_("Rate"),
     "Records": N_("Records"),
     "resolution": N_("Resolution"),
+    "returns": N_("Returns"),
     "Roll and pitch": N_("Roll and pitch"),
     "Rows": N_("Rows"),
     "separator": N_("Column separator"),
@@ -106,6 +108,7 @@ FACT_LABELS: Mapping[str, str] = {
 """Labels of the facts about a file."""
 EMPTY_VALUE_TEXTS: Mapping[str, str] = {
     "time_rollover": N_("automatic"),
+    "hour_from": N_("automatic"),
     "grid_unit": N_("same as the coordinate system"),
     "heights": N_("same as the coordinate system"),
 }
@@ -115,6 +118,9 @@ OPTION_VALUE_TEXTS: Mapping[tuple[str, str], str] = {
     ("frame", "scanner"): N_("Scanner"),
     ("axes", "unknown"): N_("unknown"),
     ("header", "auto"): N_("automatic"),
+    ("hour_from", "gprmc"): N_("GPRMC"),
+    ("hour_from", "capture"): N_("recording computer"),
+    ("hour_from", "trajectory"): N_("trajectory"),
 }
 """Texts of values that differ between options, by option and value."""
 VALUE_TEXTS: Mapping[str, str] = {

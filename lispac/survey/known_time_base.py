@@ -52,11 +52,14 @@ class KnownTimeBase:
         Whether the user has given it; otherwise it comes from the file or its format.
     suggested : bool
         Whether it is detected from the values, not given in the file.
+    by_format : bool
+        Whether the format of a line defines it, so that it is as certain as a given one.
     """
 
     base: TimeBase | None = None
     is_given: bool = False
     suggested: bool = False
+    by_format: bool = False
 
     def fits(self, times: Array) -> bool:
         """Whether the base is known and ``times`` (n,), seconds, are possible in it."""
@@ -113,11 +116,13 @@ def matches_of_known_bases(
     Returns
     -------
     tuple of TimeMatch or None
-        None if the user gave neither base, or one of the two is unknown or contradicted by the
-        times, or the base in the header of the line brings no point inside the trajectory. Empty if
-        the base that the user gave for the line brings no point inside.
+        None if neither base is given by the user or defined by the format of the line, or one of
+        the two is unknown or contradicted by the times, or the base in the header of the line
+        brings no point inside the trajectory. Empty if the base that the user gave for the line
+        brings no point inside.
     """
-    if line_base.base is None or other.base is None or not (line_base.is_given or other.is_given):
+    is_certain = line_base.is_given or line_base.by_format or other.is_given
+    if line_base.base is None or other.base is None or not is_certain:
         return None
     if not line_base.fits(times) or not other.fits(track):
         return None  # a base in which the times are impossible does not count as known

@@ -24,7 +24,7 @@ from tests.support.message_codes import codes
 
 FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 NAMES = list(files.VALID_FILES)
-ENDINGS_WITH_SIGNATURE = (".las", ".laz", ".e57", ".ply", ".pcd")
+ENDINGS_WITH_SIGNATURE = (".las", ".laz", ".e57", ".ply", ".pcd", ".pcap")
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +84,8 @@ def test_files_with_a_wrong_signature_are_refused(
     path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
     assert FORMATS[files.VALID_FILES[name][0]].sniff(path) == 0
     assert re.match(
-        r"(las\.signature|(e57|pcd|ply)\.header|pcd\.header_incomplete) ", refusal_text(path, name)
+        r"(las\.signature|(e57|pcd|ply|capture)\.header|pcd\.header_incomplete) ",
+        refusal_text(path, name),
     )
 
 

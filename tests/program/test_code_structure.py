@@ -30,6 +30,7 @@ HEAVY_MODULES = {
 LATE_MODULES = {
     "dask",
     "distributed",
+    "dpkt",
     "fontTools",
     "laspy",
     "matplotlib",
@@ -44,6 +45,7 @@ LATE_MODULES = {
     "scipy.spatial",
     "scipy.special",
     "scipy.stats",
+    "velodyne_decoder",
     "vtkmodules",
 }
 """Modules that the window imports when it needs them or after it has been drawn."""

@@ -11,6 +11,8 @@ import numpy as np
 import open3d as o3d
 from pyproj import CRS
 
+from tests.support.velodyne_packets import write_resting
+
 COUNT = 60
 RNG = np.random.default_rng(3)
 XYZ = RNG.normal(0, 10, (COUNT, 3)).round(4)
@@ -259,6 +261,7 @@ VALID_FILES: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "b.pcd": ("pcd", lambda path: cloud(path, text=True)),
     "c.pcd": ("pcd", lambda path: cloud(path, compressed=True)),
     "d.pcd": ("pcd", padded_pcd),
+    "a.pcap": ("velodyne", write_resting),
     "a.csv": ("text", lambda path: text(path, head=CSV_HEAD)),
     "b.csv.gz": ("text", lambda path: text(path, head=CSV_HEAD)),
     "cidco": ("cidco", cidco),

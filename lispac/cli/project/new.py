@@ -34,7 +34,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder to create")
     parser.add_argument(
         "lines", type=Path, nargs="+", metavar="LINE",
-        help="scan file of one line (LAS, LAZ, E57, PLY, PCD, text)",
+        help="scan file of one line (LAS, LAZ, E57, PLY, PCD, PCAP, text)",
     )  # fmt: skip
     parser.add_argument(
         "--trajectory", type=Path, required=True, metavar="FILE",

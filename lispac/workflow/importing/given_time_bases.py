@@ -18,7 +18,7 @@ from lispac.survey.known_time_base import (
     time_base_error,
 )
 from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
-from lispac.survey.time_base import base_of_key
+from lispac.survey.time_base import base_of_key, equally_good_matches
 from lispac.survey.time_rollover import NO_ROLLOVER
 from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, format_of_line, read_trajectory
 
@@ -48,7 +48,8 @@ def known_time_base(
         found = format.complete_options({**format.preview(path, choice).choice, **choice})
         base_key, given = str(found.get(option, "")), False
     suggested = not given and format.infers_time_base
-    return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested)
+    by_format = format.kind == "points" and format.has_time_base
+    return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested, by_format)
 
 
 def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
@@ -76,7 +77,7 @@ def shift_lines_to_trajectory(
     *,
     trajectory_given: bool,
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
-    """Set the time shift of lines that follows from the given time bases.
+    """Set the time shift of lines that follows from time bases given or defined by the format.
 
     Parameters
     ----------
@@ -99,10 +100,12 @@ def shift_lines_to_trajectory(
     ------
     InputError
         If the times are not possible in the given base, or the user also gives a shift that
-        differs from the one that follows from the bases.
+        differs from the one that follows from the bases, or several shifts follow from the base
+        that the format defines.
     """
     bases = [dict(reading.options).get("time_base", "") for reading in given_readings]
-    if not any(bases) and not trajectory_given:
+    by_format = [format_of_line(line)[0].has_time_base for line in lines]
+    if not any(bases) and not any(by_format) and not trajectory_given:
         return tuple(lines), ()
     track = read_trajectory(trajectory, trajectory_reading).time
     other = known_time_base(
@@ -111,9 +114,9 @@ def shift_lines_to_trajectory(
     )  # fmt: skip
     shifted_lines: list[LineSource] = []
     notes: list[Message] = []
-    for line, base in zip(lines, bases, strict=True):
+    for line, base, is_defined in zip(lines, bases, by_format, strict=True):
         shifted_lines.append(line)
-        if not base and not trajectory_given:
+        if not base and not is_defined and not trajectory_given:
             continue
         format, choice, _ = format_of_line(line)
         own = known_time_base(format, line.path, choice, "time_base", given=bool(base))
@@ -133,8 +136,12 @@ def shift_lines_to_trajectory(
                 raise InputError(no_overlap_error(own, other, times, track, str(line.path)))
             continue
         shift = found[0].shift
+        if own.by_format and not typed and (rivals := equally_good_matches(found)):
+            shifts = [note("import.shift", shift=match.shift) for match in (found[0], *rivals)]
+            raise InputError(error("import.hour_unknown", file=str(line.path), shifts=shifts))
         if typed:
-            if all(abs(typed - match.shift) > SHIFT_TOLERANCE for match in found):
+            is_given = bool(base) or trajectory_given
+            if is_given and all(abs(typed - match.shift) > SHIFT_TOLERANCE for match in found):
                 raise InputError(
                     error(
                         "import.shift_contradicts_base",

@@ -8,7 +8,13 @@ from lispac.survey.known_time_base import (
     clearly_better_match,
     matches_of_known_bases,
 )
-from lispac.survey.time_base import TimeBase, TimeMatch, base_of_key, find_time_matches
+from lispac.survey.time_base import (
+    TimeBase,
+    TimeMatch,
+    base_of_key,
+    equally_good_matches,
+    find_time_matches,
+)
 from lispac.survey.time_quality import TrajectoryCoverage, assess_coverage
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.input_file import InputFile
@@ -22,7 +28,8 @@ def line_time_base(file: InputFile) -> KnownTimeBase:
     given = (file.given_options or {}).get("time_base", "")
     found = "" if file.finding is None else str(file.finding.choice.get("time_base", ""))
     key = given or found
-    return KnownTimeBase(base_of_key(key) if key else None, bool(given))
+    by_format = file.format is not None and file.format.has_time_base
+    return KnownTimeBase(base_of_key(key) if key else None, bool(given), by_format=by_format)
 
 
 def trajectory_time_base(file: InputFile | None) -> KnownTimeBase:
@@ -53,7 +60,8 @@ def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]
     for file in files:
         if file.role == "points" and isinstance(file.content, LineTimes):
             found = matches_of_known_bases(file.content.sample, track, line_time_base(file), other)
-            if found:
+            is_unclear = line_time_base(file).by_format and found and equally_good_matches(found)
+            if found and not is_unclear:
                 file = replace(file, shift=found[0].shift, shift_follows_bases=True)
             elif file.shift_follows_bases:
                 file = replace(file, shift=0.0, shift_follows_bases=False)

@@ -21,7 +21,10 @@ _FILE_KINDS = (
     (
         "dots-hexagon",
         N_("One scan file for each line"),
-        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO file, in the scanner frame or georeferenced"),
+        N_(
+            "LAS, LAZ, E57, PLY, PCD, text or CIDCO file, in the scanner frame or georeferenced; "
+            "Velodyne packets (PCAP)"
+        ),
     ),
 )
 """Icon, kind and formats of the files to add."""
