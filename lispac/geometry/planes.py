@@ -89,9 +89,34 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
         centred = points - centre
         scatter = centred.T @ centred
     else:
-        centre = weights @ points / weights.sum()
-        centred = points - centre
-        scatter = (centred * weights[:, None]).T @ centred
+        centre, scatter = _weighted_scatter(points, weights, np.empty((2, *points.shape)))
+    return _plane_of(centre, scatter)
+
+
+def _weighted_scatter(points: Array, weights: Array, work: Array) -> tuple[Array, Array]:
+    """Weighted centre (3,) of points (n, 3), metres, and the matrix of their scatter around it.
+
+    Parameters
+    ----------
+    work : ndarray of shape (2, n, 3)
+        Memory for intermediate values: for many points, new memory takes longer than the values.
+    """
+    centred, weighted = work
+    centre = weights @ points / weights.sum()
+    for axis in range(3):  # NumPy is slow on rows of three
+        np.subtract(points[:, axis], centre[axis], out=centred[:, axis])
+        np.multiply(centred[:, axis], weights, out=weighted[:, axis])
+    return centre, weighted.T @ centred
+
+
+def _plane_of(centre: Array, scatter: Array) -> Plane:
+    """Plane through the centre of points, from the matrix of their scatter around it.
+
+    Raises
+    ------
+    PlaneNotFound
+        The points are on one straight line, or their coordinates are not finite.
+    """
     if not np.all(np.isfinite(scatter)):
         raise PlaneNotFound(error("target.plane_not_finite"))
     spread, axes = np.linalg.eigh(scatter)
@@ -119,10 +144,11 @@ def fit_plane_robustly(points: Array, nearest: float) -> Plane:
     PlaneNotFound
         Fewer than three points, all on one straight line, or coordinates that are not finite.
     """
-    plane = fit_plane(points)
+    plane, work = fit_plane(points), np.empty((2, *points.shape))
     for _ in range(ROBUST_ITERATIONS):
-        off = np.maximum(np.abs(plane.distances(points)), nearest)
-        plane = fit_plane(points, nearest / off)
+        weights = np.abs(plane.distances(points))
+        np.divide(nearest, np.maximum(weights, nearest, out=weights), out=weights)
+        plane = _plane_of(*_weighted_scatter(points, weights, work))
     return plane
 
 

@@ -15,6 +15,9 @@ Indices = NDArray[np.int64]
 
 _LEAF_POINTS = 12
 """Largest number of points in a leaf, except for points that coincide."""
+RELATIVE_MARGIN, SMALLEST_MARGIN = 1e-9, 1e-300
+"""Share and length, squared metres, by which a bound of squared distances is increased: its terms
+are rounded, and points at the bound itself are not found."""
 
 
 _NODE = np.dtype(
@@ -281,6 +284,11 @@ def _search(
         place = places[row]
         x, y, z = place[0], place[1], place[2]
         furthest = limit * limit
+        if row and count > 1:
+            # As many points are within the last distance of the previous place, which is often near
+            dx, dy, dz = x - places[row - 1, 0], y - places[row - 1, 1], z - places[row - 1, 2]
+            bound = distances[row - 1, count - 1] + np.sqrt(dx * dx + dy * dy + dz * dz)
+            furthest = min(furthest, bound * bound * (1.0 + RELATIVE_MARGIN) + SMALLEST_MARGIN)
         nodes_left[0] = 0
         gaps_left[0] = 0.0
         left = 1

@@ -234,11 +234,12 @@ class _ComparedLines:
     ) -> "_ComparedLines":
         """Thin the points of the observed lines; ``facing`` as for `compare_plane`."""
         clouds = _thinned_states(before, after, observed)
-        overlap = LineOverlap(*clouds)
+        with ThreadPoolExecutor(len(clouds)) as pool:
+            references = pool.map(lambda cloud: _references(cloud, model), clouds)
+            overlap = LineOverlap(*clouds)
+            first, second = references
         if facing is None:
             facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
-        with ThreadPoolExecutor(len(clouds)) as pool:
-            first, second = pool.map(lambda cloud: _references(cloud, model), clouds)
         thinned = None
         if ranges is not None:
             thinned = {line: _thin_evenly(ranges[line]) for line in observed}

@@ -99,3 +99,16 @@ def test_an_empty_cloud_has_no_neighbours() -> None:
 def test_other_arrays_are_refused(points: Array) -> None:
     with pytest.raises(ValueError, match="finite points"):
         PointTree(points)
+
+
+def test_places_that_repeat_or_coincide_with_points() -> None:
+    points = RNG.uniform(0, 10, (300, 3))
+    places = np.repeat(points[:40], 3, axis=0)
+    tree = PointTree(points)
+    distance, found = tree.nearest(places)
+    assert not distance.any()
+    np.testing.assert_array_equal(tree.points[found], places)
+    near, which = tree.neighbours(places, 5)
+    np.testing.assert_array_equal(near[::3], near[2::3])
+    np.testing.assert_array_equal(which[::3], which[2::3])
+    assert np.isfinite(near).all()
