@@ -137,15 +137,10 @@ def convention_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the boresight and lever arm in the conventions of other programs."""
     blocks: list[Block] = []
     if content.in_convention is not None:
-        blocks += convention_tables(content.in_convention)
+        blocks += rule_tables(content.in_convention)  # the angles are on the first page
     if content.matrix is not None:
         blocks += _matrix_tables(content.matrix)
     return blocks
-
-
-def convention_tables(convention: ConventionValues) -> list[Block]:
-    """Tables of the boresight and lever arm in the convention of one program."""
-    return [*angle_tables(convention), *rule_tables(convention)]
 
 
 def angle_tables(convention: ConventionValues) -> list[Block]:

@@ -33,6 +33,7 @@ from lispac.present.validation import (
     ValidationPlane,
     judged_distances_table,
 )
+from lispac.report.boresight_section import angle_tables
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -109,8 +110,10 @@ VARIANCE_COMPONENTS_TEXT = N_(
 
 def summary_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the results, for the first page."""
+    converted = content.in_convention
     return [
         *angle_blocks(content),
+        *([] if converted is None else angle_tables(converted)),
         *validation_summary(content, content.validation),
     ]
 

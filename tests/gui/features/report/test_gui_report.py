@@ -13,6 +13,7 @@ from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
+    QMessageBox,
     QPlainTextEdit,
     QPushButton,
     QScrollArea,
@@ -65,6 +66,17 @@ def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
     return dialog.findChild(QLineEdit, f"identity_{name}") or dialog.findChild(
         QPlainTextEdit, f"identity_{name}"
     )
+
+
+def discard_details(driver: Driver, dialog: QWidget) -> None:
+    """Press Escape in the details, and agree that what was typed is not kept."""
+
+    def agree(box: QMessageBox) -> None:
+        leave = next(b for b in box.buttons() if "without keeping" in b.text())
+        driver.bot.mouseClick(leave, Left)
+
+    use_next_dialog(driver, agree)
+    driver.bot.keyClick(dialog, Key.Key_Escape)
 
 
 def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
@@ -159,7 +171,7 @@ def test_the_missing_details_are_counted_while_they_are_typed(adjusted: Driver) 
         type_into(adjusted, first, " ")
         assert banner.text() == missing_details_text(REQUIRED_FIELDS[:1], in_form=True)
         assert banner.property("role") == "warning"
-        adjusted.bot.keyClick(dialog, Key.Key_Escape)
+        discard_details(adjusted, dialog)
 
     use_next_dialog(adjusted, fill_in)
     click(adjusted, adjusted.window.report.fill_in)
@@ -211,7 +223,7 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         finish_layouts()
         assert keep.mapToGlobal(QPoint()) == buttons_at
         assert label.height() >= label.heightForWidth(label.width())
-        opened.bot.keyClick(dialog, Key.Key_Escape)
+        discard_details(opened, dialog)
 
     use_next_dialog(opened, use_dialog)
     click(opened, opened.window.data.details)
@@ -231,7 +243,10 @@ def test_the_dates_of_the_lines_are_offered_if_the_lines_have_dates(
         take = dialog.findChild(QPushButton, "identity_dates_of_lines")
         opened.bot.mouseClick(take, Left)
         seen.append((take.isEnabled(), take.toolTip(), field(dialog, "dates").text()))
-        opened.bot.keyClick(dialog, Key.Key_Escape)
+        if days:
+            discard_details(opened, dialog)
+        else:
+            opened.bot.keyClick(dialog, Key.Key_Escape)
 
     open_step(opened, 0)
     use_next_dialog(opened, use_dialog)
