@@ -7,7 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
 from lispac.design.plan import Line
 from lispac.design.plan_choices import thesis_plan
@@ -24,13 +26,18 @@ def words(figure: Figure) -> list[str]:
     return [text.get_text() for text in figure.findobj(lambda a: hasattr(a, "get_text"))]
 
 
+def drawn_arrows(axes: Axes) -> list[Annotation]:
+    """Annotations with an arrow: those of the lines, and that to the north."""
+    return [text for text in axes.texts if getattr(text, "arrow_patch", None) is not None]
+
+
 @pytest.mark.parametrize("facing", [270.0, 0.0, 130.0])
 def test_lines_are_drawn_along_their_headings(facing: float) -> None:
     site = Site((0.0, 0.0, 0.0), facing)
     plan = thesis_plan(site)
     page = field_plan_figure(plan, site.wall, "Quay")
     above = page.axes[0]
-    arrows = [text for text in above.texts if getattr(text, "arrow_patch", None) is not None]
+    arrows = [each for each in drawn_arrows(above) if each.xycoords == "data"]
     assert len(arrows) == len(plan.lines)
     for arrow, line in zip(arrows, plan.lines, strict=True):
         begin, end = np.array(arrow.xyann), np.array(arrow.xy)
@@ -75,8 +82,11 @@ def test_north_is_up_and_the_scale_bar_has_the_given_length() -> None:
     page.draw_without_rendering()
     above = page.axes[0]
     north = next(text for text in above.texts if text.get_text() == "N")
-    tip = above.patches[-1].get_xy().max(axis=0)
-    assert north.get_position()[1] > tip[1] > above.patches[-1].get_xy().min(axis=0)[1]
+    (arrow,) = (each for each in drawn_arrows(above) if each.xycoords != "data")
+    tail, tip = (each.transform((1.0, 1.0)) for each in (arrow.anncoords, arrow.xycoords))
+    box = north.get_window_extent()
+    assert tail[0] == pytest.approx(tip[0])
+    assert (box.y0 + box.y1) / 2 > tip[1] > tail[1] > above.get_window_extent().y0
     bar_text = next(text.get_text() for text in above.texts if text.get_text().endswith(" m"))
     bar = above.lines[-1].get_xdata()
     assert bar[1] - bar[0] == pytest.approx(float(bar_text.split()[0]))

@@ -148,15 +148,20 @@ def test_rename_by_keyboard_keeps_the_order_and_refuses_an_existing_name(picked:
         editor.selectAll()
         picked.bot.keyClicks(editor, name)
         picked.bot.keyClick(editor, Key.Key_Return)
-        picked.bot.waitUntil(lambda: table.state() != table.State.EditingState)
         picked.rest()
 
     type_name("Quay board")
+    picked.bot.waitUntil(lambda: table.state() != table.State.EditingState)
     assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
     type_name("T2")
     assert isinstance(picked.dialogs.errors[0], ProjectError)
     assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
     assert table.item(0, 0).text() == "Quay board"
+    texts = lambda: [each.text() for each in table.findChildren(QLineEdit)]  # noqa: E731
+    picked.bot.waitUntil(lambda: texts() == ["T2"])  # to be corrected
+    picked.bot.keyClick(table.findChild(QLineEdit), Key.Key_Escape)
+    picked.bot.waitUntil(lambda: table.state() != table.State.EditingState)
+    assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
 
 
 def test_remove_by_key(picked: Driver):

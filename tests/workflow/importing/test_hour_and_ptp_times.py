@@ -55,4 +55,4 @@ def test_the_base_that_fits_is_suggested(
     assert main(command) == 1
     shift = TIMES[0] - TAI_TIMES[0]
     errors = capsys.readouterr().err
-    assert f"add {shift:+,.3f} s" in errors  # as UTC it would be 37 s off, outside the trajectory
+    assert f"add {shift:+.3f} s" in errors  # as UTC it would be 37 s off, outside the trajectory

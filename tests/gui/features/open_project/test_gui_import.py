@@ -154,7 +154,7 @@ def test_lines_in_another_time_base_are_corrected_by_a_button(
     assert not dialog.ok.isEnabled()
     assert dialog.timeline.all.isVisible()
     first = dialog.timeline.messages.buttons[0]
-    assert first.text() == "Add +86,400 s"
+    assert first.text() == "Add +86400 s"
     qtbot.mouseClick(first, Left)
     rest(qtbot, dialog)
     assert dialog.input_files.file(late[0]).shift == pytest.approx(86_400)
