@@ -157,8 +157,8 @@ def test_rename_by_keyboard_keeps_the_order_and_refuses_an_existing_name(picked:
     assert isinstance(picked.dialogs.errors[0], ProjectError)
     assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
     assert table.item(0, 0).text() == "Quay board"
-    texts = lambda: [each.text() for each in table.findChildren(QLineEdit)]  # noqa: E731
-    picked.bot.waitUntil(lambda: texts() == ["T2"])  # to be corrected
+    # The refused name can be corrected
+    picked.bot.waitUntil(lambda: [e.text() for e in table.findChildren(QLineEdit)] == ["T2"])
     picked.bot.keyClick(table.findChild(QLineEdit), Key.Key_Escape)
     picked.bot.waitUntil(lambda: table.state() != table.State.EditingState)
     assert [t.name for t in picked.project.targets] == ["Quay board", "T2", "V1"]
