@@ -37,7 +37,7 @@ class LinePair:
     @property
     def name(self) -> str:
         """Name as displayed."""
-        return f"{self.first} - {self.second}"
+        return f"{self.first} / {self.second}"
 
 
 def pair_kind(first: float, second: float) -> Kind:

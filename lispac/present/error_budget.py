@@ -115,9 +115,10 @@ def budget_table(
         columns += [
             Column(
                 _component(k, name), gettext_lazy(title, distance=distance), PLAIN_CENTIMETRES,
-                gettext_lazy(tip, distance=distance), unknown=N_("not given"),
+                gettext_lazy(tip, distance=distance),
+                unknown=N_("not given") if k == i == 0 else "",
             )
-            for name, title, tip in COMPONENT_COLUMNS
+            for i, (name, title, tip) in enumerate(COMPONENT_COLUMNS)
         ]  # fmt: skip
     title = gettext_lazy("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam)
     return Table(title, tuple(columns)), (*beam.sources, beam.before, beam.after)
