@@ -1,6 +1,7 @@
 """Tests that another theme or language changes nothing of what the user has in the window."""
 
 from collections.abc import Iterator, Mapping
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from lispac.project import Project
 from lispac.workflow.calibration.proposals import Proposal
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
+from tests.support.long_runs import others_long
 
 SOON_MS = 20_000
 Alt = Qt.KeyboardModifier.AltModifier
@@ -403,8 +405,13 @@ def checked_actions(session: Session) -> set[str]:
     return {name for name in ALL_ACTIONS if session.window.actions_[name].isChecked()}
 
 
-@pytest.mark.parametrize("colours", [None, Key.Key_C])
-@pytest.mark.parametrize("views", VIEW_KEYS)
+@pytest.mark.parametrize(
+    ("views", "colours"),
+    others_long(
+        product(VIEW_KEYS, [None, Key.Key_C]),
+        lambda case: case in (("split", None), ("four views", Key.Key_C)),
+    ),
+)
 def test_the_drawn_views_are_kept(
     drawn: Session,
     qtbot: QtBot,
