@@ -13,36 +13,36 @@ from lispac.identity import Identity
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
 from lispac.language import LazyText
 from lispac.messages import Message
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.acceptance import AcceptanceValues
-from lispac.present.adjustment import AdjustmentValues
 from lispac.present.angles import Angles
-from lispac.present.batch import BatchRow
-from lispac.present.calibrations import (
+from lispac.present.calibration.adjustment import AdjustmentValues
+from lispac.present.calibration.batch import BatchRow
+from lispac.present.calibration.calibrations import (
     CalibrationDifferenceValues,
     CalibrationValues,
     CombinedCalibrations,
 )
-from lispac.present.control import ControlValues
-from lispac.present.conventions import ConventionRules, ConventionValues, CorrectionValues
-from lispac.present.cross_checks import CrossCheckValues
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.input_file import FormatCheckValues
-from lispac.present.line_differences import LineDifferenceValues
-from lispac.present.methods import MethodValues
-from lispac.present.patch_test import PatchTestValues
-from lispac.present.planning import (
+from lispac.present.calibration.control import ControlValues
+from lispac.present.calibration.cross_checks import CrossCheckValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.methods import MethodValues
+from lispac.present.calibration.patch_test import PatchTestValues
+from lispac.present.calibration.sigmas import SigmaValues
+from lispac.present.calibration.subsampling import SubsamplingValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
+from lispac.present.checking.acceptance import AcceptanceValues
+from lispac.present.checking.line_differences import LineDifferenceValues
+from lispac.present.checking.validation import ValidationPlane
+from lispac.present.output.conventions import ConventionRules, ConventionValues, CorrectionValues
+from lispac.present.planning.design_results import (
     DesignValues,
     PlanComparison,
     PredictionValues,
     ScenarioValues,
     SimulationValues,
 )
-from lispac.present.sighting_quality import PickedSightingValues, SightingQualityValues
-from lispac.present.sigmas import SigmaValues
-from lispac.present.subsampling import SubsamplingValues
-from lispac.present.validation import ValidationPlane
-from lispac.present.visibility import ConfigurationValues, ThesisValues
+from lispac.present.planning.visibility import ConfigurationValues, ThesisValues
+from lispac.present.survey.input_file import FormatCheckValues
+from lispac.present.targets.sighting_quality import PickedSightingValues, SightingQualityValues
 from lispac.workflow.checking.calibration_history import CalibrationHistory
 
 OutputT = TypeVar("OutputT")

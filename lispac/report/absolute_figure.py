@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from lispac.language import N_, gettext
-from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.present.text_format import grouped_number, signed_number
 from lispac.report.figures import (
     AFTER_COLOUR,

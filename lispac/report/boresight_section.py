@@ -7,25 +7,25 @@ from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.adjustment.result import ANGLES
 from lispac.language import gettext, gettext_lazy
 from lispac.message_texts import message_text
-from lispac.present.adjustment import (
+from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
+from lispac.present.calibration.adjustment import (
     SIGMAS_WITHOUT_LINE_TABLE,
     AdjustmentValues,
     ObservabilityValues,
     sigma_without_line_rows,
 )
-from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
-from lispac.present.angles import CORRELATIONS_TABLE, correlation_rows
-from lispac.present.conventions import (
+from lispac.present.calibration.adjustment_fit import FIT_TITLE, fit_facts
+from lispac.present.calibration.displacement import DISPLACEMENTS_TABLE
+from lispac.present.calibration.error_budget import ErrorBudgetValues, budget_table
+from lispac.present.calibration.parameters import PARAMETERS_TABLE
+from lispac.present.calibration.sigmas import sigma_facts
+from lispac.present.output.conventions import (
     ConventionValues,
     ScannerToBodyMatrix,
     angles_table,
     convention_facts,
     matrix_table,
 )
-from lispac.present.displacement import DISPLACEMENTS_TABLE
-from lispac.present.error_budget import ErrorBudgetValues, budget_table
-from lispac.present.parameters import PARAMETERS_TABLE
-from lispac.present.sigmas import sigma_facts
 from lispac.present.text_format import (
     format_known,
     grouped_number,

@@ -4,14 +4,18 @@ from collections.abc import Sequence
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
-from lispac.present.control import (
+from lispac.present.calibration.control import (
     CONTROL_COMPARISON_TABLE,
     CONTROL_FILES_TABLE,
     CONTROL_TABLE,
 )
-from lispac.present.cross_checks import SUBSETS_TABLE, halves_sigma_deg, subset_rows
-from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
-from lispac.present.sightings import (
+from lispac.present.calibration.cross_checks import SUBSETS_TABLE, halves_sigma_deg, subset_rows
+from lispac.present.calibration.methods import (
+    METHOD_RESULTS_TABLE,
+    METHOD_TITLES,
+    method_differences,
+)
+from lispac.present.targets.sightings import (
     MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
     POS_ERRORS_TABLE,

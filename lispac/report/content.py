@@ -15,25 +15,25 @@ from lispac.duplicate_targets import all_warnings
 from lispac.language import gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import comparison_messages, method_results
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.acceptance import AcceptanceValues
-from lispac.present.adjustment import adjustment_values, angle_errors
 from lispac.present.angles import angles
-from lispac.present.control import ControlValues
-from lispac.present.conventions import convention_values, scanner_to_body_matrix
-from lispac.present.cross_checks import cross_check_values
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.methods import MethodValues
-from lispac.present.settings import CONVENTION_TEXT, settings_used
-from lispac.present.sighting_quality import quality_list
-from lispac.present.survey_data import (
+from lispac.present.calibration.adjustment import adjustment_values, angle_errors
+from lispac.present.calibration.control import ControlValues
+from lispac.present.calibration.cross_checks import cross_check_values
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.methods import MethodValues
+from lispac.present.calibration.settings import CONVENTION_TEXT, settings_used
+from lispac.present.checking.absolute import AbsoluteCheckValues
+from lispac.present.checking.acceptance import AcceptanceValues
+from lispac.present.checking.validation import ValidationPlane, swath_overlap
+from lispac.present.output.conventions import convention_values, scanner_to_body_matrix
+from lispac.present.survey.survey_data import (
     LINE_ROLE,
     InputFile,
     LineTrajectorySummary,
     LineValues,
     PickedPlane,
 )
-from lispac.present.validation import ValidationPlane, swath_overlap
+from lispac.present.targets.sighting_quality import quality_list
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
 from lispac.report.report_values import (

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
-from lispac.present.calibrations import DatedCalibration
+from lispac.present.calibration.calibrations import DatedCalibration
 from lispac.report.figures import (
     INK_COLOUR,
     MAIN_COLOUR,

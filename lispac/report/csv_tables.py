@@ -12,14 +12,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.language import N_, gettext, in_language
-from lispac.present.csv_text import BYTE_ORDER_MARK, csv_text
-from lispac.present.distance_bins import (
+from lispac.present.checking.distance_bins import (
     DISTANCE_STEPS_TABLE,
     HISTOGRAM_TABLE,
     distance_steps,
     histogram_bins,
 )
-from lispac.present.distance_maps import map_cells, map_cells_table
+from lispac.present.checking.distance_maps import map_cells, map_cells_table
+from lispac.present.csv_text import BYTE_ORDER_MARK, csv_text
 from lispac.present.text_format import MINUS_SIGN
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Table, report_table

@@ -11,7 +11,7 @@ from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.plan_search import ReductionStep
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.language import N_, gettext
-from lispac.present.settings import POS_ERROR_MODEL_NAMES
+from lispac.present.calibration.settings import POS_ERROR_MODEL_NAMES
 from lispac.present.text_format import fixed_number, parameter_name
 from lispac.report.figures import (
     INK_COLOUR,

@@ -15,9 +15,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
-from lispac.present.distance_maps import DistanceMapValues
+from lispac.present.checking.distance_maps import DistanceMapValues
+from lispac.present.checking.validation import ValidationPlane
 from lispac.present.text_format import shortest_number, signed_number
-from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
     INK_COLOUR,
     SMALL_TEXT_SIZE,

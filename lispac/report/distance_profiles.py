@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from lispac.language import N_, gettext
-from lispac.present.distance_bins import DistancesBySteps
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.distance_bins import DistancesBySteps
+from lispac.present.checking.validation import ValidationPlane
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,

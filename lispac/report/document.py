@@ -9,7 +9,7 @@ from lispac.identity import FIELD_LABELS, TITLE_FIELDS
 from lispac.language import LazyText, gettext, in_language, without_advice
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.present.acceptance import verdict_scope_text
+from lispac.present.checking.acceptance import verdict_scope_text
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections, short_report
 from lispac.report.boresight_section import boresight_blocks, convention_blocks

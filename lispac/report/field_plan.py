@@ -12,7 +12,7 @@ from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.design.site import Wall
 from lispac.language import N_, Plural, gettext
-from lispac.present.survey_plan import (
+from lispac.present.planning.survey_plan import (
     PLANNED_LINES_TABLE,
     PLANNED_TARGETS_TABLE,
     planned_lines,

@@ -29,9 +29,9 @@ from numpy.typing import ArrayLike, NDArray
 from lispac.language import current_language, degree_signs, gettext, in_language
 from lispac.present.angles import CORRELATION_FORMAT
 from lispac.present.line_colours import LINE_COLOURS, NEGATIVE_COLOUR, POSITIVE_COLOUR
-from lispac.present.sightings import POS_COMPONENTS, SightingValues
-from lispac.present.survey_data import LineValues, PickedPlane
+from lispac.present.survey.survey_data import LineValues, PickedPlane
 from lispac.present.tables import unit_text
+from lispac.present.targets.sightings import POS_COMPONENTS, SightingValues
 from lispac.present.text_format import fixed_number, localised_number
 from lispac.present.text_format import title as value_title
 from lispac.report.label_placement import Label, Track, draw_labels

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.checking.validation import ValidationPlane
 from lispac.present.text_format import grouped_number, localised_number
-from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
     AFTER_COLOUR,
     BEFORE_COLOUR,

@@ -9,24 +9,24 @@ from dataclasses import dataclass
 
 from lispac.identity import Identity
 from lispac.messages import Message
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.acceptance import AcceptanceValues
-from lispac.present.adjustment import AdjustmentValues, AngleValues, angle_values
 from lispac.present.angles import Angles
-from lispac.present.control import NO_CONTROL, ControlValues
-from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
-from lispac.present.cross_checks import CrossCheckValues
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.methods import MethodValues
-from lispac.present.settings import SettingsUsed
-from lispac.present.sighting_quality import SightingQualityValues
-from lispac.present.survey_data import (
+from lispac.present.calibration.adjustment import AdjustmentValues, AngleValues, angle_values
+from lispac.present.calibration.control import NO_CONTROL, ControlValues
+from lispac.present.calibration.cross_checks import CrossCheckValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.methods import MethodValues
+from lispac.present.calibration.settings import SettingsUsed
+from lispac.present.checking.absolute import AbsoluteCheckValues
+from lispac.present.checking.acceptance import AcceptanceValues
+from lispac.present.checking.validation import SwathDifference, ValidationPlane
+from lispac.present.output.conventions import ConventionValues, ScannerToBodyMatrix
+from lispac.present.survey.survey_data import (
     InputFile,
     LineTrajectorySummary,
     LineValues,
     PickedPlane,
 )
-from lispac.present.validation import SwathDifference, ValidationPlane
+from lispac.present.targets.sighting_quality import SightingQualityValues
 
 
 @dataclass(frozen=True)

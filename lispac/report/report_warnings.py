@@ -16,11 +16,15 @@ from lispac.adjustment.model.parameters import (
 )
 from lispac.message_texts import english_text
 from lispac.messages import Message, Value, note, sort_by_importance, warning
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.adjustment import AdjustmentValues, is_lidar_noise_estimated, noisier_targets
-from lispac.present.parameters import ParameterValues
-from lispac.present.sighting_quality import SightingQualityValues
-from lispac.present.survey_data import PickedPlane
+from lispac.present.calibration.adjustment import (
+    AdjustmentValues,
+    is_lidar_noise_estimated,
+    noisier_targets,
+)
+from lispac.present.calibration.parameters import ParameterValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
+from lispac.present.survey.survey_data import PickedPlane
+from lispac.present.targets.sighting_quality import SightingQualityValues
 from lispac.report.report_values import ReportContent
 from lispac.report.validation_warnings import (
     acceptance_warnings,

@@ -1,8 +1,8 @@
 """Sentences at the start of the long sections of a report, each with the numbers that matter."""
 
 from lispac.language import Plural, gettext
-from lispac.present.adjustment import AdjustmentValues
-from lispac.present.cross_checks import agreement_text
+from lispac.present.calibration.adjustment import AdjustmentValues
+from lispac.present.calibration.cross_checks import agreement_text
 from lispac.present.text_format import fixed_number
 from lispac.report.document_blocks import Block, Paragraph
 from lispac.report.report_values import ReportContent

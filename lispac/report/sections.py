@@ -8,30 +8,35 @@ from collections.abc import Sequence
 from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS, TITLE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.present.acceptance import AcceptanceValues, acceptance_table, decisive_checks
-from lispac.present.adjustment import (
+from lispac.present.calibration.adjustment import (
     MIN_REPORTED_NOISE_FACTOR,
     AdjustmentValues,
     boresight_table,
 )
-from lispac.present.adjustment_fit import points_used_text
+from lispac.present.calibration.adjustment_fit import points_used_text
+from lispac.present.calibration.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
+from lispac.present.calibration.settings import model_facts, system_facts
+from lispac.present.checking.acceptance import AcceptanceValues, acceptance_table, decisive_checks
+from lispac.present.checking.validation import (
+    ValidationPlane,
+    judged_distances_table,
+)
 from lispac.present.line_colours import LINE_COLOURS
-from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
-from lispac.present.settings import model_facts, system_facts
-from lispac.present.sighting_quality import QUALITY_TABLE
-from lispac.present.sightings import SIGHTING_FIT_TABLE
-from lispac.present.survey_data import FILES_TABLE, LINES_TABLE, TRAJECTORY_TABLE, planes_table
+from lispac.present.survey.survey_data import (
+    FILES_TABLE,
+    LINES_TABLE,
+    TRAJECTORY_TABLE,
+    planes_table,
+)
 from lispac.present.tables import Fact
-from lispac.present.targets import TARGETS_TABLE, target_finding
+from lispac.present.targets.sighting_quality import QUALITY_TABLE
+from lispac.present.targets.sightings import SIGHTING_FIT_TABLE
+from lispac.present.targets.targets import TARGETS_TABLE, target_finding
 from lispac.present.text_format import (
     fixed_number,
     parameter_name,
     quantity_text,
     sentence_text,
-)
-from lispac.present.validation import (
-    ValidationPlane,
-    judged_distances_table,
 )
 from lispac.report.boresight_section import angle_tables
 from lispac.report.document_blocks import (

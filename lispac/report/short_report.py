@@ -10,14 +10,14 @@ from functools import partial
 
 from lispac.acceptance import planes_to_show
 from lispac.language import gettext
-from lispac.present.adjustment import AdjustmentValues
-from lispac.present.adjustment_fit import chi_square_facts
-from lispac.present.cross_checks import agreement_text
-from lispac.present.sigmas import sigma_facts
+from lispac.present.calibration.adjustment import AdjustmentValues
+from lispac.present.calibration.adjustment_fit import chi_square_facts
+from lispac.present.calibration.cross_checks import agreement_text
+from lispac.present.calibration.sigmas import sigma_facts
+from lispac.present.checking.validation import ValidationPlane
 from lispac.present.tables import Fact
-from lispac.present.targets import TARGETS_TABLE
+from lispac.present.targets.targets import TARGETS_TABLE
 from lispac.present.text_format import fixed_number
-from lispac.present.validation import ValidationPlane
 from lispac.report import sections
 from lispac.report.boresight_section import angle_tables, convention_paragraph, rule_tables
 from lispac.report.checks_section import control_comparison

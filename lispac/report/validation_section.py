@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.present.absolute import (
+from lispac.present.calibration.displacement import S44_TABLE
+from lispac.present.checking.absolute import (
     MEAN_UNCERTAINTY_TABLE,
     REFERENCE_DISTANCES_TABLE,
     SURVEYED_POINTS_TABLE,
@@ -12,13 +13,8 @@ from lispac.present.absolute import (
     line_states,
     lines_and_all,
 )
-from lispac.present.acceptance import AcceptanceValues, acceptance_table
-from lispac.present.displacement import S44_TABLE
-from lispac.present.text_format import (
-    sentence_text,
-    shortest_number,
-)
-from lispac.present.validation import (
+from lispac.present.checking.acceptance import AcceptanceValues, acceptance_table
+from lispac.present.checking.validation import (
     PAIR_DISTANCES_TABLE,
     PAIR_PLACES_TABLE,
     PAIR_PLANES_TABLE,
@@ -30,6 +26,10 @@ from lispac.present.validation import (
     pooled_rows,
     shift_rows,
     swath_overlap_table,
+)
+from lispac.present.text_format import (
+    sentence_text,
+    shortest_number,
 )
 from lispac.report.document_blocks import (
     Block,

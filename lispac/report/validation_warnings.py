@@ -7,13 +7,13 @@ from statistics import NormalDist
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.messages import Message, note, warning
-from lispac.present.acceptance import AcceptanceCheckValues, AcceptanceValues
-from lispac.present.cross_checks import (
+from lispac.present.calibration.cross_checks import (
     CrossCheckValues,
     halves_difference_deg,
     halves_sigma_deg,
 )
-from lispac.present.validation import LineShiftValues, ValidationPlane
+from lispac.present.checking.acceptance import AcceptanceCheckValues, AcceptanceValues
+from lispac.present.checking.validation import LineShiftValues, ValidationPlane
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
 VALIDATE_STEP, TARGETS_STEP = Cause.of_step("Validate"), Cause.of_step("Targets")

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
-from lispac.present.visibility import CRITERIA, systematic_error_label
+from lispac.present.planning.visibility import CRITERIA, systematic_error_label
 from lispac.report.figures import (
     INK_COLOUR,
     SMALL_TEXT_SIZE,

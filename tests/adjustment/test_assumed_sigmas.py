@@ -12,7 +12,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import SIGMA_GROUPS
 from lispac.adjustment.solve.noise_estimation import assign_surface_blocks
 from lispac.messages import Level
-from lispac.present.adjustment import adjustment_values
+from lispac.present.calibration.adjustment import adjustment_values
 from lispac.project import Settings
 from tests.studies.assumed_sigmas import row, study
 from tests.studies.coverage_study import PRIOR, TRUTH

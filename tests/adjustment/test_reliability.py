@@ -24,7 +24,7 @@ from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
 from lispac.adjustment.solve.blunders import Blunder
 from lispac.adjustment.solve.iteration import iterate
 from lispac.adjustment.solve.variance_components import estimate_variance_components
-from lispac.present.sightings import sighting_values
+from lispac.present.targets.sightings import sighting_values
 from lispac.progress import no_progress
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,

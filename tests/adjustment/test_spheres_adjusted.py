@@ -13,7 +13,7 @@ from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share
 from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.messages import note
-from lispac.present.sightings import sighting_values
+from lispac.present.targets.sightings import sighting_values
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,

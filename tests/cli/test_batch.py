@@ -14,7 +14,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.message_texts import message_text
 from lispac.messages import as_message, error
-from lispac.present.batch import BatchRow
+from lispac.present.calibration.batch import BatchRow
 from lispac.project import Project
 from lispac.workflow.output.batch import write_table
 from lispac.workflow.planning.demo import demo_seeds

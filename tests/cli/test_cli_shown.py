@@ -20,8 +20,13 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
 from lispac.present.angles import Angles
-from lispac.present.error_budget import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
-from lispac.present.subsampling import SubsamplingValues
+from lispac.present.calibration.error_budget import (
+    BeamErrors,
+    ErrorBudgetValues,
+    ErrorSource,
+    PointError,
+)
+from lispac.present.calibration.subsampling import SubsamplingValues
 from lispac.simulation.thesis_site import MARINE_SITE
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting

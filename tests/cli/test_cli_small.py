@@ -24,8 +24,8 @@ from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.picked_targets import PickedSighting, Target
+from lispac.present.calibration.patch_test import PatchTestValues
 from lispac.present.json_values import json_values
-from lispac.present.patch_test import PatchTestValues
 from lispac.project import LineSource, Project
 from lispac.targets.sighting_quality import undetermined_quality
 from lispac.validation.absolute_check import PointCheck

@@ -13,7 +13,7 @@ from lispac.design.monte_carlo import simulate_plan
 from lispac.design.plan import Line, Plan, System, line_pattern
 from lispac.design.prediction import expected_point_count, predict, predicted_equations
 from lispac.errors import RankDeficient
-from lispac.present.planning import SimulationValues
+from lispac.present.planning.design_results import SimulationValues
 from lispac.simulation.closed_form_survey import Ball, Board, scanner_position_abeam
 from lispac.simulation.scanner import Scanner, scan_scene
 from lispac.simulation.scene import Scene, upright_rectangle

@@ -28,7 +28,7 @@ from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note
-from lispac.present.adjustment import (
+from lispac.present.calibration.adjustment import (
     AGREE_ESTIMATED_TEXT,
     AGREE_TEXT,
     NOT_JUDGED_TEXT,

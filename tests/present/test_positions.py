@@ -3,13 +3,13 @@
 import pytest
 
 from lispac.geometry.frames import LocalFrame, east_north_up, north_west_up
-from lispac.present.sighting_quality import (
+from lispac.present.survey.survey_data import PickedPlane, planes_table
+from lispac.present.tables import Column, cell_text, title_text
+from lispac.present.targets.sighting_quality import (
     PICKED_SPHERES_TABLE,
     PickedSightingValues,
     SightingQualityValues,
 )
-from lispac.present.survey_data import PickedPlane, planes_table
-from lispac.present.tables import Column, cell_text, title_text
 from tests.support.topocentric import east_north_up_by_proj
 
 FRAME = LocalFrame(0.81, -1.24, 12.0)

@@ -25,11 +25,11 @@ from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import LANGUAGES, gettext, in_language, number
 from lispac.message_texts import english_text
 from lispac.messages import note
-from lispac.present.cross_checks import cross_check_values, subset_rows
+from lispac.present.calibration.cross_checks import cross_check_values, subset_rows
+from lispac.present.calibration.parameters import PARAMETERS_TABLE, parameter_values
 from lispac.present.json_values import json_values
-from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
-from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.tables import Format
+from lispac.present.targets.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.text_format import (
     fixed_number,
     grouped_number,

@@ -17,7 +17,7 @@ from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
 from lispac.message_texts.former_codes import REMOVED_CODES
 from lispac.messages import error
-from lispac.present.batch import BatchRow
+from lispac.present.calibration.batch import BatchRow
 from lispac.project import Settings
 from lispac.survey.store import layout
 from tests.support.report_sample import sample_project

@@ -15,7 +15,8 @@ from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, writ
 from lispac.language import LANGUAGES, ShownUnit, in_language, use_units
 from lispac.message_texts import message_text
 from lispac.messages import Level, note, warning
-from lispac.present.acceptance import (
+from lispac.present.calibration.adjustment_fit import chi_square_facts
+from lispac.present.checking.acceptance import (
     LIMIT_COLUMN,
     MEASURED_COLUMN,
     AcceptanceValues,
@@ -23,9 +24,8 @@ from lispac.present.acceptance import (
     decisive_checks,
     failed_texts,
 )
-from lispac.present.adjustment_fit import chi_square_facts
+from lispac.present.checking.validation import ValidationPlane
 from lispac.present.tables import cell_text
-from lispac.present.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document

@@ -19,7 +19,7 @@ from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.language import to_plain_text
 from lispac.message_texts import message_text
-from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.report.document import report_document

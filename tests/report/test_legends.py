@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from lispac.language import in_language
-from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.report.absolute_figure import reference_distance_figure
 from lispac.report.figures import site_figure
 from lispac.report.histograms import histogram_figure

@@ -24,9 +24,9 @@ from lispac.errors import InputError, LispacError
 from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
-from lispac.present.adjustment import TOO_SMALL_RAISED_TEXT, adjustment_values
-from lispac.present.adjustment_fit import points_used_text
-from lispac.present.sightings import sighting_values
+from lispac.present.calibration.adjustment import TOO_SMALL_RAISED_TEXT, adjustment_values
+from lispac.present.calibration.adjustment_fit import points_used_text
+from lispac.present.targets.sightings import sighting_values
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent

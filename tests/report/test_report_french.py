@@ -23,9 +23,9 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.parameters import PARAMETERS_TABLE, ParameterValues
-from lispac.present.survey_data import LINES_TABLE, LineValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.parameters import PARAMETERS_TABLE, ParameterValues
+from lispac.present.survey.survey_data import LINES_TABLE, LineValues
 from lispac.present.tables import Fact
 from lispac.present.text_format import with_minus_signs
 from lispac.project import Project

@@ -14,7 +14,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, VarianceComponent
 from lispac.message_texts import message_text
 from lispac.messages import Level, error, note
-from lispac.present.sightings import POS_ERRORS_TABLE
+from lispac.present.targets.sightings import POS_ERRORS_TABLE
 from lispac.present.text_format import UNKNOWN_TEXT
 from lispac.project import Project
 from lispac.report import figures

@@ -9,23 +9,23 @@ import pytest
 
 from lispac.adjustment.result import VarianceComponent
 from lispac.messages import Level
-from lispac.present.adjustment import TOO_SMALL_ESTIMATED_TEXT, adjustment_values
-from lispac.present.adjustment_fit import fit_facts
-from lispac.present.cross_checks import halves_sigma_deg
-from lispac.present.settings import settings_used, system_facts
-from lispac.present.sightings import (
-    POS_ERROR_CAPTION,
-    POS_ERROR_WITHIN_CAPTION,
-    pos_error_caption,
-)
-from lispac.present.survey_data import planes_table
-from lispac.present.text_format import localised_number
-from lispac.present.validation import (
+from lispac.present.calibration.adjustment import TOO_SMALL_ESTIMATED_TEXT, adjustment_values
+from lispac.present.calibration.adjustment_fit import fit_facts
+from lispac.present.calibration.cross_checks import halves_sigma_deg
+from lispac.present.calibration.settings import settings_used, system_facts
+from lispac.present.checking.validation import (
     PLANE_DISTANCES_TABLE,
     LineShiftValues,
     PairStateValues,
     ValidationPlane,
 )
+from lispac.present.survey.survey_data import planes_table
+from lispac.present.targets.sightings import (
+    POS_ERROR_CAPTION,
+    POS_ERROR_WITHIN_CAPTION,
+    pos_error_caption,
+)
+from lispac.present.text_format import localised_number
 from lispac.project import Project
 from lispac.report.distance_profiles import MIN_PROFILE_SPAN_M, profile_figure_of
 from lispac.report.document import undrawn_document

@@ -8,8 +8,8 @@ import pytest
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.geometry.rotations import rotation_matrix
-from lispac.present.displacement import EFFECT_DISTANCES_M, s44_contributions
-from lispac.present.validation import swath_overlap
+from lispac.present.calibration.displacement import EFFECT_DISTANCES_M, s44_contributions
+from lispac.present.checking.validation import swath_overlap
 from lispac.report.html import html_text
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import SignedStatistics

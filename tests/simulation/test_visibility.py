@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import Plane, plane_through
-from lispac.present.visibility import CRITERIA, fewest_lines_text
+from lispac.present.planning.visibility import CRITERIA, fewest_lines_text
 from lispac.report.visibility_figures import visibility_figure
 from lispac.simulation.closed_form_survey import Course
 from lispac.simulation.thesis_comparison import compare_with_thesis, do_fewest_lines_agree

@@ -11,7 +11,7 @@ import sys
 
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.plan import Plan, line_pattern
-from lispac.present.planning import SimulationValues
+from lispac.present.planning.design_results import SimulationValues
 from lispac.simulation.closed_form_survey import Board
 from lispac.workflow.planning.process_pool import process_pool_mapper
 

@@ -20,7 +20,7 @@ from lispac.adjustment.result import (
     TargetResidual,
 )
 from lispac.messages import error, note
-from lispac.present.survey_data import LineTrajectorySummary
+from lispac.present.survey.survey_data import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document_blocks import Block, Group, PictureRow, UndrawnPictures

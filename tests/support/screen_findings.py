@@ -10,9 +10,9 @@ from lispac.gui.features.preferences.sensor_editor import NEW_POS, SensorEditor
 from lispac.gui.window.dialogs import Dialogs
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.subsampling import SubsamplingValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.subsampling import SubsamplingValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility

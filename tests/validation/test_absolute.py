@@ -16,7 +16,7 @@ from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, writ
 from lispac.language import to_plain_text
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
-from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.report.absolute_figure import reference_distance_figure

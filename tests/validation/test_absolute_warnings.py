@@ -9,7 +9,7 @@ import pytest
 
 from lispac.message_texts import message_text
 from lispac.messages import Level, Value
-from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Paragraph
 from lispac.validation.absolute_check import (

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.validation import ValidationPlane
 from lispac.report.validation_warnings import surface_model_warnings
 from lispac.validation.local_models import DEFAULT_MODEL, NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (

@@ -12,7 +12,7 @@ from matplotlib.dates import date2num
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.messages import note
-from lispac.present.calibrations import DatedCalibration
+from lispac.present.calibration.calibrations import DatedCalibration
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import FALSE_ALARM_PROBABILITY, control_chart, control_limits
 from lispac.validation.repeatability import Calibration

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import gettext, in_language
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
 from lispac.report.distance_maps import (
     CAPTION,

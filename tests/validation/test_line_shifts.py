@@ -11,7 +11,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.messages import Message
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import FALSE_WARNING_LEVEL, distribution_warnings
 from lispac.simulation.closed_form_survey import (

@@ -16,12 +16,12 @@ from lispac.messages import Message, error
 
 if TYPE_CHECKING:
     from lispac.alternative_methods import Method
-    from lispac.present.calibrations import (
+    from lispac.present.calibration.calibrations import (
         CalibrationDifferenceValues,
         CalibrationValues,
         CombinedCalibrations,
     )
-    from lispac.present.methods import MethodValues
+    from lispac.present.calibration.methods import MethodValues
     from lispac.project import Project
 
 METHOD_TEXTS: dict[Method, str] = {
@@ -56,7 +56,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If options cannot be combined.
     """
-    from lispac.present.calibrations import (
+    from lispac.present.calibration.calibrations import (
         CalibrationDifferenceValues,
         CalibrationValues,
         CombinedCalibrations,
@@ -105,7 +105,11 @@ def _print_comparison(
     differences: Sequence[CalibrationDifferenceValues],
     combined: CombinedCalibrations,
 ) -> None:
-    from lispac.present.calibrations import CALIBRATIONS_TABLE, PROBABILITY, differences_table
+    from lispac.present.calibration.calibrations import (
+        CALIBRATIONS_TABLE,
+        PROBABILITY,
+        differences_table,
+    )
 
     print_table(CALIBRATIONS_TABLE, [*calibrations, *combined.rows()])
     print_table(differences_table(calibrations[0].name), differences)
@@ -126,7 +130,7 @@ def _compare_methods(arguments: Namespace) -> None:
         If no method has a result.
     """
     from lispac.method_comparison import comparison_messages, method_results, missing_methods
-    from lispac.present.methods import MethodValues
+    from lispac.present.calibration.methods import MethodValues
 
     refused: dict[str, Message] = {}
     with opened_project(arguments.projects[0], change=arguments.compute) as project:
@@ -171,7 +175,7 @@ def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]
 
 
 def _print_methods(rows: Sequence[MethodValues], messages: Sequence[Message]) -> None:
-    from lispac.present.methods import METHOD_RESULTS_TABLE, method_differences
+    from lispac.present.calibration.methods import METHOD_RESULTS_TABLE, method_differences
 
     print_table(METHOD_RESULTS_TABLE, rows)
     if len(rows) > 1:

@@ -64,7 +64,7 @@ def run(arguments: Namespace) -> None:
         If a point is to be both used and excluded.
     """
     from lispac.control_points import with_control_use, without_control_file
-    from lispac.present.control import ControlValues
+    from lispac.present.calibration.control import ControlValues
     from lispac.workflow.control.control_assignment import (
         is_assignment_current,
         with_assigned_control,
@@ -105,7 +105,11 @@ def run(arguments: Namespace) -> None:
 
 def print_control(project: Project) -> None:
     """Print the control of a project, and the estimates with and without it."""
-    from lispac.present.control import CONTROL_COMPARISON_TABLE, CONTROL_TABLE, ControlValues
+    from lispac.present.calibration.control import (
+        CONTROL_COMPARISON_TABLE,
+        CONTROL_TABLE,
+        ControlValues,
+    )
 
     values = ControlValues.of(project)
     if not values.points:

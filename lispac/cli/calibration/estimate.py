@@ -190,8 +190,8 @@ def _print_json_of_project(
 ) -> None:
     from lispac.cli.calibration.result_output import project_adjustment_output
     from lispac.cli.json_outputs import EstimateOutput, extended
-    from lispac.present.control import ControlValues
-    from lispac.present.sighting_quality import quality_list
+    from lispac.present.calibration.control import ControlValues
+    from lispac.present.targets.sighting_quality import quality_list
 
     print_json(
         extended(
@@ -345,7 +345,7 @@ def _surface_sigma(text: str) -> float | str:
 def print_weak_sightings(qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
     """Print the sightings that are not good, the poor ones first."""
     from lispac.language import to_plain_text
-    from lispac.present.sighting_quality import rating_text, sighting_quality_values
+    from lispac.present.targets.sighting_quality import rating_text, sighting_quality_values
 
     listed = [(key, quality) for key, quality in qualities.items() if quality.rating != "good"]
     if not listed:

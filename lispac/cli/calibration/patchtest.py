@@ -14,7 +14,7 @@ from lispac.cli.messages import console_text
 if TYPE_CHECKING:
     from lispac.patchtest.line_pairs import LinePair
     from lispac.patchtest.object_boxes import PatchObject
-    from lispac.present.patch_test import PatchTestValues
+    from lispac.present.calibration.patch_test import PatchTestValues
     from lispac.workflow.project.survey import Survey
 
 BOX_NUMBER_COUNTS = (6, 7)
@@ -59,7 +59,7 @@ def run(arguments: Namespace) -> None:
         If a box is invalid or a line is unknown.
     """
     from lispac.patchtest.object_proposal import MAX_OBJECTS
-    from lispac.present.patch_test import PatchTestValues
+    from lispac.present.calibration.patch_test import PatchTestValues
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import patch_test as workflow
     from lispac.workflow.calibration.method_runs import patch_test_result
@@ -100,7 +100,7 @@ def run(arguments: Namespace) -> None:
 
 def print_patch_test(values: PatchTestValues) -> None:
     """Print the angles with their sigmas, the objects and the messages."""
-    from lispac.present.patch_test import PATCH_OBJECTS_TABLE, PATCH_TEST_TABLES
+    from lispac.present.calibration.patch_test import PATCH_OBJECTS_TABLE, PATCH_TEST_TABLES
 
     for table in PATCH_TEST_TABLES:
         print_table(table, [values])

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
         SeedOutput,
         SharedPointsOutput,
     )
-    from lispac.present.sighting_quality import PickedSightingValues
+    from lispac.present.targets.sighting_quality import PickedSightingValues
     from lispac.project import Project, Target
     from lispac.survey.crs import CoordinateSystem
     from lispac.targets.sighting_quality import SightingQuality
@@ -282,7 +282,10 @@ def _sighting_values(
 ) -> dict[str, PickedSightingValues]:
     """Sightings of a target by line."""
     from lispac.present.angles import floats
-    from lispac.present.sighting_quality import PickedSightingValues, sighting_quality_values
+    from lispac.present.targets.sighting_quality import (
+        PickedSightingValues,
+        sighting_quality_values,
+    )
 
     found = {}
     for sighting in target.sightings:
@@ -302,7 +305,7 @@ def _sighting_values(
 def _print_target(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
-    from lispac.present.sighting_quality import PICKED_SIGHTINGS_TABLE, PICKED_SPHERES_TABLE
+    from lispac.present.targets.sighting_quality import PICKED_SIGHTINGS_TABLE, PICKED_SPHERES_TABLE
 
     found = _sighting_values(target, spheres, qualities)
     print_table(PICKED_SIGHTINGS_TABLE, list(found.values()))
@@ -384,7 +387,7 @@ def _seed_output(project: Project, survey: Survey, outcome: SeedOutcome) -> Seed
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
     """Print a row for each seed, and the reasons why seeds or lines gave no target."""
-    from lispac.present.seeds import SEED_OUTCOMES_TABLE
+    from lispac.present.targets.seeds import SEED_OUTCOMES_TABLE
 
     rows = [outcome.row(lines) for outcome in outcomes]
     print_table(SEED_OUTCOMES_TABLE, rows)

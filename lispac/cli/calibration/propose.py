@@ -29,8 +29,8 @@ def run(arguments: Namespace) -> None:
         If targets are to be added to a project that already has some.
     """
     from lispac.present.angles import AnglesRow
-    from lispac.present.planning import PREDICTED_SIGMAS_TABLE, known_degrees
-    from lispac.present.seeds import SEED_METRES
+    from lispac.present.planning.design_results import PREDICTED_SIGMAS_TABLE, known_degrees
+    from lispac.present.targets.seeds import SEED_METRES
     from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes

@@ -12,13 +12,13 @@ from lispac.cli.messages import console_text
 from lispac.duplicate_targets import project_warnings
 from lispac.geometry.frames import LocalFrame
 from lispac.messages import Message
-from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
-from lispac.present.adjustment_fit import FIT_TITLE, fit_facts
 from lispac.present.angles import ROTATION_ENTRY, angles
-from lispac.present.cross_checks import cross_check_values
-from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
-from lispac.present.settings import origin_fact
-from lispac.present.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
+from lispac.present.calibration.adjustment import adjustment_values, angle_values, boresight_table
+from lispac.present.calibration.adjustment_fit import FIT_TITLE, fit_facts
+from lispac.present.calibration.cross_checks import cross_check_values
+from lispac.present.calibration.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
+from lispac.present.calibration.settings import origin_fact
+from lispac.present.calibration.sigmas import SIGMAS_TITLE, sigma_facts, sigmas_used
 from lispac.present.tables import COMPUTING_SECONDS, Fact
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text

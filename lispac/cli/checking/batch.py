@@ -14,7 +14,7 @@ from lispac.errors import ProjectError
 from lispac.messages import error
 
 if TYPE_CHECKING:
-    from lispac.present.batch import BatchRow
+    from lispac.present.calibration.batch import BatchRow
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -66,7 +66,7 @@ def run(arguments: Namespace) -> None:
     ProjectError
         If a project could not be calibrated; the exit code is then 1.
     """
-    from lispac.present.batch import BATCH_TABLE
+    from lispac.present.calibration.batch import BATCH_TABLE
     from lispac.workflow.output.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
 

@@ -30,7 +30,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Print a table for each direction of the beam."""
     from lispac.adjustment.diagnostics.error_budget import DEFAULT_DISTANCES
-    from lispac.present.error_budget import ErrorBudgetValues, budget_table
+    from lispac.present.calibration.error_budget import ErrorBudgetValues, budget_table
     from lispac.workflow.checking.budget import error_budget_of
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey

@@ -37,7 +37,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Compare the lines with a reference, save the result and print it."""
-    from lispac.present.absolute import (
+    from lispac.present.checking.absolute import (
         REFERENCE_DISTANCES_TABLE,
         SURVEYED_POINTS_TABLE,
         AbsoluteCheckValues,

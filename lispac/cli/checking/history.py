@@ -54,7 +54,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _print_history(history: CalibrationHistory) -> None:
-    from lispac.present.calibrations import CHANGES_TABLE, DATED_CALIBRATIONS_TABLE
+    from lispac.present.calibration.calibrations import CHANGES_TABLE, DATED_CALIBRATIONS_TABLE
 
     print(f"{history.system.full_name}\n")
     for table in (DATED_CALIBRATIONS_TABLE, CHANGES_TABLE):

@@ -42,7 +42,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print the differences between lines by orientation of the surface; draw and list them."""
-    from lispac.present.line_differences import LINE_DIFFERENCES_TABLE
+    from lispac.present.checking.line_differences import LINE_DIFFERENCES_TABLE
     from lispac.progress import sub_progress
     from lispac.workflow.checking.line_quality import line_quality
     from lispac.workflow.project.projects import open_project
@@ -81,8 +81,8 @@ def _draw_map(result: LineQuality, path: Path) -> None:
 
 def _write_differences(result: LineQuality, path: Path) -> None:
     from lispac.io.files import atomic_write
+    from lispac.present.checking.line_differences import PLACES_CSV, place_rows
     from lispac.present.csv_text import keyed_csv_text
-    from lispac.present.line_differences import PLACES_CSV, place_rows
 
     rows = [row for pair in result.pairs for row in place_rows(pair)]
     with atomic_write(path) as temporary:

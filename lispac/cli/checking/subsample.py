@@ -19,7 +19,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print one row for each point spacing."""
-    from lispac.present.subsampling import SUBSAMPLING_TABLE
+    from lispac.present.calibration.subsampling import SUBSAMPLING_TABLE
     from lispac.workflow.checking.subsampling import DEFAULT_DISTANCES, subsampling_study
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey

@@ -72,8 +72,8 @@ def run(arguments: Namespace) -> None:
     true = rms_with_truth(project, survey)
     if arguments.json:
         from lispac.cli.json_outputs import ValidateOutput
-        from lispac.present.acceptance import AcceptanceValues
-        from lispac.present.validation import ValidationPlane
+        from lispac.present.checking.acceptance import AcceptanceValues
+        from lispac.present.checking.validation import ValidationPlane
 
         print_json(
             ValidateOutput(
@@ -103,8 +103,8 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
     """Print the distances between the lines, one row for each plane, and the acceptance."""
     from lispac.cli.project.acceptance import print_acceptance
+    from lispac.present.checking.validation import PLANE_DISTANCES_TABLE, ValidationPlane
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
-    from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
     table = PLANE_DISTANCES_TABLE
     if true:
@@ -122,9 +122,9 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
 def _warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the project and about the validation, as in the report."""
     from lispac.duplicate_targets import project_warnings
-    from lispac.present.acceptance import AcceptanceValues
-    from lispac.present.cross_checks import cross_check_values
-    from lispac.present.validation import ValidationPlane
+    from lispac.present.calibration.cross_checks import cross_check_values
+    from lispac.present.checking.acceptance import AcceptanceValues
+    from lispac.present.checking.validation import ValidationPlane
     from lispac.report.validation_warnings import (
         acceptance_warnings,
         distribution_warnings,

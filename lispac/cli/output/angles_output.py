@@ -15,7 +15,7 @@ from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.angles import matrix
-from lispac.present.conventions import (
+from lispac.present.output.conventions import (
     SUM_ERROR_MILLIMETRES,
     ConventionRules,
     ConventionValues,

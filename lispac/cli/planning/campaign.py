@@ -36,7 +36,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Print the scatter of the simulated results, and the formal and predicted sigmas."""
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.planning import ANGLES_BY_ROW_TABLE, SimulationValues
+    from lispac.present.planning.design_results import ANGLES_BY_ROW_TABLE, SimulationValues
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys
 

@@ -20,7 +20,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Print predicted and obtained standard deviations, and the deviations from the plan."""
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.planning import ANGLES_BY_ROW_TABLE
+    from lispac.present.planning.design_results import ANGLES_BY_ROW_TABLE
     from lispac.workflow.planning.plan_comparison import compare_with_plan
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey

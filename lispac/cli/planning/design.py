@@ -51,8 +51,8 @@ def run(arguments: Namespace) -> None:
     from lispac.design.plan_search import search
     from lispac.design.prediction import predict
     from lispac.io.config.plan_file import read_site
-    from lispac.present import planning
-    from lispac.present.survey_plan import PLANNED_LINES_TABLE, PLANNED_TARGETS_TABLE
+    from lispac.present.planning import design_results
+    from lispac.present.planning.survey_plan import PLANNED_LINES_TABLE, PLANNED_TARGETS_TABLE
     from lispac.present.tables import COUNT
     from lispac.workflow.planning.parallel_map import choose_mapper
     from lispac.workflow.planning.plan_checks import observability_messages, write_design
@@ -71,7 +71,7 @@ def run(arguments: Namespace) -> None:
     if arguments.output is not None:
         write_design(arguments.output, title, site, found, objective)
     thesis = predict(thesis_plan(site))
-    values = planning.DesignValues.of(found, site.wall, thesis)
+    values = design_results.DesignValues.of(found, site.wall, thesis)
     if arguments.json:
         from lispac.cli.json_outputs import DesignOutput, extended
 
@@ -79,19 +79,19 @@ def run(arguments: Namespace) -> None:
         return
     print(f"{title}: smallest {CRITERION_TEXTS[objective.criterion]}")
     print_table(
-        planning.PREDICTED_SIGMAS_TABLE,
-        planning.predicted_sigma_rows(
-            *map(planning.PredictionValues.of, (found.prediction, thesis))
+        design_results.PREDICTED_SIGMAS_TABLE,
+        design_results.predicted_sigma_rows(
+            *map(design_results.PredictionValues.of, (found.prediction, thesis))
         ),
     )
     print_table(PLANNED_TARGETS_TABLE, values.targets)
     print_table(PLANNED_LINES_TABLE, values.lines)
     print_table(
-        planning.with_objective(planning.GAINS_TABLE, objective.criterion),
-        planning.gain_rows(found.gains, values.value_deg),
+        design_results.with_objective(design_results.GAINS_TABLE, objective.criterion),
+        design_results.gain_rows(found.gains, values.value_deg),
     )
     print_table(
-        planning.with_objective(planning.SHORTER_PLANS_TABLE, objective.criterion),
+        design_results.with_objective(design_results.SHORTER_PLANS_TABLE, objective.criterion),
         values.pareto_front,
     )
     plans = f"{COUNT.text(found.evaluated)} survey plans evaluated"

@@ -22,14 +22,14 @@ def run(arguments: Namespace) -> None:
     from lispac.design.plan_search import information_gains
     from lispac.design.prediction import predict as predicted
     from lispac.io.config.plan_file import read_plan
-    from lispac.present import planning
+    from lispac.present.planning import design_results
     from lispac.workflow.planning.plan_checks import observability_messages, plan_warnings
 
     titled = read_plan(arguments.plan)
     plan = titled.plan
-    values = planning.PredictionValues.of(predicted(plan))
+    values = design_results.PredictionValues.of(predicted(plan))
     largest = None if values.sigma_deg is None else max(values.sigma_deg)
-    gains = planning.gain_rows(information_gains(plan, PlanObjective()), largest)
+    gains = design_results.gain_rows(information_gains(plan, PlanObjective()), largest)
     messages = (*plan_warnings(titled), *observability_messages(plan))
     if arguments.json:
         from lispac.cli.json_outputs import PredictOutput, extended
@@ -44,9 +44,11 @@ def run(arguments: Namespace) -> None:
         return
     print(titled.title)
     if values.determined:
-        print_table(planning.PREDICTED_SIGMAS_TABLE, planning.predicted_sigma_rows(values))
-        print_table(planning.PREDICTED_CORRELATIONS_TABLE, [values])
-    print_table(*planning.points_table(plan, values))
-    print_table(planning.GAINS_TABLE, gains)
+        print_table(
+            design_results.PREDICTED_SIGMAS_TABLE, design_results.predicted_sigma_rows(values)
+        )
+        print_table(design_results.PREDICTED_CORRELATIONS_TABLE, [values])
+    print_table(*design_results.points_table(plan, values))
+    print_table(design_results.GAINS_TABLE, gains)
     for message in messages:
         print(console_text(message))

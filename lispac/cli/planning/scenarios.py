@@ -34,7 +34,7 @@ def run(arguments: Namespace) -> None:
     """Print a table for each scenario with both stochastic models; write tables and plots."""
     from lispac.design.scenarios import SCENARIOS, predict_scenarios, thesis_setting
     from lispac.io.config.plan_file import read_plan
-    from lispac.present.planning import SCENARIOS_TABLE, ScenarioValues
+    from lispac.present.planning.design_results import SCENARIOS_TABLE, ScenarioValues
     from lispac.workflow.planning.plan_checks import write_scenarios
 
     plan = thesis_setting() if arguments.plan is None else read_plan(arguments.plan).plan

@@ -14,7 +14,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print all sensors of the library."""
-    from lispac.present.sensors import POS_TABLE, SCANNERS_TABLE, PosRow, ScannerRow
+    from lispac.present.survey.sensors import POS_TABLE, SCANNERS_TABLE, PosRow, ScannerRow
     from lispac.workflow.planning.sensors import read_library, source_text, user_sensors_folder
 
     folder = user_sensors_folder()

@@ -47,7 +47,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If a systematic error is not simulated on this site.
     """
-    from lispac.present import visibility
+    from lispac.present.planning import visibility
     from lispac.simulation.thesis_site import SITES
     from lispac.simulation.visibility_study import study_visibility as study
     from lispac.workflow.planning.visibility import write_visibility

@@ -59,7 +59,7 @@ def run(arguments: Namespace) -> None:
         If the verdict is required to be pass, but is not.
     """
     from lispac.acceptance import FIELD_NAMES
-    from lispac.present.acceptance import AcceptanceValues
+    from lispac.present.checking.acceptance import AcceptanceValues
     from lispac.workflow.project.projects import save_project
 
     given = {name: getattr(arguments, name) for name in FIELD_NAMES}
@@ -84,7 +84,7 @@ def run(arguments: Namespace) -> None:
 
 def print_acceptance(project: Project) -> None:
     """Print all checks and the verdict."""
-    from lispac.present.acceptance import (
+    from lispac.present.checking.acceptance import (
         AcceptanceValues,
         acceptance_table,
         calibration_verdict_text,

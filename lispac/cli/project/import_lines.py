@@ -91,7 +91,7 @@ def _check_imported(imported: list[ImportedLine], progress: Progress) -> None:
 
 
 def _print_imported(item: ImportedLine) -> None:
-    from lispac.present.survey_data import FILE_MEGABYTES, IMPORT_RATE, IMPORT_SECONDS
+    from lispac.present.survey.survey_data import FILE_MEGABYTES, IMPORT_RATE, IMPORT_SECONDS
     from lispac.present.tables import COUNT
 
     manifest = item.stored.manifest

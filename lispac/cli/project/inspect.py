@@ -62,7 +62,7 @@ def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileChec
 
 def _print_check(item: FileCheck) -> None:
     from lispac.language import to_plain_text
-    from lispac.present.input_file import content_facts
+    from lispac.present.survey.input_file import content_facts
 
     values = item.values
     sure = (

@@ -131,7 +131,7 @@ def _add_format_options(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Create a project and read its lines once to check them."""
-    from lispac.present.survey_data import LINES_TABLE, LineValues
+    from lispac.present.survey.survey_data import LINES_TABLE, LineValues
     from lispac.project import LineSource, Reading, Settings
     from lispac.survey.line_source import printable
     from lispac.workflow.project import projects

@@ -10,7 +10,7 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.document import ExportedReport
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message, note
-from lispac.present.acceptance import AcceptanceValues, calibration_verdict_text
+from lispac.present.checking.acceptance import AcceptanceValues, calibration_verdict_text
 from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.project.survey import Survey

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.io.files import atomic_write
-from lispac.present.conventions import ConventionValues, Matrix
+from lispac.present.output.conventions import ConventionValues, Matrix
 from lispac.version import __version__
 
 KLUSTER_SYSTEM = "LiDAR"

@@ -12,7 +12,7 @@ from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.text.seed_file import PointList, read_point_list
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error, note
-from lispac.present.seeds import SeedOutcomeRow, seed_outcome_row
+from lispac.present.targets.seeds import SeedOutcomeRow, seed_outcome_row
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem

@@ -15,7 +15,7 @@ from lispac.errors import LispacError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
-from lispac.present.calibrations import DatedCalibration
+from lispac.present.calibration.calibrations import DatedCalibration
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.validation.control_chart import ChartedCalibration, control_chart

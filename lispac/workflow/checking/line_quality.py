@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, as_message, error
-from lispac.present.line_differences import LineDifferenceValues
+from lispac.present.checking.line_differences import LineDifferenceValues
 from lispac.progress import Progress, no_progress
 from lispac.project import BoresightChoice, Project
 from lispac.survey.cloud import Cloud

@@ -15,7 +15,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.present.angles import degrees
-from lispac.present.subsampling import SubsamplingValues
+from lispac.present.calibration.subsampling import SubsamplingValues
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.workflow.calibration.estimation import adjust_selected, reselect_points

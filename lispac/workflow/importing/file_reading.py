@@ -30,7 +30,7 @@ from lispac.io.points.static_scan import has_no_time
 from lispac.io.trajectory.sbet import read_sbet, read_smrmsg
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note, warning
-from lispac.present.input_file import FormatCheckValues, content_texts
+from lispac.present.survey.input_file import FormatCheckValues, content_texts
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy

@@ -10,9 +10,9 @@ from lispac.errors import InputError, LispacError, NotComparable, system_reason
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
-from lispac.present.adjustment import has_passed
 from lispac.present.angles import degrees
-from lispac.present.batch import BATCH_CSV, BatchRow
+from lispac.present.calibration.adjustment import has_passed
+from lispac.present.calibration.batch import BATCH_CSV, BatchRow
 from lispac.present.csv_text import BYTE_ORDER_MARK, keyed_csv_text
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project

@@ -11,7 +11,7 @@ from lispac.errors import InputError
 from lispac.io.files import atomic_write
 from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Level, Message, error
-from lispac.present.survey_data import LineTrajectorySummary
+from lispac.present.survey.survey_data import LineTrajectorySummary
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content

@@ -20,8 +20,8 @@ from lispac.io.trajectory.sbet_formats import SBET_FORMAT, detect_sbet
 from lispac.language import N_, LazyText, gettext_lazy, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
-from lispac.present.conventions import ConventionValues
-from lispac.present.installation_text import installation_text
+from lispac.present.output.conventions import ConventionValues
+from lispac.present.output.installation_text import installation_text
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup
 from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting

@@ -20,7 +20,7 @@ from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, as_message, error, warning
 from lispac.present.csv_text import keyed_csv_text
-from lispac.present.planning import (
+from lispac.present.planning.design_results import (
     SCENARIOS_CSV,
     SHORTER_PLANS_CSV,
     ScenarioValues,

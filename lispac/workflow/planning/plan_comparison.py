@@ -15,7 +15,7 @@ from lispac.errors import ProjectError
 from lispac.io.config.plan_file import TitledPlan
 from lispac.messages import Message, error, note
 from lispac.present.angles import degrees
-from lispac.present.planning import PlanComparison, known_degrees
+from lispac.present.planning.design_results import PlanComparison, known_degrees
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import Ball, Board, Course, scanner_position_abeam
 from lispac.workflow.calibration.estimation import observations_of

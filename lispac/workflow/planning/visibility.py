@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
-from lispac.present import visibility
+from lispac.present.planning import visibility
 from lispac.progress import Progress, no_progress
 from lispac.report.csv_tables import table_csv_text
 from lispac.report.document_blocks import report_table

@@ -7,7 +7,7 @@ from lispac.errors import PlaneNotFound
 from lispac.geometry.frames import east_north_up
 from lispac.geometry.planes import extent_in_plane, fit_plane, rms_distance
 from lispac.language import gettext
-from lispac.present.measured_point import LOCAL_UNIT, Coordinate, MeasuredPoint
+from lispac.present.survey.measured_point import LOCAL_UNIT, Coordinate, MeasuredPoint
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.survey.crs import CoordinateSystem

@@ -30,7 +30,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets.error_box import error_box
 from lispac.io.project.project_file import write_project
 from lispac.language import gettext
-from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
 from lispac.project import Project
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.workflow.checking.budget import error_budget_of

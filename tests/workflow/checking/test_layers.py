@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.message_texts import english_text
-from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.project import Project
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.validation.reference_places import measure_to_surface

@@ -19,7 +19,7 @@ from lispac.control_points import (
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import InputError, LispacError, ProjectError, RankDeficient
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
-from lispac.present.control import ControlValues
+from lispac.present.calibration.control import ControlValues
 from lispac.project import Project
 from lispac.workflow.calibration.edits import (
     set_line_use,

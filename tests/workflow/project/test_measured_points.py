@@ -7,7 +7,12 @@ import pytest
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.language import in_language
-from lispac.present.measured_point import Coordinate, MeasuredPoint, copied_point, point_facts
+from lispac.present.survey.measured_point import (
+    Coordinate,
+    MeasuredPoint,
+    copied_point,
+    point_facts,
+)
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.crs import coordinate_system

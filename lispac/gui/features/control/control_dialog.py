@@ -13,7 +13,7 @@ from lispac.gui.features.control.actions import ACTIONS
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import gettext
-from lispac.present.control import (
+from lispac.present.calibration.control import (
     CONTROL_COMPARISON_TABLE,
     CONTROL_TABLE,
     ControlPointValues,

@@ -36,7 +36,7 @@ from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext, in_english
-from lispac.present.conventions import (
+from lispac.present.output.conventions import (
     SUM_ERROR_MILLIMETRES,
     SUM_ERROR_RANGE_M,
     ConventionAngle,

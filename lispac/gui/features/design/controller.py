@@ -37,7 +37,7 @@ from lispac.installation_paths import home_folder
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import N_, gettext, gettext_lazy
 from lispac.messages import error
-from lispac.present.planning import PlanComparison, SimulationValues
+from lispac.present.planning.design_results import PlanComparison, SimulationValues
 from lispac.progress import Progress, Step
 from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys, write_field_plan
 from lispac.workflow.planning.plan_comparison import compare_with_plan

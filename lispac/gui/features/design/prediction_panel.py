@@ -24,8 +24,8 @@ from lispac.gui.widgets.result_tables import html_table, local_number, window_co
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, join_items
 from lispac.messages import Message, note
-from lispac.present import planning
-from lispac.present.planning import NOTHING_PREDICTED, PredictionValues
+from lispac.present.planning import design_results
+from lispac.present.planning.design_results import NOTHING_PREDICTED, PredictionValues
 from lispac.present.tables import DEGREES, cell_text, title_text
 from lispac.present.text_format import UNKNOWN_TEXT
 from lispac.progress import Progress, no_progress
@@ -260,8 +260,8 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
         self.gain_table = DiagnosticsTable(
             "design_gain",
-            title_text(planning.GAINS_TABLE.title),
-            window_columns(planning.GAINS_TABLE),
+            title_text(design_results.GAINS_TABLE.title),
+            window_columns(design_results.GAINS_TABLE),
         )
         self.gain_table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.gain_table.setMinimumHeight(170)
@@ -281,7 +281,7 @@ class PredictionPanel(QScrollArea):
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        for column, title in enumerate(map(gettext, planning.PLAN_TITLES), start=1):
+        for column, title in enumerate(map(gettext, design_results.PLAN_TITLES), start=1):
             head = widgets.label(title, "muted")
             if column == 2:
                 head.setToolTip(gettext(REFERENCE_PLAN_TIP))
@@ -302,7 +302,8 @@ class PredictionPanel(QScrollArea):
                 shown.setAccessibleName(
                     gettext(
                         "Standard deviation of {angle} ({plan}), in {unit}",
-                        angle=named, plan=gettext(planning.PLAN_TITLES[column - 1]), unit=unit,
+                        angle=named, unit=unit,
+                        plan=gettext(design_results.PLAN_TITLES[column - 1]),
                     )
                 )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
@@ -335,13 +336,13 @@ class PredictionPanel(QScrollArea):
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
         pairs = [
             f"{title_text(column.title)} {cell_text(column, self._last.prediction)}"
-            for column in planning.PREDICTED_CORRELATIONS_TABLE.columns
+            for column in design_results.PREDICTED_CORRELATIONS_TABLE.columns
         ]
         self.correlation.setText(gettext("Correlations: {pairs}", pairs=join_items(pairs)))
         self._show_point_counts()
 
     def _show_point_counts(self) -> None:
-        table, rows = planning.points_table(self._last.plan, self._last.prediction)
+        table, rows = design_results.points_table(self._last.plan, self._last.prediction)
         heads = ["", *(escape(title_text(column.title)) for column in table.columns[1:])]
         cells = [[escape(cell_text(column, row)) for column in table.columns] for row in rows]
         self.points.setText(html_table(heads, cells))
@@ -359,9 +360,9 @@ class PredictionPanel(QScrollArea):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
-        rows = planning.gain_rows(gains, self._last.largest_deg)
+        rows = design_results.gain_rows(gains, self._last.largest_deg)
         table = self.gain_table
-        table.show_rows(window_rows(planning.GAINS_TABLE, rows))
+        table.show_rows(window_rows(design_results.GAINS_TABLE, rows))
         # The panel scrolls; a second scroll bar in it would be in the way
         heads = table.horizontalHeader().sizeHint().height()
         table.setFixedHeight(heads + table.verticalHeader().length() + 2 * table.frameWidth())

@@ -20,7 +20,11 @@ from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.language import N_, LazyText, gettext
-from lispac.present.planning import ANGLES_BY_ROW_TABLE, PlanComparison, SimulationValues
+from lispac.present.planning.design_results import (
+    ANGLES_BY_ROW_TABLE,
+    PlanComparison,
+    SimulationValues,
+)
 from lispac.present.tables import cell_text, title_text
 
 OUT_OF_DATE_TEXT = N_(

@@ -18,7 +18,7 @@ from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.present.settings import POS_ERROR_MODEL_NAMES
+from lispac.present.calibration.settings import POS_ERROR_MODEL_NAMES
 from lispac.workflow.planning.sensors import read_library
 
 USER_DEFINED_TEXT = N_("user-defined")

@@ -36,7 +36,7 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.number_input import first_input_error
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, degree_signs, gettext, gettext_lazy
-from lispac.present.planning import PlanComparison
+from lispac.present.planning.design_results import PlanComparison
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

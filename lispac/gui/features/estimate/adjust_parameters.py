@@ -12,7 +12,7 @@ from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
-from lispac.present.parameters import parameter_format
+from lispac.present.calibration.parameters import parameter_format
 from lispac.project import Settings
 
 

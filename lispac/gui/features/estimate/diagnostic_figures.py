@@ -11,7 +11,7 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.widgets.ticks import FONT_SIZE, SMALL_SIZE, convert_axis_units, style_axes
 from lispac.language import N_, degree_signs, gettext
 from lispac.present.angles import ANGLE_TITLES
-from lispac.present.sightings import sighting_values
+from lispac.present.targets.sightings import sighting_values
 from lispac.report.figures import correlation_figure_of, pos_error_figure
 
 ANGLE_MARKERS = ("o", "s", "^")

@@ -21,17 +21,25 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
-from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
-from lispac.present.parameters import WINDOW_PARAMETERS_TABLE, angle_parameters, parameter_values
-from lispac.present.sightings import (
+from lispac.present.calibration.cross_checks import (
+    WINDOW_SUBSETS_TABLE,
+    cross_check_values,
+    subset_rows,
+)
+from lispac.present.calibration.parameters import (
+    WINDOW_PARAMETERS_TABLE,
+    angle_parameters,
+    parameter_values,
+)
+from lispac.present.tables import Table
+from lispac.present.targets.sightings import (
     POS_ERROR_CAPTION,
     SIGHTINGS_TABLE,
     UNDETERMINED_POS_ERRORS_TEXT,
     has_undetermined_pos_errors,
     sighting_values,
 )
-from lispac.present.tables import Table
-from lispac.present.targets import TARGETS_TABLE, target_values
+from lispac.present.targets.targets import TARGETS_TABLE, target_values
 from lispac.project import Project
 
 ROW_HINT = N_("Double-click or press Enter to show the points of this row in the view")

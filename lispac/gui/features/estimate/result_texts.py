@@ -11,7 +11,7 @@ from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, 
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
-from lispac.present.adjustment import (
+from lispac.present.calibration.adjustment import (
     agreement_template,
     agrees_by_construction,
     has_passed,
@@ -20,15 +20,15 @@ from lispac.present.adjustment import (
     noisier_targets,
     small_residuals_template,
 )
-from lispac.present.adjustment_fit import TEST_STATISTIC_FORMAT
-from lispac.present.cross_checks import agreement_text, cross_check_values
-from lispac.present.parameters import (
+from lispac.present.calibration.adjustment_fit import TEST_STATISTIC_FORMAT
+from lispac.present.calibration.cross_checks import agreement_text, cross_check_values
+from lispac.present.calibration.parameters import (
     COMPONENT_TITLES,
     component_values,
     parameter_values,
     significance_text,
 )
-from lispac.present.sigmas import component_text, sigma_text, sigmas_used
+from lispac.present.calibration.sigmas import component_text, sigma_text, sigmas_used
 from lispac.present.tables import MILLIMETRES
 from lispac.project import Project
 

@@ -41,15 +41,6 @@ from lispac.gui.widgets.mounting_texts import (
 from lispac.gui.widgets.result_tables import fact_text, local_cell_text, local_number
 from lispac.language import N_, gettext, join_items
 from lispac.messages import Level, Message
-from lispac.present.adjustment import (
-    ERROR_FORMAT,
-    ESTIMATED_COLUMN,
-    SHORT_ANGLE_SIGNS,
-    adjustment_values,
-    angle_values,
-    window_boresight_table,
-)
-from lispac.present.adjustment_fit import VARIANCE_FACTOR_FORMAT
 from lispac.present.angles import (
     ANGLE_TITLES,
     CORRELATIONS_TABLE,
@@ -57,7 +48,16 @@ from lispac.present.angles import (
     angles,
     correlation_rows,
 )
-from lispac.present.sigmas import LIDAR_NOISE
+from lispac.present.calibration.adjustment import (
+    ERROR_FORMAT,
+    ESTIMATED_COLUMN,
+    SHORT_ANGLE_SIGNS,
+    adjustment_values,
+    angle_values,
+    window_boresight_table,
+)
+from lispac.present.calibration.adjustment_fit import VARIANCE_FACTOR_FORMAT
+from lispac.present.calibration.sigmas import LIDAR_NOISE
 from lispac.present.tables import MILLIMETRES, Fact, cell_text, title_text
 from lispac.project import Project, Settings, Triple
 

@@ -14,7 +14,7 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets.result_tables import fact_text
 from lispac.language import N_, gettext
-from lispac.present.measured_point import MeasuredPoint, brief_point_facts, point_facts
+from lispac.present.survey.measured_point import MeasuredPoint, brief_point_facts, point_facts
 from lispac.present.tables import Fact
 from lispac.project import Project
 from lispac.workflow.project.measured_points import PLANE_RADIUS_M, PointReader

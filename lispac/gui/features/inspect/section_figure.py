@@ -14,7 +14,7 @@ from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLE
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
-from lispac.present.validation import PairOffset
+from lispac.present.checking.validation import PairOffset
 from lispac.project import BoresightChoice
 from lispac.workflow.checking.survey_sections import SectionPoints
 

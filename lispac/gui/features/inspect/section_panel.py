@@ -18,7 +18,7 @@ from lispac.gui.features.inspect.section_titles import (
 )
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext, number
-from lispac.present.validation import PairOffset
+from lispac.present.checking.validation import PairOffset
 from lispac.project import BoresightChoice
 from lispac.workflow.checking.survey_sections import EXAGGERATIONS, SectionPoints
 

@@ -25,7 +25,7 @@ from lispac.gui.viewport.base import (
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.widgets.error_box import exception_text
 from lispac.language import N_, gettext
-from lispac.present.validation import PairOffset, ValidationPlane
+from lispac.present.checking.validation import PairOffset, ValidationPlane
 from lispac.progress import Progress
 from lispac.project import BoresightChoice, Project
 from lispac.targets.cross_section import Section

@@ -23,7 +23,7 @@ from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.pos_sigmas import PosSigmaFields
 from lispac.language import N_, Plural, gettext
-from lispac.present.survey_data import WINDOW_LINES_TABLE, LineValues
+from lispac.present.survey.survey_data import WINDOW_LINES_TABLE, LineValues
 from lispac.present.tables import cell_text, title_text
 from lispac.project import Project, Settings, Triple
 from lispac.workflow.project.survey import Survey

@@ -10,7 +10,7 @@ from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext, join_items
 from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
-from lispac.present.patch_test import PatchTestValues
+from lispac.present.calibration.patch_test import PatchTestValues
 from lispac.present.tables import DEGREES, MILLIMETRES
 
 Array = NDArray[np.float64]

@@ -29,7 +29,7 @@ from lispac.patchtest.mismatch_minimisation import MismatchMinimum
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
-from lispac.present.patch_test import PatchTestValues
+from lispac.present.calibration.patch_test import PatchTestValues
 from lispac.present.tables import DEGREES
 from lispac.progress import Progress
 from lispac.workflow.calibration.method_runs import patch_test_result

@@ -17,7 +17,7 @@ from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import gettext
 from lispac.patchtest.line_mismatch import curve_minimum
-from lispac.present.patch_test import CURVE_ANGLE, CURVE_MISMATCH
+from lispac.present.calibration.patch_test import CURVE_ANGLE, CURVE_MISMATCH
 
 Array = NDArray[np.float64]
 

@@ -20,7 +20,7 @@ from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
 from lispac.messages import error
-from lispac.present.measured_point import AXIS_TITLES, UNIT_SIGNS, copied_point
+from lispac.present.survey.measured_point import AXIS_TITLES, UNIT_SIGNS, copied_point
 from lispac.project import Project, Triple, require_target_name
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.project.coordinates import (

@@ -28,14 +28,14 @@ from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.language import N_, Plural, gettext
-from lispac.present.seeds import (
+from lispac.present.tables import Column, cell_text, title_text
+from lispac.present.targets.seeds import (
     ROLE_TEXTS,
     SEED_METRES,
     SEED_OUTCOMES_TABLE,
     SeedOutcomeRow,
 )
-from lispac.present.sighting_quality import RANGE_METRES
-from lispac.present.tables import Column, cell_text, title_text
+from lispac.present.targets.sighting_quality import RANGE_METRES
 from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds

@@ -21,8 +21,8 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, Plural, gettext
-from lispac.present.sighting_quality import EXTENT_METRES, RANGE_METRES
 from lispac.present.tables import COUNT, MILLIMETRES
+from lispac.present.targets.sighting_quality import EXTENT_METRES, RANGE_METRES
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.sighting_quality import Rating, SightingQuality
 from lispac.workflow.project.survey import Survey

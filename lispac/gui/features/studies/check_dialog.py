@@ -14,7 +14,7 @@ from lispac.gui.widgets.diagnostics_table import DiagnosticsTable
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.gui.widgets.surveyed_file_dialog import SurveyedFileDialog
 from lispac.language import gettext
-from lispac.present.absolute import LINE_CHECKS_TABLE, AbsoluteCheckValues, lines_and_all
+from lispac.present.checking.absolute import LINE_CHECKS_TABLE, AbsoluteCheckValues, lines_and_all
 from lispac.present.tables import title_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory

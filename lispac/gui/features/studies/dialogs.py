@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from lispac.gui.features.studies.check_dialog import CheckRequest
     from lispac.gui.features.studies.study_dialog import LineQualityDialog
     from lispac.method_comparison import MethodResult
-    from lispac.present.absolute import AbsoluteCheckValues
-    from lispac.present.error_budget import ErrorBudgetValues
-    from lispac.present.subsampling import SubsamplingValues
+    from lispac.present.calibration.error_budget import ErrorBudgetValues
+    from lispac.present.calibration.subsampling import SubsamplingValues
+    from lispac.present.checking.absolute import AbsoluteCheckValues
     from lispac.simulation.visibility_study import VisibilityStudy
     from lispac.survey.trajectory import LocalTrajectory
     from lispac.workflow.checking.calibration_history import CalibrationHistory

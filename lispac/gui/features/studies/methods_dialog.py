@@ -15,7 +15,7 @@ from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult, comparison_messages
-from lispac.present.methods import METHOD_TITLES, WINDOW_METHODS_TABLE, MethodValues
+from lispac.present.calibration.methods import METHOD_TITLES, WINDOW_METHODS_TABLE, MethodValues
 from lispac.present.tables import title_text
 from lispac.present.text_format import UNKNOWN_TEXT
 

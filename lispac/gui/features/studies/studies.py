@@ -23,9 +23,9 @@ from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.method_comparison import method_results, missing_methods
-from lispac.present.absolute import AbsoluteCheckValues
-from lispac.present.error_budget import ErrorBudgetValues
-from lispac.present.subsampling import SubsamplingValues
+from lispac.present.calibration.error_budget import ErrorBudgetValues
+from lispac.present.calibration.subsampling import SubsamplingValues
+from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.progress import Progress, sub_progress
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES

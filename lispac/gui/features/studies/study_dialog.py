@@ -16,15 +16,15 @@ from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.calibrations import HISTORY_TABLE
-from lispac.present.error_budget import ErrorBudgetValues, budget_table
-from lispac.present.line_differences import (
+from lispac.present.calibration.calibrations import HISTORY_TABLE
+from lispac.present.calibration.error_budget import ErrorBudgetValues, budget_table
+from lispac.present.calibration.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
+from lispac.present.checking.line_differences import (
     ALL_PAIRS_TITLE,
     FACING_TEXTS,
     LINE_DIFFERENCES_TABLE,
     difference_title,
 )
-from lispac.present.subsampling import SUBSAMPLING_TABLE, SubsamplingValues
 from lispac.project import BoresightChoice
 from lispac.validation.line_differences import LineDifference
 from lispac.workflow.checking.calibration_history import CalibrationHistory

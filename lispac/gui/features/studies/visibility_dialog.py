@@ -16,7 +16,7 @@ from lispac.present.tables import title_text
 from lispac.present.text_format import sentence_text
 
 if TYPE_CHECKING:
-    from lispac.present.visibility import ComparedConfiguration
+    from lispac.present.planning.visibility import ComparedConfiguration
     from lispac.simulation.visibility_study import VisibilityStudy
 
 READING_HINT = N_("Move the mouse over the chart to read values")
@@ -32,8 +32,8 @@ class VisibilityDialog(StudyDialog):
     """
 
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
-        from lispac.present.visibility import CONFIGURATIONS_TABLE as TABLE
-        from lispac.present.visibility import CRITERIA, systematic_error_label
+        from lispac.present.planning.visibility import CONFIGURATIONS_TABLE as TABLE
+        from lispac.present.planning.visibility import CRITERIA, systematic_error_label
 
         table = DiagnosticsTable("visibility_table", title_text(TABLE.title), window_columns(TABLE))
         super().__init__(
@@ -109,7 +109,7 @@ class VisibilityDialog(StudyDialog):
         )
 
     def _on_site_changed(self) -> None:
-        from lispac.present.visibility import (
+        from lispac.present.planning.visibility import (
             CONFIGURATIONS_TABLE,
             compared_configurations,
             fewest_lines_text,
@@ -141,7 +141,7 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._study.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.present.visibility import systematic_error_label
+        from lispac.present.planning.visibility import systematic_error_label
         from lispac.report.visibility_figures import visibility_figure
 
         found, error, criterion = self._chart_selection
@@ -168,7 +168,7 @@ class VisibilityDialog(StudyDialog):
 
     def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""
-        from lispac.present.visibility import values_at_inclination
+        from lispac.present.planning.visibility import values_at_inclination
 
         if event.inaxes is not None:
             with degree_signs():
@@ -176,7 +176,7 @@ class VisibilityDialog(StudyDialog):
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
-        from lispac.present.visibility import criterion_table
+        from lispac.present.planning.visibility import criterion_table
 
         return spreadsheet_text(*criterion_table(*self._chart_selection))
 

@@ -11,15 +11,15 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.acceptance import (
+from lispac.present.calibration.cross_checks import cross_check_values
+from lispac.present.checking.acceptance import (
     AcceptanceCheckValues,
     AcceptanceValues,
     calibration_verdict_text,
     check_format,
     verdict_text,
 )
-from lispac.present.cross_checks import cross_check_values
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import acceptance_notes, probable_causes
 from lispac.warning_causes import Cause, CauseKind

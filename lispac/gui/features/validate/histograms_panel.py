@@ -29,14 +29,18 @@ from lispac.gui.project.status import OUTDATED_RESULT_NOTE, ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.result_tables import spreadsheet_text
 from lispac.language import N_, gettext
-from lispac.present.acceptance import AcceptanceCriteriaValues, AcceptanceValues, failed_texts
-from lispac.present.distance_bins import (
+from lispac.present.checking.acceptance import (
+    AcceptanceCriteriaValues,
+    AcceptanceValues,
+    failed_texts,
+)
+from lispac.present.checking.distance_bins import (
     BOTH_PROFILES_TABLE,
     HISTOGRAM_TABLE,
     distance_steps,
     histogram_bins,
 )
-from lispac.present.validation import (
+from lispac.present.checking.validation import (
     WINDOW_PAIRS_TABLE,
     PairValues,
     ValidationPlane,

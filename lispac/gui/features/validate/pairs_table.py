@@ -6,9 +6,9 @@ from lispac.gui.features.validate.planes_table import ROW_HEIGHT_PX
 from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import local_amount, window_columns, window_rows
 from lispac.language import gettext
-from lispac.present.acceptance import AcceptanceCriteriaValues
+from lispac.present.checking.acceptance import AcceptanceCriteriaValues
+from lispac.present.checking.validation import WINDOW_PAIRS_TABLE, PairValues
 from lispac.present.tables import MILLIMETRES, title_text
-from lispac.present.validation import WINDOW_PAIRS_TABLE, PairValues
 from lispac.validation.comparison_results import PlaneComparison
 
 RMS_AFTER, OFFSET_AFTER = 2, 4

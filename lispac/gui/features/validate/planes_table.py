@@ -25,9 +25,9 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.marked_cells import MarkedCells
 from lispac.gui.widgets.result_tables import local_cell_text, local_number, window_columns
 from lispac.language import N_, gettext
-from lispac.present.acceptance import AcceptanceValues, failed_texts, verdict_text
+from lispac.present.checking.acceptance import AcceptanceValues, failed_texts, verdict_text
+from lispac.present.checking.validation import WINDOW_PLANES_TABLE, ValidationPlane
 from lispac.present.tables import MILLIMETRES, title_text
-from lispac.present.validation import WINDOW_PLANES_TABLE, ValidationPlane
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 

@@ -9,7 +9,7 @@ from lispac.design.objective import PlanObjective
 from lispac.gui.features.design.search import SearchResult
 from lispac.gui.features.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
-from lispac.present.planning import SimulationValues
+from lispac.present.planning.design_results import SimulationValues
 from tests.gui.by_hand import Hands, choose, open_menu
 from tests.gui.design_support import opened_by_keys, plan, wait_for_plan
 from tests.gui.features.design.test_gui_design_surveys import surveyed_once

@@ -17,7 +17,11 @@ from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
 from lispac.messages import note
 from lispac.present.angles import Angles
-from lispac.present.planning import ANGLES_BY_ROW_TABLE, FormattedAnglesRow, SimulationValues
+from lispac.present.planning.design_results import (
+    ANGLES_BY_ROW_TABLE,
+    FormattedAnglesRow,
+    SimulationValues,
+)
 from lispac.present.tables import cell_text, ratio
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from tests.design.test_campaign import PORT

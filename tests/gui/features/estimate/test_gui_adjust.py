@@ -17,7 +17,7 @@ from lispac.gui.project.status import ADJUST, TARGETS
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import gettext
 from lispac.messages import error
-from lispac.present.sigmas import sigmas_used
+from lispac.present.calibration.sigmas import sigmas_used
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.project.projects import open_project

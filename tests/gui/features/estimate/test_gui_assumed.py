@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST
 from lispac.messages import Level
-from lispac.present.settings import settings_used
-from lispac.present.sigmas import sigmas_used
+from lispac.present.calibration.settings import settings_used
+from lispac.present.calibration.sigmas import sigmas_used
 from lispac.workflow.planning.sensors import noise_settings, read_library
 from tests.gui.support import (
     WAIT_MS,

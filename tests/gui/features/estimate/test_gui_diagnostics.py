@@ -15,8 +15,8 @@ from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES, Sightin
 from lispac.gui.viewport.base import SELECTED_HALO_PIXELS, dimmed_colour
 from lispac.language import gettext
 from lispac.messages import note
-from lispac.present.cross_checks import cross_check_values, subset_rows
-from lispac.present.sightings import has_undetermined_pos_errors, sighting_values
+from lispac.present.calibration.cross_checks import cross_check_values, subset_rows
+from lispac.present.targets.sightings import has_undetermined_pos_errors, sighting_values
 from lispac.project import Project
 from tests.gui.support import (
     WAIT_MS,

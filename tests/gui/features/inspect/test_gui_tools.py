@@ -20,7 +20,7 @@ from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.window.main_window import MainWindow
 from lispac.language import LANGUAGES, in_language
-from lispac.present.validation import WINDOW_PAIRS_TABLE
+from lispac.present.checking.validation import WINDOW_PAIRS_TABLE
 from lispac.project import Project
 from lispac.warning_causes import Cause
 from tests.gui.by_hand import choose, open_menu

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 
 from lispac.geometry.planes import fit_plane
 from lispac.gui.project.residuals import OTHER_POINTS_COLOUR, residuals, validation_distances
-from lispac.present.sightings import sighting_values
+from lispac.present.targets.sightings import sighting_values
 from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

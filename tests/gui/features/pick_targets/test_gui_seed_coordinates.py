@@ -18,7 +18,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets.result_tables import fact_text
-from lispac.present.measured_point import point_facts
+from lispac.present.survey.measured_point import point_facts
 from lispac.project import Reading
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds

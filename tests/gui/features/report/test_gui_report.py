@@ -32,7 +32,7 @@ from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
-from lispac.present.sigmas import SIGMA_TITLES
+from lispac.present.calibration.sigmas import SIGMA_TITLES
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
 from lispac.report.pdf import Preview

@@ -24,8 +24,8 @@ from lispac.gui.features.validate.planes_table import P95, RMS
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.language import gettext
-from lispac.present.acceptance import AcceptanceValues
-from lispac.present.validation import ValidationPlane
+from lispac.present.checking.acceptance import AcceptanceValues
+from lispac.present.checking.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import probable_causes
 from tests.gui.support import (

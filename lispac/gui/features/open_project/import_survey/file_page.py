@@ -28,7 +28,7 @@ from lispac.gui.widgets.number_input import parse_number
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.messages import Action
-from lispac.present.input_file import content_facts, option_name, option_value
+from lispac.present.survey.input_file import content_facts, option_name, option_value
 from lispac.workflow.importing.input_columns import (
     UNUSED_COLUMN,
     has_columns,

@@ -7,9 +7,13 @@ from typing import Literal
 from lispac.adjustment.result import SIGMA_GROUPS, SigmaGroup
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.present.parameters import COMPONENT_TITLES, VarianceComponentValues, interval_text
-from lispac.present.sightings import PosErrorValues, SightingValues
+from lispac.present.calibration.parameters import (
+    COMPONENT_TITLES,
+    VarianceComponentValues,
+    interval_text,
+)
 from lispac.present.tables import Fact, Format
+from lispac.present.targets.sightings import PosErrorValues, SightingValues
 from lispac.present.text_format import fixed_number, triple_text
 from lispac.project import Project
 

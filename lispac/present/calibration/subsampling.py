@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from lispac.language import N_
 from lispac.present.angles import Angles
-from lispac.present.calibrations import ESTIMATE_COLUMNS
+from lispac.present.calibration.calibrations import ESTIMATE_COLUMNS
 from lispac.present.tables import COMPUTING_SECONDS, COUNT, Column, Format, Table
 
 

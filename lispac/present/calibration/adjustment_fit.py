@@ -1,8 +1,8 @@
 """Fit of an adjustment: numbers of points and iterations, variance factor, RMS distances."""
 
 from lispac.language import N_, Plural, gettext
-from lispac.present.adjustment import AdjustmentValues
-from lispac.present.parameters import COMPONENT_TITLES
+from lispac.present.calibration.adjustment import AdjustmentValues
+from lispac.present.calibration.parameters import COMPONENT_TITLES
 from lispac.present.tables import Fact, Format, ratio
 from lispac.present.text_format import grouped_number
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from lispac.language import gettext, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.present.conventions import (
+from lispac.present.output.conventions import (
     ConventionValues,
     angles_table,
     angles_title,

@@ -9,7 +9,7 @@ from lispac.former_names import accept_script_names
 from lispac.message_texts import english_text
 from lispac.messages import Message
 from lispac.present.angles import Angles
-from lispac.present.calibrations import ESTIMATE_COLUMNS
+from lispac.present.calibration.calibrations import ESTIMATE_COLUMNS
 from lispac.present.tables import MILLIMETRES, YES_NO_TEXTS, Column, Table, ratio
 
 Verdict = Literal["good", "notes", "warnings", "refused"]

@@ -45,26 +45,26 @@ from lispac.present.angles import (
     floats,
     matrix,
 )
-from lispac.present.displacement import (
+from lispac.present.calibration.displacement import (
     EFFECT_DISTANCES_M,
     DisplacementByAngle,
     S44Contribution,
     angle_displacements,
     s44_contributions,
 )
-from lispac.present.parameters import (
+from lispac.present.calibration.parameters import (
     ParameterValues,
     VarianceComponentValues,
     component_values,
     parameter_values,
 )
-from lispac.present.sightings import SightingValues, sighting_values
 from lispac.present.tables import (
     DEGREES,
     Column,
     Table,
 )
-from lispac.present.targets import TargetValues, target_values
+from lispac.present.targets.sightings import SightingValues, sighting_values
+from lispac.present.targets.targets import TargetValues, target_values
 from lispac.present.text_format import VALUE_TITLES
 from lispac.survey.conventions.mounting_texts import orientation_text
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL, PosErrors
 from lispac.language import N_, gettext
-from lispac.present.adjustment import AdjustmentValues, noisier_targets
-from lispac.present.sigmas import SigmaValues, sigma_facts, sigmas_used
+from lispac.present.calibration.adjustment import AdjustmentValues, noisier_targets
+from lispac.present.calibration.sigmas import SigmaValues, sigma_facts, sigmas_used
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
     fixed_number,

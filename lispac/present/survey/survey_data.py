@@ -9,7 +9,7 @@ from lispac.geometry.frames import east_north_up
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, SECONDS, Column, Format, Table
-from lispac.present.targets import shape_text
+from lispac.present.targets.targets import shape_text
 
 IMPORT_SECONDS = Format("s", 1)
 IMPORT_RATE = Format("", 2, 1e-6)

@@ -11,7 +11,7 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult, ControlResidual
 from lispac.control_points import ControlFile, ControlPoint
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.present.parameters import parameter_format
+from lispac.present.calibration.parameters import parameter_format
 from lispac.present.tables import (
     COUNT,
     DEGREES,

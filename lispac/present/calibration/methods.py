@@ -8,7 +8,7 @@ from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.angles import Angles, angles, degrees
-from lispac.present.calibrations import (
+from lispac.present.calibration.calibrations import (
     DIFFER_COLUMN,
     DIFFERENCE_COLUMNS,
     ESTIMATE_COLUMNS,

@@ -31,7 +31,12 @@ from lispac.present.angles import (
     floats,
     matrix,
 )
-from lispac.present.survey_plan import PlannedLine, PlannedTarget, planned_lines, planned_targets
+from lispac.present.planning.survey_plan import (
+    PlannedLine,
+    PlannedTarget,
+    planned_lines,
+    planned_targets,
+)
 from lispac.present.tables import COUNT, DEGREES, Column, Format, Row, Table, ratio
 
 NOT_DETERMINED_TEXT = N_("not determined")

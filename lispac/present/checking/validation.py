@@ -9,9 +9,9 @@ from typing import Any, Literal
 from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
-from lispac.present.acceptance import VERDICT_TEXTS
-from lispac.present.distance_bins import DistancesBySteps
-from lispac.present.distance_maps import DistanceMapValues
+from lispac.present.checking.acceptance import VERDICT_TEXTS
+from lispac.present.checking.distance_bins import DistancesBySteps
+from lispac.present.checking.distance_maps import DistanceMapValues
 from lispac.present.tables import (
     COUNT,
     MILLIMETRES,

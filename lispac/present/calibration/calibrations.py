@@ -14,7 +14,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.present.angles import Angles, angles, degrees, degrees_or_none
-from lispac.present.displacement import EFFECT_DISTANCES_M
+from lispac.present.calibration.displacement import EFFECT_DISTANCES_M
 from lispac.present.tables import DEGREES, Column, Format, Table, ratio
 from lispac.present.text_format import VALUE_TITLES
 from lispac.validation.control_chart import ChartedCalibration, control_limits

@@ -4,6 +4,12 @@ from dataclasses import dataclass
 
 from lispac.language import N_, gettext
 from lispac.messages import Message
+from lispac.present.checking.validation import (
+    STATE_TEXTS,
+    DistanceValues,
+    SignedDistances,
+    spread_columns,
+)
 from lispac.present.tables import (
     COUNT,
     MILLIMETRES,
@@ -12,12 +18,6 @@ from lispac.present.tables import (
     YES_NO_TEXTS,
     Column,
     Table,
-)
-from lispac.present.validation import (
-    STATE_TEXTS,
-    DistanceValues,
-    SignedDistances,
-    spread_columns,
 )
 from lispac.validation.absolute_check import (
     ALL_LINES,

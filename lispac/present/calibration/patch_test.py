@@ -20,7 +20,7 @@ from lispac.present.angles import (
     finite_or_none,
     matrix,
 )
-from lispac.present.calibrations import ESTIMATE_COLUMNS
+from lispac.present.calibration.calibrations import ESTIMATE_COLUMNS
 from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, Column, Format, Table
 from lispac.present.text_format import VALUE_TITLES
 

@@ -1,0 +1,1 @@
+"""Results of an adjustment and of other methods, as values and tables."""

@@ -1,0 +1,1 @@
+"""Comparisons of lines with each other and with references, as values and tables."""

@@ -1,0 +1,1 @@
+"""Values for other programs, as values, tables and texts."""

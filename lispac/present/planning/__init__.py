@@ -1,0 +1,1 @@
+"""Results of survey planning, as values and tables."""

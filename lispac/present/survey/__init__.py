@@ -1,0 +1,1 @@
+"""Input files, lines, sensors and points of a survey, as values and tables."""

@@ -1,0 +1,1 @@
+"""Targets and their sightings, as values and tables."""
