@@ -124,3 +124,31 @@ def local_planes_kernel(
         for axis in range(3):
             normals[row, axis] = vectors[axis, smallest] if spread else np.nan
     return centroids, normals
+
+
+@njit(nogil=True, cache=True)
+def planes_of_groups(
+    points: Points, ends: Indices
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
+    """Least-squares plane through each group of points, where the groups have different sizes.
+
+    Parameters
+    ----------
+    points : ndarray of shape (m, 3), metres, any frame
+        Points of one group after the other.
+    ends : ndarray of shape (n,), int
+        Index after the last point of each group; no group is empty.
+
+    Returns
+    -------
+    centroids, normals : ndarrays of shape (n, 3)
+        As of `local_planes`.
+    """
+    centroids, normals = np.empty((len(ends), 3)), np.empty((len(ends), 3))
+    begin = 0
+    for k in range(len(ends)):
+        own = np.arange(begin, ends[k]).reshape((1, -1))
+        centroid, normal = local_planes_kernel(points, own, np.array([own.size]))
+        centroids[k], normals[k] = centroid[0], normal[0]
+        begin = ends[k]
+    return centroids, normals

@@ -65,11 +65,12 @@ class Regions:
         flat = find_flat_patches(points, threshold, voxel=voxel)
         region = np.full(len(flat.thinned), -1, dtype=np.int64)
         count = 0
-        for patch, own in zip(flat.patches, flat.members, strict=True):
+        for patch in flat.patches:
             if patch.area < MIN_SURFACE_AREA:
                 break
-            region[own] = count + _split_into_pieces(patch.placed)
-            count = int(region[own].max()) + 1
+            pieces, number = _split_into_pieces(patch.placed)
+            region[patch.indices] = count + pieces
+            count += number
         found = np.flatnonzero(region >= 0)
         keys = _voxel_keys(flat.thinned[found], low, voxel)
         keys, first = np.unique(keys, return_index=True)
@@ -89,21 +90,23 @@ class Regions:
         return np.where(self.keys[place] == keys, self.region[place], -1)
 
 
-def _split_into_pieces(along: Array) -> Indices:
-    """Divide a surface into pieces, and return the number of the piece of each point, from 0.
+def _split_into_pieces(along: Array) -> tuple[Indices, int]:
+    """Divide a surface into pieces: number of the piece of each point, from 0, and of pieces.
 
     ``along`` are the coordinates within the surface, shape (n, 2), metres. Each side is divided
     into the smallest number of equal parts that are no longer than
     `MAX_PIECE_SIDE`.
     """
-    start, span = along.min(axis=0), np.ptp(along, axis=0)
+    low, high = finite_bounds(along)
+    span = high - low
     pieces = np.maximum(1, np.ceil(span / MAX_PIECE_SIDE)).astype(np.int64)
     if pieces.max() == 1:
-        return np.zeros(len(along), dtype=np.int64)
+        return np.zeros(len(along), dtype=np.int64), 1
     cell = np.minimum(
-        ((along - start) / np.maximum(span, 1e-9) * pieces).astype(np.int64), pieces - 1
+        ((along - low) / np.maximum(span, 1e-9) * pieces).astype(np.int64), pieces - 1
     )
-    return np.unique(cell[:, 0] * pieces[1] + cell[:, 1], return_inverse=True)[1].reshape(-1)
+    filled, piece = np.unique(cell[:, 0] * pieces[1] + cell[:, 1], return_inverse=True)
+    return piece.reshape(-1), len(filled)
 
 
 def _voxel_keys(points: Array, low: Array, voxel: float) -> Indices:

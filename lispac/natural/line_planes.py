@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
+from lispac.geometry.point_groups import sort_by_group
 from lispac.natural.flat_regions import Regions
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.survey.cloud import Cloud
@@ -119,13 +120,10 @@ def find_line_planes(
     progress(0.5)
     region = regions.at(points)
     on = np.flatnonzero(region >= 0)
-    group = region[on] * len(clouds) + line[on]
-    order = np.argsort(group, kind="stable")
-    start = np.flatnonzero(np.diff(group[order], prepend=-1))
-    counts = np.diff(np.append(start, len(order)))
+    order, ends = sort_by_group(region[on] * len(clouds) + line[on], regions.count * len(clouds))
+    counts = np.diff(ends, prepend=0)
     enough = counts >= MIN_REGION_POINTS
-    order, keys = order[np.repeat(enough, counts)], group[order][start[enough]]
-    counts = counts[enough]
+    order, keys, counts = order[np.repeat(enough, counts)], np.flatnonzero(enough), counts[enough]
     owner = np.repeat(np.arange(len(counts)), counts)
     order = on[order]
     found, times = points[order], time[order]

@@ -13,10 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
-from lispac.geometry.local_planes import local_planes
-from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
+from lispac.errors import PlaneNotFound
+from lispac.geometry.local_planes import local_planes, planes_of_groups
+from lispac.geometry.planes import Plane, extent_in_plane, plane_axes
+from lispac.geometry.point_groups import sort_by_group
 from lispac.geometry.point_tree import PointTree
 from lispac.geometry.radius_search import cell_keys, finite_bounds
+from lispac.messages import error
 from lispac.targets import outline
 
 Array = NDArray[np.float64]
@@ -38,6 +41,8 @@ class FlatPatch:
     ----------
     points : ndarray of shape (n, 3), metres, local frame
         One point in each voxel.
+    indices : ndarray of shape (n,), int
+        Indices of the points in the thinned cloud, ascending.
     plane : Plane
     placed : ndarray of shape (n, 2), metres
         Coordinates of the points within the plane, along `plane_axes`.
@@ -46,6 +51,7 @@ class FlatPatch:
     """
 
     points: Array
+    indices: Indices
     plane: Plane
     placed: Array
     area: float
@@ -76,11 +82,6 @@ class FlatPatches:
     patches: tuple[FlatPatch, ...]
     thinned: Array
     label: Indices
-
-    @property
-    def members(self) -> list[Indices]:
-        """Indices into ``thinned`` of the points of each patch, ascending."""
-        return _indices_by_label(self.label, len(self.patches))
 
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
@@ -126,7 +127,7 @@ def find_flat_patches(
     label, count = _grow_regions(
         thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, min_points
     )
-    patches = [_build_patch(thinned[own], voxel) for own in _indices_by_label(label, count)]
+    patches = _build_patches(thinned, label, count, voxel)
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
     rank = np.empty(count + 1, dtype=np.int64)
     rank[ranked] = np.arange(count)
@@ -134,21 +135,35 @@ def find_flat_patches(
     return FlatPatches(tuple(patches[k] for k in ranked), thinned, rank[label])
 
 
-def _indices_by_label(label: Indices, count: int) -> list[Indices]:
-    """Indices of the points with each label from 0 to ``count - 1``, ascending.
+def _build_patches(thinned: Array, label: Indices, count: int, voxel: float) -> list[FlatPatch]:
+    """Patches from the label of each point, all at once: a scene has thousands of them.
 
-    One sort, because a scene has thousands of patches: a search for each label takes minutes.
+    Raises
+    ------
+    PlaneNotFound
+        All points of a patch are on one straight line.
     """
-    order = np.argsort(label, kind="stable")
-    return np.split(order, np.searchsorted(label[order], np.arange(count + 1)))[1:-1]
-
-
-def _build_patch(points: Array, voxel: float) -> FlatPatch:
-    plane = fit_plane(points)
-    placed = points @ plane_axes(plane.normal).T
+    order, ends = sort_by_group(label, count)
+    points = thinned[order]
+    centres, normals = planes_of_groups(points, ends)
+    if np.isnan(normals).any():
+        raise PlaneNotFound(error("target.plane_on_line"))
+    # As in `fit_plane`
+    largest = np.take_along_axis(normals, np.abs(normals).argmax(axis=1)[:, None], axis=1)
+    normals *= np.sign(largest)
+    placed = np.empty((len(points), 2))
+    starts = np.append(0, ends)
+    ranges = [slice(*each) for each in zip(starts[:-1].tolist(), ends.tolist(), strict=True)]
+    for own, normal in zip(ranges, normals, strict=True):
+        np.matmul(points[own], plane_axes(normal).T, out=placed[own])
     # Twice the voxel: an oblique surface leaves some of the voxels empty.
-    area = outline.filled_area(placed, 2.0 * voxel)
-    return FlatPatch(points, plane, placed, area)
+    areas = outline.filled_areas(placed, ends, 2.0 * voxel).tolist()
+    offsets = -(normals * centres).sum(axis=1)
+    planes = map(Plane, normals, offsets.tolist())
+    return [
+        FlatPatch(points[own], order[own], plane, placed[own], area)
+        for own, plane, area in zip(ranges, planes, areas, strict=True)
+    ]
 
 
 def _thin_to_voxels(points: Array, voxel: float) -> Array:

@@ -103,8 +103,34 @@ def is_covered(placed: Array, other: Array, cell: float) -> Flags:
 
 def filled_area(placed: Array, cell: float) -> float:
     """Area of the raster cells that points ``placed`` (n, 2), metres, fill, square metres."""
-    cell_index, _ = cell_keys(placed, finite_bounds(placed)[0], cell)
-    return len(np.unique(cell_index)) * cell * cell
+    return float(filled_areas(placed, np.array([len(placed)]), cell)[0])
+
+
+@njit(nogil=True, cache=True)
+def filled_areas(placed: Array, ends: Indices, cell: float) -> Array:  # pragma: no cover - compiled
+    """Area of the raster cells that the points of each patch fill.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (n, 2), metres in the plane of the patch
+        Points of one patch after the other.
+    ends : ndarray of shape (k,), int
+        Index after the last point of each patch.
+    cell : float, metres
+
+    Returns
+    -------
+    ndarray of shape (k,), square metres
+    """
+    areas = np.empty(len(ends))
+    begin = 0
+    for k in range(len(ends)):
+        own = placed[begin : ends[k]]
+        keys, _ = cell_keys(own, finite_bounds(own)[0], cell)
+        keys.sort()
+        areas[k] = (1 + np.count_nonzero(np.diff(keys))) * cell * cell if len(keys) else 0.0
+        begin = ends[k]
+    return areas
 
 
 def _limit_cell_count(cell: float, low: Array, high: Array) -> float:

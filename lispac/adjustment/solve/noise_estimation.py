@@ -231,19 +231,19 @@ def form_error_noise(
         return factors
     for k in np.flatnonzero(targets):
         sightings = np.flatnonzero(observations.target_of_sighting == k)
-        parts = [np.flatnonzero(observations.sighting == s) for s in sightings]
-        rows = np.concatenate(parts)
+        rows = np.concatenate([np.flatnonzero(observations.sighting == s) for s in sightings])
         place = _places_on_plane(observations, mounting, rows)
         own = residuals[rows]
         size = robust_scale(own)
         np.clip(own, -MAX_SCALED_RESIDUAL * size, MAX_SCALED_RESIDUAL * size, out=own)
-        ends = np.cumsum([len(part) for part in parts])
+        lengths = observations.counts[sightings]
+        ends = np.cumsum(lengths)
         for part in map(slice, [0, *ends[:-1]], ends):
             own[part] = _remove_plane_trend(place[part], own[part])
         size = robust_scale(own)
-        shape = len(parts), BLOCKS_PER_SIDE**2
-        line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-        index = line * BLOCKS_PER_SIDE**2 + _plane_blocks(place)
+        shape = len(sightings), BLOCKS_PER_SIDE**2
+        index = _plane_blocks(place)
+        index += np.repeat(np.arange(shape[0]) * shape[1], lengths)
         counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
         sums = np.bincount(index, own, shape[0] * shape[1]).astype(float).reshape(shape)
         factors[k] = _form_noise_factor(counts, sums, size)
@@ -272,11 +272,19 @@ def _remove_plane_trend(place: Array, residuals: Array) -> Array:
 
 def _plane_blocks(place: Array) -> NDArray[np.int64]:
     """Block number of each point of one plane, shape (n,); the blocks are the same in all lines."""
-    lowest, highest = np.percentile(place, [1, 99], axis=0)
-    row, column = np.clip(
-        BLOCKS_PER_SIDE * (place - lowest) / (highest - lowest), 0, BLOCKS_PER_SIDE - 1
-    ).T.astype(int)
-    return np.asarray(BLOCKS_PER_SIDE * row + column, dtype=np.int64)
+    block = _blocks_along_side(place[:, 0])
+    block *= BLOCKS_PER_SIDE
+    block += _blocks_along_side(place[:, 1])
+    return block
+
+
+def _blocks_along_side(place: Array) -> NDArray[np.int64]:
+    """Block of each point along one side; computed in place, since there may be millions."""
+    lowest, highest = np.percentile(place, [1, 99])
+    block = BLOCKS_PER_SIDE * (place - lowest)
+    block /= highest - lowest
+    np.clip(block, 0, BLOCKS_PER_SIDE - 1, out=block)
+    return block.astype(np.int64)
 
 
 def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> float:
