@@ -38,6 +38,7 @@ from lispac.present.planning import (
     ScenarioValues,
     SimulationValues,
 )
+from lispac.present.pos_corrections import PosCorrectionValues
 from lispac.present.sighting_quality import PickedSightingValues, SightingQualityValues
 from lispac.present.sigmas import SigmaValues
 from lispac.present.subsampling import SubsamplingValues
@@ -344,6 +345,14 @@ class GeoreferenceOutput:
     notes: tuple[Message, ...]
 
 
+@dataclass(frozen=True, kw_only=True)
+class CorrectedTrajectoryOutput(PosCorrectionValues):
+    """Result of ``lispac trajectory``: the corrections and the files written."""
+
+    files: tuple[Path, ...]
+    notes: tuple[Message, ...]
+
+
 @dataclass(frozen=True)
 class ExportOutput:
     """Result of ``lispac export``: the files written."""
@@ -495,6 +504,7 @@ OUTPUTS: Mapping[str, Any] = {
     "patchtest": PatchTestValues,
     "quality": QualityOutput,
     "georeference": GeoreferenceOutput,
+    "trajectory": CorrectedTrajectoryOutput,
     "export": ExportOutput,
     "identity": Identity,
     "acceptance": AcceptanceValues,

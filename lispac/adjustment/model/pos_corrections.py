@@ -29,9 +29,9 @@ Array = NDArray[np.float64]
 POS_COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
 """Names of the components, in the order of all arrays of this module."""
 
-MIN_DETERMINED_SHARE = 0.05
-"""Smallest share of the prior variance that the data have to remove, at one knot at least, for a
-component to be corrected at all. Otherwise the corrections of the component are zero."""
+MAX_DETERMINED_SIGMA_RATIO = 0.995
+"""Largest ratio of the sigma of a component after the adjustment to the prior one with which the
+data determine the component at all. A component that they determine at no knot is not corrected."""
 
 MIN_SUPPORTED_SHARE = 1e-4
 """Share of the prior variance removed by the data below which a correction is set to zero. The
@@ -91,14 +91,10 @@ class PosCorrections:
         return np.repeat([self.position_time, self.attitude_time], 3)
 
     @property
-    def determined_share(self) -> Array:
-        """Largest share of the prior variance that the data remove, shape (6,), from 0 to 1."""
-        return np.asarray((1 - (self.sigma / self.prior_sigma) ** 2).max(axis=0).clip(0.0))
-
-    @property
     def determined(self) -> NDArray[np.bool_]:
-        """Whether the data determine each component well enough to correct it, shape (6,)."""
-        return self.determined_share >= MIN_DETERMINED_SHARE
+        """Whether the data determine each component at any knot, shape (6,)."""
+        ratios = (self.sigma / self.prior_sigma).min(axis=0)
+        return np.asarray(ratios < MAX_DETERMINED_SIGMA_RATIO)
 
     @property
     def sighted_intervals(self) -> Array:
