@@ -14,6 +14,7 @@ from lispac.adjustment.diagnostics.control_tests import (
 from lispac.adjustment.diagnostics.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
 from lispac.adjustment.diagnostics.failure_causes import REJECTION_LEVEL, find_failure_causes
 from lispac.adjustment.diagnostics.observability import assess_observability
+from lispac.adjustment.diagnostics.pos_correction_estimate import estimate_pos_corrections
 from lispac.adjustment.diagnostics.possible_causes import find_possible_causes
 from lispac.adjustment.diagnostics.reliability import compute_reliability
 from lispac.adjustment.diagnostics.sphere_radii import find_radius_discrepancies
@@ -166,6 +167,7 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
         causes=find_possible_causes(linearised),
         control=control,
         control_translations=translations,
+        pos_corrections=estimate_pos_corrections(linearised),
     )
     return result if factors is None else with_raised_sigmas(result, factors)
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.model.observations import CommonCoverage, Sighting
 from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.pos_corrections import PosCorrections
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.former_names import accept_script_names
 from lispac.messages import Message
@@ -492,6 +493,9 @@ class AdjustmentResult:
     without_control : EstimateWithoutControl or None
         Estimate without the control; None without control, or if lines and targets alone do not
         determine the angles.
+    pos_corrections : PosCorrections or None
+        Corrections of the POS as a function of time; None with independent POS errors, and in
+        results of earlier versions.
     """
 
     mounting: Mounting
@@ -531,6 +535,7 @@ class AdjustmentResult:
     control: tuple[ControlResidual, ...] = ()
     control_translations: tuple[ControlTranslation, ...] = ()
     without_control: EstimateWithoutControl | None = None
+    pos_corrections: PosCorrections | None = None
 
     @property
     def surfaces(self) -> Array:

@@ -33,6 +33,7 @@ from lispac.present.checking.acceptance import AcceptanceValues
 from lispac.present.checking.line_differences import LineDifferenceValues
 from lispac.present.checking.validation import ValidationPlane
 from lispac.present.output.conventions import ConventionRules, ConventionValues, CorrectionValues
+from lispac.present.output.pos_corrections import PosCorrectionValues
 from lispac.present.planning.design_results import (
     DesignValues,
     PlanComparison,
@@ -344,6 +345,14 @@ class GeoreferenceOutput:
     notes: tuple[Message, ...]
 
 
+@dataclass(frozen=True, kw_only=True)
+class CorrectedTrajectoryOutput(PosCorrectionValues):
+    """Result of ``lispac trajectory``: the corrections and the files written."""
+
+    files: tuple[Path, ...]
+    notes: tuple[Message, ...]
+
+
 @dataclass(frozen=True)
 class ExportOutput:
     """Result of ``lispac export``: the files written."""
@@ -495,6 +504,7 @@ OUTPUTS: Mapping[str, Any] = {
     "patchtest": PatchTestValues,
     "quality": QualityOutput,
     "georeference": GeoreferenceOutput,
+    "trajectory": CorrectedTrajectoryOutput,
     "export": ExportOutput,
     "identity": Identity,
     "acceptance": AcceptanceValues,

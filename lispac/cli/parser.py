@@ -70,6 +70,8 @@ COMMANDS = (
             "compare the lines of a survey with each other, without a calibration"),
     Command("georeference", "output",
             "write the georeferenced lines as LAZ or LAS files with all attributes"),
+    Command("trajectory", "output",
+            "write the trajectory corrected by the adjustment, with its accuracies"),
     Command("export", "output", "export targets or the trajectory for other programs"),
     Command("identity", "project",
             "set or show the details of the survey for the report (surveyor, dates, instruments)"),

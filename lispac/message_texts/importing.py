@@ -146,6 +146,11 @@ TEXTS: Mapping[str, Template] = {
         "{roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4}°). It is used to recover the "
         "scanner points from the cloud."
     ),
+    "recovery.corrected_trajectory": N_(
+        "{line}: the cloud was computed with a corrected trajectory, so with another trajectory "
+        "the scanner points are displaced by the corrections. Use the corrected trajectory (SBET) "
+        "as the trajectory of the project."
+    ),
     "recovery.other_lever_arm": N_(
         "{line}: the cloud was computed with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, but the "
         "boresight is estimated with the prior one ({off:mm} mm away). If both refer to the same "

@@ -8,6 +8,9 @@ TEXTS: Mapping[str, Template] = {
     "item.list_row": N_("{file}, row {row:n}: {name}"),
     "item.more": Plural("{count:n} more", "{count:n} more"),
     # -- quantities --------------------------------------------------------------------------
+    "quantity.north": N_("north"),
+    "quantity.east": N_("east"),
+    "quantity.down": N_("down"),
     "quantity.roll": N_("roll"),
     "quantity.pitch": N_("pitch"),
     "quantity.yaw": N_("yaw"),

@@ -37,6 +37,7 @@ OCCASIONS: Mapping[str, str] = {
     "control": N_("Surveyed control is imported or used in the adjustment"),
     "convention": N_("The angles are converted for another program"),
     "coordinates": N_("Coordinates of a target are entered or read from a list"),
+    "corrections": N_("The corrected trajectory is written or used"),
     "cross_check": N_("Subsets of the data are adjusted separately"),
     "crs": N_("Coordinates are transformed to another coordinate system"),
     "data": N_("Several lines have the same warning"),

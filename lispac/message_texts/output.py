@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Template
+from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- export --------------------------------------------------------------------------------
@@ -59,6 +59,44 @@ TEXTS: Mapping[str, Template] = {
     "export.different_systems": N_(
         "The lines are in different coordinate systems ({systems:names}). Choose the coordinate "
         "system of the export."
+    ),
+    # -- corrections ---------------------------------------------------------------------------
+    "corrections.uncorrelated": N_(
+        "{project}: the trajectory cannot be corrected because the boresight was estimated with "
+        "uncorrelated POS errors. Estimate with correlated POS errors."
+    ),
+    "corrections.former_result": N_(
+        "{project}: the result was estimated by an earlier version and does not contain the "
+        "corrections of the trajectory. Estimate again."
+    ),
+    "corrections.undetermined": N_(
+        "{project}: the data determine no component of the POS error, so the trajectory cannot be "
+        "corrected."
+    ),
+    "corrections.other_trajectory": N_(
+        "{file}: the trajectory ({start:s.1} to {end:s.1} s) does not contain the times of the "
+        "estimate ({first:s.1} to {last:s.1} s), so it cannot be corrected. Estimate again."
+    ),
+    "corrections.prior_boresight": N_(
+        "The corrected trajectory belongs to the estimated boresight and cannot be used with the "
+        "prior one. Choose the estimated boresight or the given trajectory."
+    ),
+    "corrections.same_file": N_(
+        "{file} is given for two different files. Choose another name for one of them."
+    ),
+    "corrections.support": Plural(
+        "The corrections are estimated in one interval with sightings, from {start:s.1} to "
+        "{end:s.1} s. Elsewhere they are predicted, and they decay with the correlation times of "
+        "{position:s} s (position) and {attitude:s} s (attitude).",
+        "The corrections are estimated in {count:n} intervals with sightings, from {start:s.1} to "
+        "{end:s.1} s. Elsewhere they are predicted, and they decay with the correlation times of "
+        "{position:s} s (position) and {attitude:s} s (attitude).",
+    ),
+    "corrections.not_determined": N_(
+        "Not corrected, because the data do not determine them: {names:names}."
+    ),
+    "corrections.velocities": N_(
+        "Velocities and angular rates in the corrected trajectory are those of the given one."
     ),
     # -- report --------------------------------------------------------------------------------
     "report.ending": N_(

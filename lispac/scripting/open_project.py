@@ -40,6 +40,7 @@ from lispac.workflow.control import control_import
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest, export
+from lispac.workflow.output.georeferencing import TrajectoryChoice
 from lispac.workflow.output.installation import (
     format_of_path,
     project_replacement,
@@ -458,23 +459,27 @@ class OpenProject:
         height: str = "",
         trajectory_datum: str | None = None,
         epoch: float | None = None,
+        trajectory: TrajectoryChoice = "given",
     ) -> list[Path]:
-        """Write lines, targets or planes to a folder, or the trajectory to a file.
+        """Write lines, targets or planes to a folder, or a trajectory to a file.
 
         Parameters
         ----------
-        what : {"lines", "targets", "planes", "trajectory"}
+        what : {"lines", "targets", "planes", "trajectory", "corrected_trajectory"}
+            With the corrected trajectory, its accuracies and corrections are written beside it.
         boresight : {"estimated", "prior"}
         form : str
             ``laz`` or ``las`` for lines; also ``csv`` for targets; ``sbet`` or ``text`` for the
             trajectory. The first of these by default.
         crs, height, trajectory_datum, epoch
             As the options of ``lispac export`` and ``lispac georeference``.
+        trajectory : {"given", "corrected"}
+            Trajectory with which lines are georeferenced.
 
         Raises
         ------
         ProjectError
-            If ``what`` or ``form`` is not valid.
+            If ``what`` or ``form`` is not valid, or the trajectory cannot be corrected.
         """
         if what not in FILE_TYPES:
             raise ProjectError(error("script.unknown_export", what=what, known=list(FILE_TYPES)))
@@ -486,7 +491,7 @@ class OpenProject:
         system = crs if what == "lines" else crs or LOCAL_FRAME
         request = ExportRequest(
             what, Path(output), boresight, form or FILE_TYPES[what][0], system, height,
-            trajectory_datum, epoch,
+            trajectory_datum, epoch, trajectory,
         )  # fmt: skip
         paths, _ = export(self.project, self.survey, request, progress=self._progress)
         return paths

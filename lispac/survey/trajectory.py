@@ -94,11 +94,47 @@ class Trajectory:
             ),
         )  # fmt: skip
 
+    def corrected(self, corrections: Array, frame: LocalFrame) -> "Trajectory":
+        """Trajectory with corrections of position and attitude in a local frame.
+
+        States without corrections are unchanged to the last digit, and so are velocities and rates.
+
+        Parameters
+        ----------
+        corrections : ndarray of shape (n, 6), metres and radians
+            Added to north, west, up, roll, pitch and heading in the local frame.
+        frame : LocalFrame
+        """
+        own = corrections.any(axis=1)
+        if not own.any():
+            return self
+        place = self.latitude[own], self.longitude[own], self.height[own]
+        rotation = frame.rotation_local_level(*place[:2])
+        attitude = rotation_angles(rotation @ rotation_matrix(*self.attitude[own].T))
+        moved = frame.to_geodetic(frame.to_local(*place) + corrections[own, :3])
+        turned = np.swapaxes(frame.rotation_local_level(*moved[:2]), -1, -2) @ rotation_matrix(
+            *(attitude + corrections[own, 3:]).T
+        )
+        latitude, longitude, height, attitudes = (
+            np.array(each) for each in (self.latitude, self.longitude, self.height, self.attitude)
+        )
+        latitude[own], height[own] = moved[0], moved[2]
+        longitude[own] = _turned_near(moved[1], longitude[own])
+        attitudes[own] = _turned_near(rotation_angles(turned), attitudes[own])
+        return replace(
+            self, latitude=latitude, longitude=longitude, height=height, attitude=attitudes
+        )
+
     def mean_frame(self) -> LocalFrame:
         """Local frame at the mean of the trajectory (thesis equation 1.5)."""
         return LocalFrame(
             float(self.latitude.mean()), float(self.longitude.mean()), float(self.height.mean())
         )
+
+
+def _turned_near(angles: Array, near: Array) -> Array:
+    """Angles plus multiples of 2 pi, so that they differ by at most pi from ``near``, radians."""
+    return near + (np.remainder(angles - near + np.pi, 2 * np.pi) - np.pi)
 
 
 def continuous_longitude(longitude: Array) -> Array:
@@ -246,6 +282,20 @@ class LocalTrajectory:
             frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
             dense.error, dense.parts, dense.given,
         )  # fmt: skip
+
+    def corrected(self, corrections: Array) -> "LocalTrajectory":
+        """Trajectory with corrections of its states.
+
+        Parameters
+        ----------
+        corrections : ndarray of shape (n, 6), metres and radians
+            Added to north, west, up, roll, pitch and heading.
+        """
+        return replace(
+            self,
+            position=self.position + corrections[:, :3],
+            attitude=self.attitude + corrections[:, 3:],
+        )
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:

@@ -75,11 +75,9 @@ def test_covariance_equals_the_inverse_of_the_whole_normal_matrix(linearised) ->
 
 def test_redundancy_numbers_sum_to_the_degrees_of_freedom(linearised) -> None:
     """Their sum is the number of points less the part of the unknowns determined by data."""
-    from lispac.adjustment.diagnostics.reliability import _knot_covariance
-
     normal, problem = linearised.normal, linearised.problem
     redundancy, w, _, _ = _point_reliability(
-        linearised, _group_covariances(linearised, _knot_covariance(normal))
+        linearised, _group_covariances(linearised, normal.knot_covariance)
     )
     inverse = dense(linearised)
     size = normal.layout.size

@@ -87,6 +87,9 @@ WORDS: dict[str, Words] = {
     "georeference": lambda p, f: (
         p.folder, "--output", f / "g", "--crs", "EPSG:32619", "--lines", p.lines[0].name,
     ),
+    "trajectory": lambda p, f: (
+        p.folder, "--output", f / "c.sbet", "--corrections", f / "c.csv",
+    ),
     "export": lambda p, f: ("--what", "targets", p.folder, "--output", f / "t"),
     "identity": lambda p, f: (p.folder, "--vessel", "Saucier"),
     "acceptance": lambda p, f: (p.folder, "--rms", 0.02),

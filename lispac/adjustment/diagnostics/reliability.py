@@ -21,7 +21,6 @@ from lispac.adjustment.solve.group_sums import (
     point_misclosure,
     write_group_row,
 )
-from lispac.adjustment.solve.normal_equations import NormalEquations
 from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
@@ -82,7 +81,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
     observations, knots = problem.observations, problem.groups.knots
     assert knots is not None
     tests = sighting_tests(linearised)
-    knot_covariance = _knot_covariance(normal)
+    knot_covariance = normal.knot_covariance
     redundancy, w, detectable, weights = _point_reliability(
         linearised, _group_covariances(linearised, knot_covariance)
     )
@@ -90,9 +89,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
     times = mean(observations.time)
     nearest = np.clip(np.searchsorted(knots.time, times), 1, len(knots.time) - 1)
     nearest -= times - knots.time[nearest - 1] < knots.time[nearest] - times
-    by_unknowns = normal.pos_error_by_unknowns
-    spread = ((by_unknowns @ normal.covariance) * by_unknowns).sum(axis=1)
-    variance = np.diagonal(knot_covariance[0], axis1=1, axis2=2) + spread.reshape(-1, 6)
+    variance = normal.pos_error_variances[0]
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
     outliers = np.bincount(observations.sighting, np.abs(w) > CRITICAL_VALUE)
     mean_redundancy, mean_weight = mean(redundancy), mean(weights)
@@ -120,35 +117,6 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
             )
         )
     return tuple(found)
-
-
-def _knot_covariance(normal: NormalEquations) -> tuple[Array, Array]:
-    """Blocks of the inverse of the normal matrix of the POS error (Takahashi 1973).
-
-    Returns
-    -------
-    own : ndarray of shape (knots, 6, 6)
-        Block of each knot.
-    beside : ndarray of shape (knots - 1, 6, 6)
-        Block between the next knot (rows) and each knot (columns).
-    """
-    count = normal.band.shape[1] // 6
-    own, coupling = np.zeros((count, 6, 6)), np.zeros((count - 1, 6, 6))
-    for i in range(6):
-        for j in range(6):
-            if i >= j:
-                own[:, i, j] = own[:, j, i] = normal.band[i - j, j::6]
-            coupling[:, i, j] = normal.band[6 + i - j, j : 6 * (count - 1) : 6]
-    pivots = np.empty_like(own)
-    pivots[0] = own[0]
-    for k in range(count - 1):
-        pivots[k + 1] = own[k + 1] - coupling[k] @ np.linalg.solve(pivots[k], coupling[k].T)
-    covariance, beside = np.linalg.inv(pivots), np.empty_like(coupling)
-    for k in range(count - 2, -1, -1):
-        passed = covariance[k] @ coupling[k].T
-        beside[k] = -covariance[k + 1] @ passed.T
-        covariance[k] = covariance[k] - passed @ beside[k]
-    return covariance, beside
 
 
 def _group_covariances(

@@ -104,6 +104,8 @@ class PosErrorKnots:
     bridge_variance : ndarray of shape (n,)
         ``u (1 - u)`` of a point at the fraction ``u``; smaller for the mean of points at several
         times, whose deviations from the interpolation partly cancel.
+    sigma : ndarray of shape (k, 6), metres and radians
+        Standard deviations of the process at the knots.
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
         Diagonal of the prior precision matrix.
     precision_beside : ndarray of shape (k - 1, 6)
@@ -117,6 +119,7 @@ class PosErrorKnots:
     left: NDArray[np.int32]
     fraction: Array
     bridge_variance: Array
+    sigma: Array
     precision_diagonal: Array
     precision_beside: Array
     bridge_factor: Array
@@ -162,6 +165,7 @@ class PosErrorKnots:
             left,
             fraction,
             bridge_variance,
+            sigma,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),
             2 * interval / correlation_time,

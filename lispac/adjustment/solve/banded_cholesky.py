@@ -74,6 +74,42 @@ def back_substitution(factor: Array, half: Array) -> Array:
     return _apply_substitution(_backward_kernel, factor, half)
 
 
+def tridiagonal_inverse_blocks(band: Array) -> tuple[Array, Array]:
+    """Blocks of the inverse of a block tridiagonal matrix on and beside its diagonal.
+
+    Recursion of Takahashi (1973) for blocks of 6 x 6 elements.
+
+    Parameters
+    ----------
+    band : ndarray of shape (12, 6 n)
+        Lower diagonals of the matrix in the format of LAPACK.
+
+    Returns
+    -------
+    own : ndarray of shape (n, 6, 6)
+        Blocks on the diagonal.
+    beside : ndarray of shape (n - 1, 6, 6)
+        Blocks between the next block (rows) and each block (columns).
+    """
+    count = band.shape[1] // 6
+    own, coupling = np.zeros((count, 6, 6)), np.zeros((count - 1, 6, 6))
+    for i in range(6):
+        for j in range(6):
+            if i >= j:
+                own[:, i, j] = own[:, j, i] = band[i - j, j::6]
+            coupling[:, i, j] = band[6 + i - j, j : 6 * (count - 1) : 6]
+    pivots = np.empty_like(own)
+    pivots[0] = own[0]
+    for k in range(count - 1):
+        pivots[k + 1] = own[k + 1] - coupling[k] @ np.linalg.solve(pivots[k], coupling[k].T)
+    covariance, beside = np.linalg.inv(pivots), np.empty_like(coupling)
+    for k in range(count - 2, -1, -1):
+        passed = covariance[k] @ coupling[k].T
+        beside[k] = -covariance[k + 1] @ passed.T
+        covariance[k] = covariance[k] - passed @ beside[k]
+    return covariance, beside
+
+
 def _apply_substitution(
     sweep: Callable[[Array, Array], None], factor: Array, right: Array
 ) -> Array:

@@ -21,6 +21,7 @@ from lispac.adjustment.solve.banded_cholesky import (
     back_substitution,
     cholesky_factor,
     forward_substitution,
+    tridiagonal_inverse_blocks,
 )
 from lispac.adjustment.solve.group_sums import PointGroups
 from lispac.adjustment.solve.surface_elimination import nonzero_spans, subtract_surfaces
@@ -169,6 +170,33 @@ class NormalEquations:
             The points do not determine the unknowns.
         """
         return self._scaled_factor.inverse()
+
+    @cached_property
+    def knot_covariance(self) -> tuple[Array, Array]:
+        """Covariance of the POS error for known other unknowns; `tridiagonal_inverse_blocks`.
+
+        The band must be that of neighbouring knots, as before `eliminate_surfaces`.
+        """
+        return tridiagonal_inverse_blocks(self.band)
+
+    @cached_property
+    def pos_error_variances(self) -> tuple[Array, Array]:
+        """Variance of the POS error at each knot, and covariance with the next one.
+
+        Both are per component and include the uncertainty of all other unknowns.
+
+        Returns
+        -------
+        own : ndarray of shape (knots, 6), metres and radians squared
+        beside : ndarray of shape (knots - 1, 6), metres and radians squared
+        """
+        own, beside = (np.diagonal(each, axis1=1, axis2=2) for each in self.knot_covariance)
+        by_unknowns = self.pos_error_by_unknowns
+        spread = by_unknowns @ self.covariance
+        return (
+            own + (spread * by_unknowns).sum(axis=1).reshape(-1, 6),
+            beside + (spread[6:] * by_unknowns[:-6]).sum(axis=1).reshape(-1, 6),
+        )
 
     @cached_property
     def _scaled_factor(self) -> "_ScaledFactor":

@@ -18,6 +18,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         default="estimated",
         help="boresight to use (default estimated)",
     )
+    parser.add_argument(
+        "--trajectory",
+        choices=("given", "corrected"),
+        default="given",
+        help="trajectory to use: given (default), or corrected by the adjustment",
+    )
     add_crs_options(parser, "that of the lines if they are georeferenced")
     parser.add_argument(
         "--lines", nargs="+", metavar="NAME", help="use only these lines (default: all)"
@@ -45,6 +51,7 @@ def run(arguments: Namespace) -> None:
             epoch=arguments.epoch,
             lines=arguments.lines or (),
             ending=arguments.format,
+            trajectory_choice=arguments.trajectory,
             progress=progress,
         )
     found = dict.fromkeys(each for done in written for each in done.notes)

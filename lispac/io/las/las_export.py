@@ -368,6 +368,7 @@ def open_cloud_writer(
     frame: LocalFrame,
     compressed: bool,
     shown: Path | None = None,
+    is_trajectory_corrected: bool = False,
 ) -> Iterator[CloudWriter]:
     """Open a cloud for writing; on exit, its header and bounds are completed.
 
@@ -387,6 +388,8 @@ def open_cloud_writer(
         Whether to write LAZ instead of LAS.
     shown : Path, optional
         File name given in errors.
+    is_trajectory_corrected : bool
+        Whether the points are georeferenced with the corrected trajectory; stored in the file.
 
     Raises
     ------
@@ -402,7 +405,7 @@ def open_cloud_writer(
     header.offsets = np.round(centre, 0)
     local = frame if system is None else system.frame
     write_crs(header, None if system is None or local is not None else system.written)
-    header.vlrs.extend(MountingRecord(mounting, local).vlrs())
+    header.vlrs.extend(MountingRecord(mounting, local, is_trajectory_corrected).vlrs())
     try:
         with (
             path.open("wb") as file,

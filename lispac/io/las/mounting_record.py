@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 RECORD_ID, CONTENT_VERSION = 2, 1
 """Record ID, and version of the record's content."""
+CORRECTED_TRAJECTORY_RECORD_ID = 3
+"""Record ID of the record, without content, of a cloud made with a corrected trajectory."""
 MAX_LEVER_ARM_M, MAX_RANGE_OFFSET_M, MAX_LATENCY_S, MAX_HEIGHT_M = 200.0, 10.0, 60.0, 1e5
 """Largest accepted absolute values; a record with larger ones is ignored."""
 
@@ -66,10 +68,13 @@ class MountingRecord:
         Mounting with which the points were georeferenced.
     frame : LocalFrame or None
         Local frame of the coordinates; None if they are in a coordinate system.
+    is_trajectory_corrected : bool
+        Whether the cloud was made with the trajectory corrected by the adjustment.
     """
 
     mounting: Mounting
     frame: LocalFrame | None = None
+    is_trajectory_corrected: bool = False
 
     def vlrs(self) -> "list[laspy.VLR]":
         """Variable length records for the header."""
@@ -94,16 +99,25 @@ class MountingRecord:
         records = [laspy.VLR(OWN_USER_ID, RECORD_ID, "georeferenced_with", data)]
         if frame is not None:
             records.append(laspy.VLR(OWN_USER_ID, LOCAL_FRAME_RECORD_ID, "local_frame", b""))
+        if self.is_trajectory_corrected:
+            records.append(
+                laspy.VLR(OWN_USER_ID, CORRECTED_TRAJECTORY_RECORD_ID, "corrected_trajectory", b"")
+            )
         return records
 
     @classmethod
     def of(cls, header: "laspy.LasHeader") -> Self | None:
         """Get the record in a header; None if there is none or its content is not valid."""
+        is_corrected = any(
+            each.user_id == OWN_USER_ID and each.record_id == CORRECTED_TRAJECTORY_RECORD_ID
+            for each in header.vlrs
+        )
         for each in header.vlrs:
             if each.user_id == OWN_USER_ID and each.record_id == RECORD_ID:
                 try:
                     content = json_values(bytes(each.record_data))
-                    return cls(*_mounting_and_frame(decode_value(content, RecordContent)))
+                    known = _mounting_and_frame(decode_value(content, RecordContent))
+                    return cls(*known, is_trajectory_corrected=is_corrected)
                 except ValueError:
                     return None
         return None

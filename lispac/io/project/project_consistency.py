@@ -89,6 +89,7 @@ def _require_consistent_result(result: AdjustmentResult) -> None:
             for each in without_line.values()
         )
         or not (np.diagonal(result.covariance_all) >= 0).all()
+        or not (result.pos_corrections is None or result.pos_corrections.is_sound)
     ):
         raise InvalidContentError(error("content.inconsistent_result"))
 

@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 15
+SCHEMA_VERSION = 16
 
 
 def upgrade_content(content: Content) -> Content:
@@ -224,6 +224,11 @@ def _upgrade_from_14(content: Content) -> Content:
     return content | {"schema_version": 15, "control": []}
 
 
+def _upgrade_from_15(content: Content) -> Content:
+    """Upgrade to version 16, whose result contains the corrections of the POS."""
+    return content | {"schema_version": 16}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -239,4 +244,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     12: _upgrade_from_12,
     13: _upgrade_from_13,
     14: _upgrade_from_14,
+    15: _upgrade_from_15,
 }

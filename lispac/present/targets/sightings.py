@@ -18,6 +18,7 @@ from lispac.adjustment.diagnostics.findings import (
     sighting_status,
 )
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
+from lispac.adjustment.model.pos_corrections import MAX_DETERMINED_SIGMA_RATIO
 from lispac.adjustment.result import (
     AdjustmentResult,
     SightingReliability,
@@ -338,10 +339,6 @@ POS_ERROR_CAPTION = N_(
     "given, or another error was attributed to it."
 )
 """Explanations of the figure of the POS errors: without and with red errors."""
-
-MAX_DETERMINED_SIGMA_RATIO = 0.995
-"""Largest ratio of the sigma of a component after the adjustment to the prior one with which the
-data determine the component at all."""
 
 
 @dataclass(frozen=True)

@@ -93,6 +93,12 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
             {"line": line.name, "roll": roll, "pitch": pitch, "yaw": yaw}, subject,
         )
     ]  # fmt: skip
+    if record.is_trajectory_corrected:
+        found.append(
+            Message(
+                "recovery.corrected_trajectory", Level.WARNING, {"line": line.name}, subject,
+            )
+        )  # fmt: skip
     off = made.lever_arm - prior.lever_arm
     if np.linalg.norm(off) > LEVER_ARM_TOLERANCE:
         x, y, z = (float(value) for value in made.lever_arm)

@@ -99,6 +99,7 @@ def write_cloud(
     recovery: RecoverySetup | None = None,
     max_range: float = MAX_RANGE_M,
     compressed: bool = True,
+    is_trajectory_corrected: bool = False,
     progress: Progress = no_progress,
 ) -> WrittenLine:
     """Georeference the chunks of one line and write them.
@@ -120,6 +121,8 @@ def write_cloud(
         Georeferencing with which the chunks were made, if they are not in the LiDAR frame.
     max_range : float, metres
         Largest distance from the scanner of points recovered from a georeferenced cloud.
+    is_trajectory_corrected : bool
+        Whether the trajectory of ``mapping`` is the corrected one; stored in the file.
 
     Raises
     ------
@@ -147,6 +150,7 @@ def write_cloud(
             frame=mapping.trajectory.frame,
             compressed=compressed,
             shown=path,
+            is_trajectory_corrected=is_trajectory_corrected,
         ) as cloud,
         closing(_write_chunks(source, cloud, place)) as written,
     ):

@@ -1,4 +1,4 @@
-"""Export of lines, targets, planes or the trajectory."""
+"""Export of lines, targets, planes, the trajectory or the corrected trajectory."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,6 +7,7 @@ from typing import Any, Literal
 from lispac.messages import Message
 from lispac.progress import Progress, no_progress
 from lispac.project import BoresightChoice, Project
+from lispac.workflow.output.corrected_trajectory import write_corrected_trajectory
 from lispac.workflow.output.data_export import (
     SBET_ZEROS_NOTE,
     export_planes,
@@ -14,16 +15,17 @@ from lispac.workflow.output.data_export import (
     export_trajectory,
     trajectory_datum_note,
 )
-from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.output.georeferencing import TrajectoryChoice, georeference_project
 from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
 from lispac.workflow.project.survey import Survey
 
-ExportContent = Literal["lines", "targets", "planes", "trajectory"]
+ExportContent = Literal["lines", "targets", "planes", "trajectory", "corrected_trajectory"]
 FILE_TYPES: dict[ExportContent, tuple[str, ...]] = {
     "lines": ("laz", "las"),
     "targets": ("laz", "las", "csv"),
     "planes": ("txt",),
     "trajectory": ("sbet", "text"),
+    "corrected_trajectory": ("sbet",),
 }
 """File types of each kind of export, the default one first."""
 
@@ -34,9 +36,10 @@ class ExportRequest:
 
     Attributes
     ----------
-    what : {"lines", "targets", "planes", "trajectory"}
+    what : {"lines", "targets", "planes", "trajectory", "corrected_trajectory"}
     output : Path
-        Output folder; for the trajectory the output file.
+        Output folder; for a trajectory the output file. The accuracies of a corrected trajectory
+        and the corrections as text are written beside it.
     which : {"prior", "estimated"}
         Boresight that is used.
     form : str
@@ -44,6 +47,8 @@ class ExportRequest:
     system, height, trajectory_datum, epoch
         For lines and targets, as for
         `lispac.workflow.output.georeferencing.georeference_project`.
+    trajectory_choice : {"given", "corrected"}
+        Trajectory with which lines are georeferenced.
     """
 
     what: ExportContent
@@ -54,6 +59,7 @@ class ExportRequest:
     height: str = ""
     trajectory_datum: str | None = None
     epoch: float | None = None
+    trajectory_choice: TrajectoryChoice = "given"
 
 
 def export(
@@ -79,7 +85,7 @@ def export(
         written = georeference_project(
             project, request.output, request.which, system=request.system, height=request.height,
             trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
-            progress=progress,
+            trajectory_choice=request.trajectory_choice, progress=progress,
         )  # fmt: skip
         notes = [note for done in written for note in done.notes]
         return [done.path for done in written], tuple(dict.fromkeys(notes))
@@ -96,6 +102,12 @@ def export(
     if request.what == "planes":
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()
+    if request.what == "corrected_trajectory":
+        corrections = request.output.with_name(f"{request.output.stem}_corrections.csv")
+        done = write_corrected_trajectory(
+            project, request.output, corrections=corrections, progress=progress
+        )
+        return list(done.paths), done.messages
     path = export_trajectory(project, request.output, form)
     zeros = (SBET_ZEROS_NOTE,) if form == "sbet" else ()
     return [path], (trajectory_datum_note(project), *zeros)

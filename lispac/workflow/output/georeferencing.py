@@ -28,9 +28,16 @@ from lispac.workflow.importing.line_chunks import LineChunks
 from lispac.workflow.importing.line_import import line_folder, open_stored_line, stored_header
 from lispac.workflow.importing.line_points import mounting_of_cloud
 from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
+from lispac.workflow.output.pos_corrections import (
+    corrected_trajectory,
+    pos_corrections,
+    support_notes,
+)
 from lispac.workflow.project.output_crs import output_system
 
 Ending = Literal["laz", "las"]
+TrajectoryChoice = Literal["given", "corrected"]
+"""Trajectory with which points are georeferenced."""
 
 
 def georeference_project(
@@ -45,6 +52,7 @@ def georeference_project(
     lines: Sequence[str] = (),
     ending: Ending = "laz",
     sources: Mapping[str, Iterable[PointChunk]] | None = None,
+    trajectory_choice: TrajectoryChoice = "given",
     progress: Progress = no_progress,
 ) -> list[WrittenLine]:
     """Write the lines of a project as LAS or LAZ in a coordinate system.
@@ -66,6 +74,9 @@ def georeference_project(
     sources : mapping of str to iterable of PointChunk, optional
         Chunks of lines to use instead of their files, by line name. Points are in the LiDAR frame,
         and times as in the file. A line whose file is missing is read from its store.
+    trajectory_choice : {"given", "corrected"}
+        Whether to use the trajectory as it is or corrected by the adjustment, which needs the
+        estimated boresight. The file names and a record in the files name the corrected one.
 
     Raises
     ------
@@ -73,15 +84,21 @@ def georeference_project(
         If the coordinate system is not known or not given, a file cannot be read, or the disk is
         full.
     ProjectError
-        If there is no such line, or nothing has been estimated.
+        If there is no such line, nothing has been estimated, or there are no corrections.
     """
+    is_corrected = trajectory_choice == "corrected"
+    if is_corrected and which == "prior":
+        raise InputError(error("corrections.prior_boresight"))
     mounting = project.mounting(which)
     chosen = [LineChunks.of(line) for line in _chosen_lines(project, lines)]
     trajectory, _ = local_trajectory(project)
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
-    paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
+    suffix = f"{which}_corrected" if is_corrected else which
+    paths = [output / f"{chunks.line.name}_{suffix}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
-    converter = ScannerPointConverter(target, trajectory, mounting)
+    used = corrected_trajectory(project, trajectory) if is_corrected else trajectory
+    support = support_notes(pos_corrections(project)) if is_corrected else ()
+    converter = ScannerPointConverter(target, used, mounting)
     stores, stored_layouts = _stored_lines(project, chosen, trajectory, sources or {})
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[WrittenLine] = []
@@ -100,11 +117,12 @@ def georeference_project(
                 reading=chunks.line.reading,
                 recovery=_recovery_of(project, chunks, trajectory) if own is None else None,
                 compressed=ending == "laz",
+                is_trajectory_corrected=is_corrected,
                 progress=step,
             )
             messages = _missing_file_notes(chunks.line.name, stored_layouts)
             written.append(
-                replace(done, messages=(*done.messages, *_assumptions(target), *messages))
+                replace(done, messages=(*support, *done.messages, *_assumptions(target), *messages))
             )
         progress(1.0)
     return written

@@ -175,7 +175,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     require_files(project)
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, assumed = local_trajectory(project)
-    accuracy, of_accuracy = _trajectory_accuracy(project, trajectory)
+    accuracy, of_accuracy = trajectory_accuracy(project, trajectory)
     read = (*project.reading_warnings, *_with_shift_notes(project, assumed), *of_accuracy)
     messages = (*_file_messages(project), *trajectory.messages)
     messages += _accuracy_messages(project, accuracy)
@@ -284,9 +284,16 @@ def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[M
     return (*kept, *shifts)
 
 
-def _trajectory_accuracy(
+def trajectory_accuracy(
     project: Project, trajectory: LocalTrajectory
 ) -> tuple[TrajectoryAccuracy, tuple[Message, ...]]:
+    """Standard deviations of the trajectory, from their file or the settings, and messages.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or does not overlap with the trajectory.
+    """
     if project.accuracy is not None:
         accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)

@@ -11,7 +11,15 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.language import LANGUAGES, in_language
 
-WITHOUT_OWN_TITLE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
+WITHOUT_OWN_TITLE = {
+    "lines",
+    "targets",
+    "trajectory",
+    "corrected_trajectory",
+    "add_lines",
+    "section_picture",
+    "design",
+}
 """Actions whose dialogue has another title: the exported data, the project, the picture of the view
 or the survey plan."""
 

@@ -23,9 +23,15 @@ EXPORT_TITLES = {
     "targets": N_("Writing the targets"),
     "planes": N_("Writing the files of the planes"),
     "trajectory": N_("Writing the trajectory"),
+    "corrected_trajectory": N_("Writing the corrected trajectory"),
 }
 """Title of the task that exports each kind of data."""
-DATA_KINDS: tuple[ExportContent, ...] = ("lines", "targets", "trajectory")
+DATA_KINDS: tuple[ExportContent, ...] = (
+    "lines",
+    "targets",
+    "trajectory",
+    "corrected_trajectory",
+)
 """Kinds of data with their own export action, which has the same name."""
 
 

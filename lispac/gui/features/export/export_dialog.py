@@ -39,6 +39,8 @@ from lispac.project import BoresightChoice, Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
 from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest
+from lispac.workflow.output.georeferencing import TrajectoryChoice
+from lispac.workflow.output.pos_corrections import pos_corrections, support_notes
 from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of, trajectory_datum_of
 
 CONTENT_TITLES: dict[ExportContent, str] = {
@@ -46,6 +48,7 @@ CONTENT_TITLES: dict[ExportContent, str] = {
     "targets": N_("Points of targets and validation planes"),
     "planes": N_("Points of the target planes (text, 25 columns)"),
     "trajectory": N_("Trajectory"),
+    "corrected_trajectory": N_("Corrected trajectory, with accuracies and corrections"),
 }
 FORMAT_TITLES = {
     "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
@@ -54,6 +57,10 @@ FORMAT_TITLES = {
 BORESIGHT_TITLES: dict[BoresightChoice, str] = {
     "estimated": N_("Estimated boresight"),
     "prior": N_("Prior boresight"),
+}
+TRAJECTORY_TITLES: dict[TrajectoryChoice, str] = {
+    "given": N_("Given trajectory"),
+    "corrected": N_("Trajectory corrected by the adjustment"),
 }
 
 
@@ -80,6 +87,10 @@ class ExportDialog(QDialog):
         self.boresight = widgets.ChoiceBox(
             "export_boresight", [gettext(each) for each in BORESIGHT_TITLES.values()],
             gettext("Boresight angles used to georeference the points"),
+        )  # fmt: skip
+        self.trajectory = widgets.ChoiceBox(
+            "export_trajectory", [gettext(each) for each in TRAJECTORY_TITLES.values()],
+            gettext("Trajectory used to georeference the points"),
         )  # fmt: skip
         self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
@@ -114,6 +125,8 @@ class ExportDialog(QDialog):
         for field in (self.height, self.datum, self.epoch):
             field.textChanged.connect(self._on_typed)
         self.folder.textChanged.connect(self._check_input)
+        for choice in (self.boresight, self.trajectory):
+            choice.currentIndexChanged.connect(self._check_input)
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
             self.boresight.setEnabled(False)
@@ -141,6 +154,7 @@ class ExportDialog(QDialog):
         self._rows = form
         form.addRow(gettext("Data"), self.what)
         form.addRow(gettext("Boresight"), self.boresight)
+        form.addRow(gettext("Trajectory"), self.trajectory)
         form.addRow(gettext("Coordinate system"), self.system)
         form.addRow(gettext("Vertical system"), self.height)
         form.addRow(gettext("Trajectory datum"), self.datum)
@@ -173,14 +187,17 @@ class ExportDialog(QDialog):
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
+        elif what == "corrected_trajectory":
+            output = output / f"{self._project.trajectory.stem}_corrected.out"
         which = list(BORESIGHT_TITLES)[self.boresight.currentIndex()]
         try:
             datum, epoch = self._datum_and_epoch()
         except InputError:  # shown by the dialogue, which cannot be accepted
             datum, epoch = None, None
         return ExportRequest(
-            what, output, which, form, self._system_text, self._height, datum, epoch
-        )
+            what, output, which, form, self._system_text, self._height, datum, epoch,
+            self._trajectory_choice,
+        )  # fmt: skip
 
     def _preset_datum(self) -> None:
         """Fill in datum and epoch of the lines; leave them empty if the lines differ."""
@@ -213,6 +230,11 @@ class ExportDialog(QDialog):
         return list(CONTENT_TITLES)[self.what.currentIndex()]
 
     @property
+    def _trajectory_choice(self) -> TrajectoryChoice:
+        choices = list(TRAJECTORY_TITLES)
+        return choices[self.trajectory.currentIndex()] if self._content == "lines" else "given"
+
+    @property
     def _file_format(self) -> str:
         return FILE_TYPES[self._content][self.form.currentIndex()]
 
@@ -225,7 +247,8 @@ class ExportDialog(QDialog):
         on_map = what in ("lines", "targets")
         for field in (self.system, self.height, self.datum, self.epoch):
             self._rows.setRowVisible(field, on_map)
-        self._rows.setRowVisible(self.boresight, what != "trajectory")
+        self._rows.setRowVisible(self.trajectory, what == "lines")
+        self._rows.setRowVisible(self.boresight, what not in ("trajectory", "corrected_trajectory"))
         self.form.clear()
         self.form.addItems([gettext(FORMAT_TITLES[ending]) for ending in FILE_TYPES[what]])
         self.form.setEnabled(len(FILE_TYPES[what]) > 1)
@@ -263,6 +286,21 @@ class ExportDialog(QDialog):
     def _describe_coordinates(self) -> Sequence[str | Message]:
         if self._content == "trajectory":
             return [trajectory_datum_note(self._project)]
+        if self._content == "corrected_trajectory":
+            return [
+                *support_notes(pos_corrections(self._project)),
+                trajectory_datum_note(self._project),
+            ]
+        return [*self._describe_trajectory(), *self._describe_system()]
+
+    def _describe_trajectory(self) -> Sequence[Message]:
+        if self._trajectory_choice == "given":
+            return []
+        if list(BORESIGHT_TITLES)[self.boresight.currentIndex()] == "prior":
+            raise InputError(error("corrections.prior_boresight"))
+        return support_notes(pos_corrections(self._project))
+
+    def _describe_system(self) -> Sequence[str | Message]:
         local = [
             gettext(
                 "The coordinates are north, west and up, in metres from the origin of the project"

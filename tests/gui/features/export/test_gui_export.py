@@ -11,7 +11,13 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
-from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENT_TITLES, ExportDialog
+from lispac.gui.features.export.export_dialog import (
+    BORESIGHT_TITLES,
+    CHECK_DELAY_MS,
+    CONTENT_TITLES,
+    TRAJECTORY_TITLES,
+    ExportDialog,
+)
 from lispac.io.project.project_file import read_project
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
@@ -98,12 +104,51 @@ def test_each_kind_of_export_has_its_own_fields(dialog: ExportDialog, qtbot: QtB
     for what in CONTENT_TITLES:
         dialog.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
-        assert dialog.boresight.isVisible() == (what != "trajectory")
+        assert dialog.boresight.isVisible() == ("trajectory" not in what)
+        assert dialog.trajectory.isVisible() == (what == "lines")
         assert dialog.form.count() == len(FILE_TYPES[what])
+    dialog.what.setCurrentIndex(list(CONTENT_TITLES).index("trajectory"))
     dialog.form.setCurrentIndex(1)
     assert dialog.request().output.name.endswith("_export.txt")
     with qtbot.waitSignal(dialog.accepted):
         qtbot.mouseClick(ok(dialog), Left)
+
+
+def test_the_corrected_trajectory_is_offered_with_its_support(dialog: ExportDialog) -> None:
+    assert dialog.request().trajectory_choice == "given"
+    dialog.trajectory.setCurrentIndex(list(TRAJECTORY_TITLES).index("corrected"))
+    assert dialog.request().trajectory_choice == "corrected"
+    assert is_shown("corrections.support", dialog.message_label.text())
+    assert ok(dialog).isEnabled()
+    dialog.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
+    assert is_shown("corrections.prior_boresight", dialog.message_label.text())
+    assert not ok(dialog).isEnabled()
+    dialog.what.setCurrentIndex(list(CONTENT_TITLES).index("corrected_trajectory"))
+    assert is_shown("corrections.support", dialog.message_label.text())
+    assert ok(dialog).isEnabled()
+    request = dialog.request()
+    assert request.output.name.endswith("_corrected.out")
+    assert request.trajectory_choice == "given"
+
+
+def test_the_corrected_trajectory_is_written(adjusted: Driver, tmp_path: Path) -> None:
+    request = ExportRequest("corrected_trajectory", tmp_path / "c.out", form="sbet")
+    adjusted.dialogs.export_request = request
+    adjusted.window.actions_["corrected_trajectory"].trigger()
+    adjusted.rest()
+    names = sorted(path.name for path in tmp_path.glob("c*"))
+    assert names == ["c.out", "c_corrections.csv", "c_smrmsg.out"]
+    assert not adjusted.dialogs.errors
+
+
+def test_the_corrected_trajectory_is_not_written_without_an_estimate(
+    qtbot: QtBot, demo: Demo
+) -> None:
+    dialog = ExportDialog("corrected_trajectory", "estimated", demo.project, demo.survey.trajectory)
+    qtbot.addWidget(dialog)
+    assert dialog.windowTitle() == dialog_title(ACTIONS["corrected_trajectory"])
+    assert is_shown("project.not_estimated", dialog.message_label.text())
+    assert not ok(dialog).isEnabled()
 
 
 def test_only_the_prior_is_offered_without_an_estimate(qtbot: QtBot, demo: Demo) -> None:
