@@ -83,7 +83,7 @@ class SightingReliability:
     ----------
     pos_error, pos_sigma, pos_sigma_after : ndarray of shape (6,), metres and radians
         Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
-        and its standard deviation before and after the adjustment.
+        reported minus true value, and its standard deviation before and after the adjustment.
     shift : float, metres
         Offset of the whole sighting from the result of all others, estimated without a prior;
         positive against the direction of the normal, or inside a sphere.

@@ -133,7 +133,7 @@ def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> 
     for s, item in enumerate(compute_reliability(linearised)):
         own = observations.sighting == s
         nearest = np.argmin(np.abs(knots.time - observations.time[own].mean()))
-        np.testing.assert_array_equal(item.pos_error, linearised.state.pos_errors[nearest])
+        np.testing.assert_array_equal(item.pos_error, -linearised.state.pos_errors[nearest])
         np.testing.assert_allclose(item.pos_sigma_after, np.sqrt(variance[nearest]), rtol=1e-4)
         np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
 
@@ -218,6 +218,24 @@ def test_detectable_biases_of_points_follow_from_noise_and_redundancy(linearised
         )
         assert item.pos_error.shape == item.pos_sigma.shape == (6,)
         assert (item.pos_sigma_after <= item.pos_sigma * 1.0001).all()
+
+
+@pytest.mark.parametrize("component", [1, 2])
+def test_pos_errors_are_reported_minus_true_values(component: int) -> None:
+    data = survey(2, 0.15)
+    line = np.array([each.line for each in data.sightings]) == "L3"
+    wrong = data.position.copy()
+    wrong[line[data.sighting], component] += 0.02
+    before, after = (
+        adjust(each, PRIOR, FIXED_SURFACE_MODEL) for each in (data, replace(data, position=wrong))
+    )
+    changes = [
+        b.pos_error[component] - a.pos_error[component]
+        for a, b in zip(before.reliability, after.reliability, strict=True)
+        if a.sighting.line == "L3"
+    ]
+    assert len(changes) == 2
+    assert 0.002 < min(changes) <= max(changes) < 0.021
 
 
 def test_point_with_the_largest_residual_is_identified_by_its_time() -> None:

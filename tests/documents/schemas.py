@@ -92,7 +92,8 @@ FIELD_TEXTS: dict[str, dict[str, str]] = {
         "the report gives east, north, up.",
     },
     "PosErrorValues": {
-        "error_m": _POSITION, "error_deg": "Roll, pitch, heading, degrees, as in the report.",
+        "error_m": f"Reported minus true position. {_POSITION}",
+        "error_deg": "Reported minus true roll, pitch, heading, degrees, as in the report.",
         "sigma_m": "Prior sigmas of north, west, up, metres.",
         "sigma_after_m": "Sigmas of north, west, up after the adjustment, metres.",
         "sigma_deg": "Prior sigmas of roll, pitch, heading, degrees.",

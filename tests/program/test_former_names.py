@@ -165,6 +165,10 @@ def test_a_project_of_version_9_has_the_same_values() -> None:
         each["released"] for each in former["reliability"]
     ]
     assert result.reliability[0].rejected
+    # stored with the sign of a correction until version 15
+    assert [(-each.pos_error).tolist() for each in result.reliability] == [
+        each["pos_error"] for each in former["reliability"]
+    ]
     (contradiction,) = result.contradictions
     assert contradiction.angle_change.tolist() == former["contradictions"][0]["moved"]
     assert contradiction.surface_sigma == former["contradictions"][0]["surface"]

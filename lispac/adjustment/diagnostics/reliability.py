@@ -100,7 +100,8 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
         found.append(
             SightingReliability(
                 sighting=sighting,
-                pos_error=linearised.state.pos_errors[nearest[s]],
+                # the state contains what is added to the reported position and attitude
+                pos_error=-linearised.state.pos_errors[nearest[s]],
                 pos_sigma=prior[s],
                 pos_sigma_after=np.sqrt(variance[nearest[s]]),
                 shift=float(tests.shift[s]),

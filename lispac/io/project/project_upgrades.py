@@ -225,8 +225,18 @@ def _upgrade_from_14(content: Content) -> Content:
 
 
 def _upgrade_from_15(content: Content) -> Content:
-    """Upgrade to version 16, whose result contains the corrections of the POS."""
-    return content | {"schema_version": 16}
+    """Upgrade to version 16, whose result contains the corrections of the POS.
+
+    The POS error of a sighting was stored with the opposite sign, that of a correction.
+    """
+    result = content["result"]
+    if result is not None:
+        tests = [
+            each | {"pos_error": [-value for value in each["pos_error"]]}
+            for each in result["reliability"]
+        ]
+        result = result | {"reliability": tests}
+    return content | {"schema_version": 16, "result": result}
 
 
 _UPGRADES: dict[int, Callable[[Content], Content]] = {

@@ -56,7 +56,7 @@ STATUS_TEXTS: Mapping[SightingStatus, str] = {
 
 @dataclass(frozen=True)
 class PosErrorValues:
-    """Estimated POS error at the middle of a sighting, and its sigmas.
+    """Estimated POS error at the middle of a sighting, reported minus true value, and its sigmas.
 
     ``sigma_m`` and ``sigma_deg`` are the prior sigmas, ``sigma_after_m`` and ``sigma_after_deg``
     those after the adjustment. The values in metres are north, west, up; those in degrees are roll,
@@ -330,13 +330,13 @@ POINT_TESTS_TABLE = Table[SightingValues](
     ),
 )
 POS_ERROR_WITHIN_CAPTION = N_(
-    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
-    "sigma interval."
+    "Estimated POS error of each sighting (reported minus true value) with its 2 sigma interval "
+    "(bar); grey: the prior 2 sigma interval."
 )
 POS_ERROR_CAPTION = N_(
-    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
-    "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
-    "given, or another error was attributed to it."
+    "Estimated POS error of each sighting (reported minus true value) with its 2 sigma interval "
+    "(bar); grey: the prior 2 sigma interval. Red: the error is outside the prior interval; the "
+    "POS was less accurate than given, or another error was attributed to it."
 )
 """Explanations of the figure of the POS errors: without and with red errors."""
 
