@@ -11,8 +11,11 @@ from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.widgets import tab_order
 from lispac.language import gettext
 
-MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX = 24, 48
-"""Distance from the right and lower edges at first opening, which includes the frame, pixels."""
+MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX, MARGIN_NARROW_PX = 24, 48, 12
+"""Distance from the right and lower edges at first opening, which includes the frame, and from the
+lower edge of a narrow window, pixels."""
+TITLE_BAR_PX = 20
+"""Approximate height of the title bar, which a narrow window has below the toolbar, pixels."""
 FLAGS = (
     Qt.WindowType.Dialog
     | Qt.WindowType.CustomizeWindowHint
@@ -37,6 +40,8 @@ class PanelWindow(QMainWindow):
     title : English title
     size : size in pixels when it is opened for the first time
     view : widget that the window covers as little as possible when it is opened for the first time
+    narrow_width : width with which it is placed at the left edge of the parent if it would cover
+        the view otherwise, pixels; 0 for none
     """
 
     def __init__(
@@ -47,13 +52,15 @@ class PanelWindow(QMainWindow):
         parent: QWidget,
         settings: AppSettings,
         view: QWidget | None = None,
+        narrow_width: int = 0,
     ) -> None:
         super().__init__(parent, FLAGS)
         self._size, self._settings, self._view = size, settings, view
+        self._narrow_width = narrow_width
         self.setObjectName(f"window_{title.lower().replace(' ', '_')}")
         self.setWindowTitle(f"{gettext(title)} – LISPAC")
         self.setCentralWidget(panel)
-        self.task_bar = TaskStatusBar()
+        self.task_bar = TaskStatusBar(is_narrow=True)
         self.setStatusBar(self.task_bar)
         self._is_placed = False
         QShortcut(QKeySequence.StandardKey.Close, self, self.close)
@@ -84,15 +91,23 @@ class PanelWindow(QMainWindow):
         screen, parent = self.screen().availableGeometry(), self.parentWidget().geometry()
         margin = QSize(MARGIN_RIGHT_PX, MARGIN_BOTTOM_PX)
         size = self._size.boundedTo(screen.size() - margin)
-        self.resize(size)
         corner = parent.bottomRight()
+        bottom = min(corner.y(), screen.bottom())
         right = max(screen.left(), min(corner.x(), screen.right()) - size.width() - MARGIN_RIGHT_PX)
-        low = max(screen.top(), min(corner.y(), screen.bottom()) - size.height() - MARGIN_BOTTOM_PX)
-        places = [QPoint(right, low)]  # over the lower right of the parent
+        low = max(screen.top(), bottom - size.height() - MARGIN_BOTTOM_PX)
+        places = [QRect(QPoint(right, low), size)]  # over the lower right of the parent
         if self._view is not None:
             edge = max(screen.left(), screen.right() - size.width() - MARGIN_RIGHT_PX)
-            places += [QPoint(x, low) for x in (edge, screen.left())]
-        self.move(min(places, key=lambda place: self._covered_area(QRect(place, size))))
+            places += [QRect(QPoint(x, low), size) for x in (edge, screen.left())]
+            if self._narrow_width:
+                top = max(screen.top(), self._view.mapToGlobal(QPoint()).y())
+                left = max(screen.left(), parent.left())
+                top += TITLE_BAR_PX
+                height = max(bottom - top - MARGIN_NARROW_PX, 1)
+                places.append(QRect(left, top, self._narrow_width, height))
+        place = min(places, key=self._covered_area)
+        self.resize(place.size())
+        self.move(place.topLeft())
 
     def _covered_area(self, rect: QRect) -> int:
         """Area of the view, square pixels, that the window would cover."""

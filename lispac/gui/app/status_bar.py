@@ -16,20 +16,25 @@ SHOW_DELAY_S = 0.3
 
 
 class TaskStatusBar(QStatusBar):
-    """Status bar of the window."""
+    """Status bar of the window.
+
+    Parameters
+    ----------
+    is_narrow : whether a running task must not widen the window, so that its text may be elided
+    """
 
     cancel_requested = Signal()
 
-    def __init__(self) -> None:
+    def __init__(self, *, is_narrow: bool = False) -> None:
         super().__init__()
         self.setSizeGripEnabled(False)
-        self.text = QLabel()
+        self.text = _FieldsLabel() if is_narrow else QLabel()
         self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setObjectName("task_text")
         self.bar = QProgressBar()
         self.bar.setObjectName("task_progress")
         self.bar.setRange(0, 1000)
-        self.bar.setFixedWidth(200)
+        self.bar.setFixedWidth(100 if is_narrow else 200)
         self.cancel = widgets.button(
             gettext("Cancel"),
             "cancel_task",
@@ -45,7 +50,7 @@ class TaskStatusBar(QStatusBar):
         self.messageChanged.connect(lambda message: self.point.setVisible(not message))
         self._parts = (self.text, self.bar, self.cancel)
         for each in self._parts:
-            self.addPermanentWidget(each)
+            self.addPermanentWidget(each, 2 if is_narrow and each is self.text else 0)
             each.hide()
 
     def show_task(self, task: Task | None) -> None:

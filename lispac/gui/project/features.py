@@ -52,6 +52,8 @@ class WindowPlace:
     width, height : first size, pixels
     action : name of the action
     spares_view : whether it covers as little as possible of the 3D view when it first opens
+    narrow_width : width with which it first opens over the workflow panel if it would cover the 3D
+        view otherwise, pixels; 0 for none
     """
 
     title: str
@@ -59,6 +61,7 @@ class WindowPlace:
     height: int
     action: str
     spares_view: bool = False
+    narrow_width: int = 0
 
     @property
     def size(self) -> QSize:

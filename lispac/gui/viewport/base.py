@@ -39,7 +39,7 @@ class Highlight:
     key : (target name, line name); a proposed target has a key instead of its name
     points : ndarray of shape (n, 3), metres, local frame
     colour : colour of the points: that of their line, so that differences of the lines stay visible
-    halo : colour of the edge around the points, which shows that they belong to a target
+    halo : colour of the outline, which shows that the points belong to a target
     shades : uint8 ndarray of shape (n, 3), optional
         A colour of its own for each point.
     """
@@ -167,7 +167,7 @@ MouseMode = Literal["navigate", "point", "outline"]
 """Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
 HALO_PIXELS, SELECTED_HALO_PIXELS = 1, 2
-"""Width of the edge around a sighting, and around a selected one, pixels."""
+"""Width of the outline of a sighting, and of a selected one, pixels."""
 DIMMED_SHARE = 0.3
 """Share of its own colour that a dimmed point keeps; the rest is that of the background."""
 
@@ -180,7 +180,7 @@ class SightingStyle:
     ----------
     colour : colour of its points, unless they have separate colours
     extra_pixels : difference between the size of its points and that of the points of lines, pixels
-    halo_pixels : width of the edge around its points; 0 for none
+    halo_pixels : width of its outline; 0 for none
     above : whether it is drawn over the other sightings
     """
 

@@ -1,4 +1,7 @@
-"""Highlighted sightings, drawn over the lines in the colours of the lines, with a halo.
+"""Highlighted sightings, drawn over the lines in the colours of the lines, with an outline.
+
+The points at the edge of a sighting have a halo. Halos of all points would cover the colours of the
+lines in close views, in which the points are apart.
 
 This module does not import VTK: the functions of `actors` create its objects.
 """
@@ -7,6 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.gui.viewport.actors import (
     clip_actors,
@@ -29,6 +33,42 @@ NEAR_DEPTH_M = 0.04
 halos. Otherwise, the noise of the lines would cover the sightings in close views."""
 MAX_DEPTH_SHIFT = 0.3
 """Largest shift, as a share of the distance."""
+OUTLINE_CELL, CLOSED_CELLS = 2.0, 2
+"""Size of the cells in which the edge of a sighting is searched for, in mean distances of points,
+and number of cells by which gaps between scan lines are closed from each side."""
+
+
+def outline_points(points: Array) -> NDArray[np.bool_]:
+    """Mask of the points at the edge of a surface, shape (n,).
+
+    The surface is divided into square cells in its mean plane. Holes have no edge, since they are
+    mostly gaps between scan lines.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres
+    """
+    from scipy import ndimage  # only with the first target, since the import takes time
+
+    if len(points) < 3:
+        return np.ones(len(points), np.bool_)
+    offsets = points - points.mean(axis=0)
+    _, axes = np.linalg.eigh(offsets.T @ offsets)
+    plane = offsets @ axes[:, 1:]  # along the directions of the two largest extents
+    low, extent = plane.min(axis=0), np.ptp(plane, axis=0)
+    cell = OUTLINE_CELL * float(np.sqrt(max(extent.prod(), 1e-12) / len(points)))
+    # A narrow strip of points has no more cells than points
+    cell = max(cell, float(extent.max()) / len(points), 1e-9)
+    margin = CLOSED_CELLS + 1
+    cells = np.floor((plane - low) / cell).astype(np.int64) + margin
+    occupied = np.zeros(cells.max(axis=0) + margin + 1, np.bool_)
+    occupied[tuple(cells.T)] = True
+    square = np.ones((3, 3), np.bool_)
+    surface = ndimage.binary_closing(occupied, square, iterations=CLOSED_CELLS)
+    surface = ndimage.binary_fill_holes(surface)
+    edge = surface & ~ndimage.binary_erosion(surface, square)
+    at_edge: NDArray[np.bool_] = edge[tuple(cells.T)]
+    return at_edge
 
 
 class HighlightLayer:
@@ -66,7 +106,8 @@ class HighlightLayer:
                 points, shades = points[inside], None if shades is None else shades[inside]
             data = point_polydata(points - origin, shades)
             actor = point_actor(data, highlight.colour, shaded=shades is not None)
-            halo = point_actor(data, highlight.halo)
+            outline = points[outline_points(points)]
+            halo = point_actor(point_polydata(outline - origin, None), highlight.halo)
             clip_actors([actor, halo], half)
             self._drawn.append((highlight, actor, halo))
             self._renderer.AddActor(halo)

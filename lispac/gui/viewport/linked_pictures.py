@@ -26,6 +26,8 @@ class Picture:
     box : box that is drawn and fills the picture; None for all points
     clouds : points (n, 3) of the visible lines, which can be picked
     coarse : thinned points (n, 3) of the visible lines, used for navigation
+    centre : point of the surface in the middle, shape (3,), found when the camera rested last; None
+        if there is none
     drawn : function that returns the drawn points (n, 3) by line, for the search while hovering
     place_in_view : function that returns the position of a point of a line, shape (3,), in the
         placement of the view
@@ -37,6 +39,7 @@ class Picture:
     box: Box | None = None
     clouds: Mapping[str, Array] = field(default_factory=dict)
     coarse: Mapping[str, Array] = field(default_factory=dict)
+    centre: Array | None = None
     drawn: Callable[[], Mapping[str, Array]] = dict
     place_in_view: Callable[[str, Array], Array] = lambda _line, place: place
     _derived: tuple[object, Camera] | None = None

@@ -114,7 +114,9 @@ class ViewportMouse(QObject):
         ):
             if event.key() == Qt.Key.Key_Control:
                 self._show_cursor(kind == QEvent.Type.KeyPress)
-                QToolTip.hideText()  # covers the points to pick
+                # A tooltip covers the points to pick; the one after a click stays for reading.
+                if kind == QEvent.Type.KeyPress and not event.isAutoRepeat():
+                    QToolTip.hideText()
             elif kind == QEvent.Type.KeyPress and self._handle_key(event):
                 event.accept()
                 return True

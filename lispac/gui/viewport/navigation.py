@@ -14,7 +14,7 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.decimation import trimmed_points
 from lispac.gui.viewport.linked_pictures import Picture
 from lispac.gui.viewport.mouse import ViewportMouse
-from lispac.gui.viewport.point_picker import pick_point
+from lispac.gui.viewport.point_picker import central_point, pick_point
 from lispac.gui.viewport.view_history import StoredView, ViewHistory
 
 WHEEL_FACTOR = 0.85
@@ -25,6 +25,10 @@ SNAP_RADII_PX = (3.0, 8.0, 20.0)
 
 MAX_FIT_POINTS = 60_000
 """Largest number of points that determine the extent: the first coarse points, in random order."""
+
+MAX_CENTRAL_POINTS = 250_000
+"""Largest number of drawn points among which the surface in the middle is searched for; of more,
+the thinned ones are dense enough."""
 
 KEPT_TIME_S = 0.5
 """Time after `Navigator.keep_picture` in which the layout of the window settles."""
@@ -116,6 +120,31 @@ class Navigator(QObject):
     def camera_of(self, picture: Picture) -> Camera:
         """Camera of a picture."""
         return picture.camera(self.camera, self.widget_size)
+
+    def find_centres(self) -> None:
+        """Find the surface in the middle of each picture, at whose depth its scale bar is valid."""
+        for each in self.pictures:
+            camera, size = self.camera_of(each), self.size_of(each)
+            points = (
+                each.drawn()
+            )  # all points in a close view, in which the thinned ones are sparse
+            if sum(map(len, points.values())) > MAX_CENTRAL_POINTS:
+                points = each.coarse
+            each.centre = None if camera.parallel else central_point(points, camera, size)
+
+    def scale_depth(self, picture: Picture) -> float | None:
+        """Depth at which the scale bar of a picture is valid, metres; None if it has no surface.
+
+        It does not depend on clicks: while the camera moves, it is the depth of the surface that
+        was in the middle before. In a parallel projection, the scale is the same at all depths.
+        """
+        camera = self.camera_of(picture)
+        if camera.parallel:
+            return camera.distance
+        if picture.centre is None:
+            return None
+        depth = float((picture.centre - camera.position) @ camera.axes[2])
+        return depth if depth > 0.0 else None
 
     def picture_at(self, x: float, y: float) -> Picture:
         """Picture at a pixel of the widget."""

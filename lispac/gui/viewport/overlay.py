@@ -46,6 +46,8 @@ MOUSE_HELP: Mapping[Role, str] = {
 AXIS_LABELS = ((N_("E"), "axis_x"), (N_("N"), "axis_y"), (N_("Up"), "axis_z"))
 """Labels of the axes east, north and up, with the names of their colours in the scheme."""
 
+CENTRAL_SCALE = N_("{length} at the centre")
+"""Label of the scale bar in perspective, valid at the depth of the surface in the middle."""
 HELP_FADE_MS = 2500
 """Time in which the help on the mouse fades after its first use."""
 MARGIN_PX = 14.0
@@ -97,12 +99,18 @@ def length_text(metres: float) -> str:
 
 @dataclass(frozen=True, eq=False)
 class OverlaidPicture:
-    """Pixels, camera and title of a picture, and the box to which it is limited."""
+    """Pixels, camera and title of a picture, and the box to which it is limited.
+
+    Attributes
+    ----------
+    scale_depth : depth at which the scale bar is valid, metres; None without a scale bar
+    """
 
     rect: QRectF
     camera: Camera
     title: str = ""
     box: Box | None = None
+    scale_depth: float | None = None
 
 
 class Overlay(QWidget):
@@ -191,7 +199,8 @@ class Overlay(QWidget):
         for paint in self.paint_hooks:
             paint(painter, camera, size)
         self._paint_axes(painter, camera, size)
-        self._paint_scale(painter, camera.metres_per_pixel(size), size)
+        if picture.scale_depth is not None:
+            self._paint_scale(painter, picture, picture.scale_depth, size)
 
     def _paint_title(self, painter: QPainter, rect: QRectF, title: str) -> None:
         """Paint the frame of one of several pictures, and its title in the upper right corner."""
@@ -289,27 +298,39 @@ class Overlay(QWidget):
             box = QRectF(middle.x() - 20.0, middle.y() - 10.0, 40.0, 20.0)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, gettext(name))
 
-    def _paint_scale(self, painter: QPainter, metres_per_pixel: float, size: ViewportSize) -> None:
+    def _paint_scale(
+        self, painter: QPainter, picture: OverlaidPicture, depth: float, size: ViewportSize
+    ) -> None:
+        """Paint the scale bar; in perspective, its label names the depth at which it is valid."""
+        metres_per_pixel = depth / size.pixels_per_tangent
         metres = scale_bar_length(metres_per_pixel)
         pixels = metres / metres_per_pixel
+        font = _scaled_font(self.font(), 0.95)
+        painter.setFont(font)
+        text = length_text(metres)
+        if not picture.camera.parallel:
+            text = gettext(CENTRAL_SCALE, length=text)
+        width = max(pixels, QFontMetricsF(font).horizontalAdvance(text))
         right, base = size.width - MARGIN_PX - 4.0, size.height - MARGIN_PX - 6.0
-        left = right - pixels
+        middle = right - 0.5 * width
+        left, end = middle - 0.5 * pixels, middle + 0.5 * pixels
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.85))
-        painter.drawRoundedRect(QRectF(left - 10.0, base - 28.0, pixels + 20.0, 38.0), 8.0, 8.0)
-        painter.setFont(_scaled_font(self.font(), 0.95))
+        painter.drawRoundedRect(
+            QRectF(right - width - 10.0, base - 28.0, width + 20.0, 38.0), 8.0, 8.0
+        )
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(theme.TEXT), 1.6))
         painter.drawPolyline(
             [
                 QPointF(left, base - 6.0),
                 QPointF(left, base),
-                QPointF(right, base),
-                QPointF(right, base - 6.0),
+                QPointF(end, base),
+                QPointF(end, base - 6.0),
             ]
         )
-        box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
+        box = QRectF(middle - 100.0, base - 26.0, 200.0, 20.0)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def occupied(self, size: ViewportSize) -> list[QRectF]:
         """Rectangles of axes, scale bar and colour scale, where no label of a target is placed."""

@@ -24,6 +24,12 @@ CHUNK_POINTS = 1 << 14
 """Number of points processed at a time; the intermediate results fit in the processor cache."""
 
 
+CENTRAL_RADII_PX = (3.0, 8.0, 20.0, 40.0)
+"""Search radii for the surface in the middle of a picture, pixels."""
+MAX_CENTRAL_SAMPLE = 60_000
+"""Largest number of points among which the one nearest to the middle is searched for."""
+
+
 @dataclass(frozen=True)
 class PointHit:
     """Picked point: its line, its index there and its depth in metres."""
@@ -74,6 +80,34 @@ def pick_point(
         return None
     best = candidates[np.argmin(distance[candidates])]
     return PointHit(names[line[best]], int(index[best]), float(depth[best]))
+
+
+def central_point(clouds: Mapping[str, Array], camera: Camera, size: ViewportSize) -> Array | None:
+    """Point of the surface in the middle of a picture, or of the one nearest to it, shape (3,).
+
+    It depends on the picture only, so that it is the same until the picture moves. None if no point
+    is in the picture.
+
+    Parameters
+    ----------
+    clouds : ndarray of shape (n, 3) by line, metres, local frame
+        Points in random order.
+    """
+    middle = 0.5 * np.array([size.width, size.height])
+    hit = pick_point(clouds, camera, *middle.tolist(), size, CENTRAL_RADII_PX)
+    if hit is not None:
+        point: Array = clouds[hit.line][hit.index]
+        return point
+    total = sum(map(len, clouds.values()))
+    share = min(1.0, MAX_CENTRAL_SAMPLE / max(total, 1))
+    parts = [points[: int(np.ceil(share * len(points)))] for points in clouds.values()]
+    sample = np.concatenate([np.empty((0, 3)), *parts])
+    offsets = np.abs(camera.project(sample, size)[:, :2] - middle)  # NaN behind the camera
+    inside = np.flatnonzero((offsets <= middle).all(axis=1))
+    if not len(inside):
+        return None
+    nearest: Array = sample[inside[np.argmin(np.hypot(*offsets[inside].T))]]
+    return nearest
 
 
 def _surround_cursor(pixels: Array) -> bool:

@@ -488,7 +488,8 @@ class VtkViewport:
         navigator = self._navigator
         self._overlay.pictures = [
             OverlaidPicture(
-                each.rect(navigator.widget_size), navigator.camera_of(each), each.title, each.box
+                each.rect(navigator.widget_size), navigator.camera_of(each), each.title, each.box,
+                navigator.scale_depth(each),
             )
             for each in (navigator.pictures if self._layer.clouds else ())
         ]  # fmt: skip
@@ -520,6 +521,7 @@ class VtkViewport:
         self._shows_detail = True
         for layer, _ in self._layers:
             layer.show_detail(fine=True, coarse=None)
+        self._navigator.find_centres()
         self._style_points()
 
     def _on_moved(self) -> None:

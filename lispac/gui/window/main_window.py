@@ -312,6 +312,7 @@ class MainWindow(QMainWindow):
                 self,
                 self.settings,
                 self.central_widget if place.spares_view else None,
+                place.narrow_width,
             )
             for panel, place in self.panels.windows()
         }

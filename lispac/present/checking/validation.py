@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
 from operator import attrgetter
-from typing import Any, Literal
+from typing import Any
 
 from lispac.acceptance import Verdict
 from lispac.language import N_, Plural, gettext
@@ -257,32 +257,39 @@ class ValidationPlane:
             shifts=tuple(map(LineShiftValues.of, plane.shifts)),
         )
 
-    def largest_offset(self, state: Literal["before", "after"]) -> PairOffset | None:
-        """Largest offset of two lines in a state; None if none is known."""
+    @property
+    def largest_offset(self) -> PairOffset | None:
+        """Largest offset of two lines after the calibration; None if none is known."""
         known = [
-            PairOffset(pair.line_a, pair.line_b, abs(signed.median_m))
+            PairOffset(pair.line_a, pair.line_b, abs(pair.after.signed.median_m))
             for pair in self.pairs
-            if (signed := getattr(pair, state).signed) is not None
+            if pair.after.signed is not None
         ]
         return max(known, key=attrgetter("absolute_m"), default=None)
 
     @property
+    def former_offset(self) -> PairOffset | None:
+        """Offset before the calibration of the lines of `largest_offset`; None if not known."""
+        largest, former = self.largest_offset, self.former_offset_m
+        return None if largest is None or former is None else replace(largest, absolute_m=former)
+
+    @property
     def largest_offset_m(self) -> float | None:
         """Largest absolute offset of two lines after the calibration, metres."""
-        largest = self.largest_offset("after")
+        largest = self.largest_offset
         return None if largest is None else largest.absolute_m
 
     @property
     def former_offset_m(self) -> float | None:
         """Absolute offset before the calibration of the lines of `largest_offset_m`, metres."""
-        largest = self.largest_offset("after")
+        largest = self.largest_offset
         offsets = None if largest is None else self.offsets_m(largest.line_a, largest.line_b)
         return None if offsets is None else abs(offsets[0])
 
     @property
     def largest_offset_lines(self) -> str:
         """Names of the two lines with the largest offset; empty if it is not known."""
-        largest = self.largest_offset("after")
+        largest = self.largest_offset
         return "" if largest is None else largest.lines
 
     def offsets_m(self, line: str, other: str) -> tuple[float, float] | None:

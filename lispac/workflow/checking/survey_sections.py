@@ -59,17 +59,27 @@ class SectionPoints:
     normal: Array | None = None
 
     @property
-    def automatic_exaggeration(self) -> float:
+    def needed_half_width(self) -> float | None:
+        """Half width across the surface that shows all lines, metres; None without a plane."""
+        if self.spread is None or self.normal is None:
+            return None
+        seen = self.spread / float(np.linalg.norm(self.normal))
+        return 0.6 * seen + MIN_HALF_WIDTH_M  # more than half, for points at the edges
+
+    def automatic_exaggeration(self, proportion: float = 1.0) -> float:
         """Factor across the surface that makes the distances between the lines visible.
 
-        The largest of `EXAGGERATIONS` with which all lines are still in the picture; 1 without a
-        plane.
+        The largest of `EXAGGERATIONS` with which all lines are still in a picture of the whole
+        section; 1 without a plane.
+
+        Parameters
+        ----------
+        proportion : length of the picture across the surface divided by that along it
         """
-        if self.spread is None or self.normal is None:
+        needed = self.needed_half_width
+        if needed is None:
             return 1.0
-        seen = self.spread / float(np.linalg.norm(self.normal))
-        needed = 0.6 * seen + MIN_HALF_WIDTH_M  # more than half, for points at the edges
-        half = 0.5 * min(self.section.width, self.section.height)
+        half = 0.5 * min(self.section.width, self.section.height) * proportion
         return max((each for each in EXAGGERATIONS if needed * each <= half), default=1.0)
 
 

@@ -24,6 +24,7 @@ from lispac.gui.viewport.base import (
     dimmed_colour,
 )
 from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.highlights import outline_points
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.gui.support import WAIT_MS, finish_layouts
 from tests.support.long_runs import others_long
@@ -165,6 +166,37 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
 
 
+def test_the_scale_bar_is_valid_at_the_centre_and_no_click_changes_it(viewport, qtbot):
+    clouds = {
+        "red": wall(15.0, (-1.0, 1.0), (0.0, 2.0)),
+        "blue": wall(40.0, (-9.0, 9.0), (0.0, 9.0)),
+    }
+    viewport.show_clouds(clouds, {"red": RED, "blue": BLUE})
+    viewport.view("front")
+    viewport.fit(clouds["blue"])
+    far = pixel(viewport, (-7.0, 40.0, 8.0))
+
+    def scale_depth() -> float:
+        viewport.prepare()
+        return viewport.widget.overlay.pictures[0].scale_depth
+
+    first = scale_depth()
+    x, y = (0.5 * each for each in (viewport.canvas.width(), viewport.canvas.height()))
+    centre = viewport._navigator.point_at(x, y)
+    depth = (np.array(centre.position) - viewport.camera.position) @ viewport.camera.axes[2]
+    assert first == pytest.approx(depth, rel=0.02)
+    focal_depths = []
+    for place in (far, pixel(viewport, (0.0, 15.0, 1.0))):
+        QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, place)
+        focal_depths.append(viewport.camera.focal_depth)
+        assert scale_depth() == pytest.approx(first, rel=1e-6)
+    assert focal_depths[0] > 1.5 * focal_depths[1], "the clicks were on surfaces far apart"
+    viewport.fit(clouds["red"])
+    assert scale_depth() == pytest.approx(viewport.camera.distance, rel=0.1)
+    viewport.set_parallel(True)
+    assert scale_depth() == viewport.camera.distance
+
+
 def test_highlights_keep_the_colour_of_their_line_and_have_a_halo(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
@@ -218,6 +250,28 @@ def test_a_halo_hides_no_other_line_of_the_target(viewport):
         image = picture(viewport)
         for colour, points in alone.items():
             assert count(image, colour) > 0.9 * 16 * points  # 4 x 4 pixels or more
+
+
+@pytest.mark.parametrize("gap", [0.05, 0.2])
+def test_only_the_edge_of_a_target_has_a_halo_in_close_views(viewport, gap):
+    """Between the points of the surface, which are apart there, no halo covers other colours."""
+    across, up = np.arange(-2.0, 2.001, 0.05), np.arange(0.0, 3.001, gap)
+    grid = np.stack(np.meshgrid(across, up), -1).reshape(-1, 2)
+    points = np.column_stack([grid[:, 0], np.full(len(grid), 15.0), grid[:, 1]])
+    outline = outline_points(points)
+    distance = np.minimum(2.0 - np.abs(grid[:, 0]), np.minimum(grid[:, 1], 3.0 - grid[:, 1]))
+    assert outline[distance < 1e-6].all()
+    assert not outline[distance > 4.5 * gap].any()
+    viewport.show_clouds({"red": points}, {"red": RED})
+    viewport.view("front")
+    viewport.show_highlights([Highlight(("T1", "red"), points, RED, YELLOW)])
+    viewport.select(("T1", ""))
+    whole = picture(viewport)
+    assert count(whole, YELLOW) > 300
+    viewport.fit(points[np.abs(points - [0.0, 15.0, 1.5]).max(axis=1) < 0.5])
+    close = picture(viewport)
+    assert count(close, YELLOW) == 0
+    assert count(close, RED) > 300
 
 
 @pytest.mark.parametrize("width", [0.1, 1.0, 30.0, 200.0])

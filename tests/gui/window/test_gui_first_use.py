@@ -168,7 +168,7 @@ def test_cuts_of_a_flat_plane_have_one_range(adjusted: Driver) -> None:
     wide = replace(cut, normal=across, spread=0.05, points=rough)
     flat = {line: points * [1.0, 0.01] for line, points in cut.points.items()}
     narrow = replace(wide, points=flat)
-    assert wide.automatic_exaggeration == narrow.automatic_exaggeration > 1
+    assert wide.automatic_exaggeration() == narrow.automatic_exaggeration() > 1
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
     figure = Figure(figsize=(9.0, 1.8))
     for cuts in ([wide, narrow], [narrow, wide]):

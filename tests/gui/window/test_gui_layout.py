@@ -519,6 +519,28 @@ def test_a_panel_window_first_opens_beside_the_view(
     assert not own.geometry().intersects(view_rect)
 
 
+@pytest.mark.parametrize("size", [(1366, 740), (1600, 1000)])
+def test_the_patch_test_covers_little_of_the_view(driver: Driver, size: tuple[int, int]) -> None:
+    """It first opens over the workflow panel, without scroll bars."""
+    window, own = driver.window, driver.window.panel_windows["Patch test"]
+    screen = window.screen().availableGeometry()
+    window.setGeometry(QRect(screen.topLeft(), QSize(*size)))
+    driver.rest()
+    press(driver, Key.Key_T, Control)
+    driver.bot.waitUntil(own.isActiveWindow, timeout=SOON_MS)
+    driver.rest()
+    view = window.central_widget
+    rect = QRect(view.mapToGlobal(QPoint()), view.size())
+    covered = own.geometry().intersected(rect)
+    assert covered.width() * covered.height() < 0.12 * rect.width() * rect.height()
+    panel = window.panels["patch_test"]
+    panel.show_objects(["O1", "O2"], (), "O1")
+    driver.rest()
+    (area,) = panel.findChildren(QScrollArea, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    assert area.horizontalScrollBar().maximum() == area.verticalScrollBar().maximum() == 0
+    assert panel.picture.y() < panel.curve.y() or size[1] < 800
+
+
 def test_the_patch_test_opens_where_the_user_has_put_it(
     driver: Driver, qtbot: QtBot, tmp_path: Path
 ) -> None:

@@ -128,14 +128,14 @@ def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
     name = project.targets_of_role("validation")[0].name
     for cut in section_at_target(project, survey, name, level=True):
         assert cut.normal is not None
-        assert cut.automatic_exaggeration > 1
+        assert cut.automatic_exaggeration() > 1
     after = section_at_target(project, survey, name)[-1]
     assert after.spread is not None
     flat = replace(after, normal=None)
-    assert flat.automatic_exaggeration == 1
+    assert flat.automatic_exaggeration() == 1
     assert after.normal is not None
     oblique = replace(after, normal=0.6 * after.normal)
-    assert oblique.automatic_exaggeration <= after.automatic_exaggeration
+    assert oblique.automatic_exaggeration() <= after.automatic_exaggeration()
 
 
 def test_sections_without_a_result_show_the_prior_only(calibrated: tuple[Project, Survey]) -> None:

@@ -16,25 +16,30 @@ from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
 from lispac.present.checking.validation import PairOffset
 from lispac.project import BoresightChoice
-from lispac.workflow.checking.survey_sections import SectionPoints
+from lispac.workflow.checking.survey_sections import EXAGGERATIONS, SectionPoints
 
 MAX_POINTS = 60_000
 """Largest number of points drawn; larger sets are thinned evenly over all lines."""
 FONT_SIZE, SMALL_SIZE = 9, 8
-LEGEND_INCHES, AXIS_INCHES = 0.9, 0.8
-"""Approximate space for the legend, and for the titles and numbers of an axis."""
+LEGEND_MARK_INCHES = 0.35
+"""Approximate width of the mark of a line in the legend, with its margins."""
+AXIS_INCHES, LOW_AXIS_INCHES = (0.8, 0.8), (0.6, 0.5)
+"""Approximate space beside and above and below a plot, for titles and numbers, and that in a low
+figure, whose horizontal axis has its title inside."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 CUT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: largest offset {offset} ({lines})"),
-    "estimated": N_("After: largest offset {offset} ({lines})"),
+    "prior": N_("Before: offset {offset} ({lines})"),
+    "estimated": N_("After: offset {offset} ({lines})"),
 }
+SHORT_TITLES_WITH_OFFSET = {
+    "prior": N_("Before: {offset} ({lines})"), "estimated": N_("After: {offset} ({lines})"),
+}  # fmt: skip
+"""Titles where the others do not fit."""
 MIN_TITLE_LENGTH = 14
 """Smallest length after which the title of the vertical axis is wrapped, characters."""
-FILLED_QUANTILE = 0.99
-"""Share of the points that an enlarged picture contains; single points off the surface may be out
-of it."""
-MAX_CROP_ALONG = 4.0
-"""Largest `_CutView.crop` along a surface, so that the tilts of the lines stay visible."""
+FILLED_QUANTILE, FILLED_SHARE = 0.99, 0.8
+"""Share of the points that a picture without a plane contains, and that of the picture which they
+fill across the surface; single points off the surface may be out of it."""
 VISIBLE_DISTANCE_M, MIN_VISIBLE_SHARE = 0.02, 0.03
 """Distance between lines that the automatic factor shows, metres, and the share of the width of
 the picture, enlarged, that is needed for that."""
@@ -45,10 +50,6 @@ INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
 """Approximate width of a character of a title."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
 SHORT_EXAGGERATION_TEXT = N_("{title}; {factor:n} ×")
-SHORT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: offset {offset}"), "estimated": N_("After: offset {offset}"),
-}  # fmt: skip
-"""Titles in a low figure, in which the cuts are narrow."""
 
 
 def draw_section(
@@ -61,47 +62,57 @@ def draw_section(
     exaggeration: float | None = None,
     starts_at_left: bool = False,
     labelled: bool = True,
-    has_long_titles: bool = True,
 ) -> None:
     """Draw cuts side by side with common limits where their scales are equal.
+
+    A picture shows the whole section along the surface, and as much across it as its plot allows.
 
     Parameters
     ----------
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
-    offsets : largest offset of two lines in the validation, of each cut that has one
+    offsets : offset of two lines in the validation, of each cut that has one
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
         the smallest automatic one, or that of each cut if small distances would not be visible
     starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
     labelled : whether there is space for large titles of the axes
-    has_long_titles : whether there is space for long titles of the cuts side by side
     """
     figure.clear()
-    space = _plot_space(figure, len(cuts))
-    ratio = space[0] / space[1]
-    factors = _exaggerations(cuts) if exaggeration is None else [exaggeration] * len(cuts)
+    lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
+    slot = _slot_width(figure, len(cuts), lines)
+    margins = AXIS_INCHES if labelled else LOW_AXIS_INCHES
+    space = max(slot - margins[0], 0.1), max(float(figure.get_figheight()) - margins[1], 0.1)
+    automatic = exaggeration is None
+    factors = _exaggerations(cuts, space) if automatic else [exaggeration] * len(cuts)
     # The same axes in all cuts, also where one of them needs no exaggeration
     is_natural = all(factor == 1 for factor in factors)
     start = 0.5 * cuts[0].section.width if starts_at_left else 0.0
     views = [
-        _CutView.of(cut, factor, start, is_natural=is_natural).widened(ratio)
+        _CutView.of(cut, factor, start, is_natural=is_natural)
         for cut, factor in zip(cuts, factors, strict=True)
     ]
-    # Cuts with one factor have one range, so that they can be compared
-    crops = {view.factor: min(v.crop for v in views if v.factor == view.factor) for view in views}
-    views = [replace(view, crop=crops[view.factor]) for view in views]
+    # Cuts with one factor have one scale, so that they can be compared
+    scales = {
+        view.factor: min(each.scale(space) for each in views if each.factor == view.factor)
+        for view in views
+    }
+    views = [view.scaled(scales[view.factor], space).centred() for view in views]
     title_length = max(MIN_TITLE_LENGTH, int(space[1] / INCHES_PER_CHARACTER))
-    is_shared = len({(view.factor, view.crop, view.centre) for view in views}) == 1
+    is_shared = len({(view.factor, tuple(view.half_extent), view.centre) for view in views}) == 1
     first: Axes | None = None
     for number, view in enumerate(views, start=1):
         shared = first if is_shared else None
         axes = figure.add_subplot(1, len(cuts), number, sharex=shared, sharey=shared)
         first = first or axes
-        title = view.title(offsets.get(view.cut.which), short=not has_long_titles)
+        title = view.title(
+            offsets.get(view.cut.which), int(slot / INCHES_PER_CHARACTER), is_low=not labelled
+        )
         _draw_cut(axes, view, colours, title)
         across, upward = view.axis_titles(titles, is_low=not labelled)
-        size, pad = (FONT_SIZE, 4.0) if labelled else (SMALL_SIZE, 1.0)
-        axes.set_xlabel(across, fontsize=size, color=theme.TEXT, labelpad=pad)
+        size = FONT_SIZE if labelled else SMALL_SIZE
+        axes.set_xlabel(across, fontsize=size, color=theme.TEXT)
+        if not labelled:
+            _move_title_inside(axes)
         if number == 1 or not is_shared:
             axes.set_ylabel(
                 fill(upward, title_length, break_long_words=False) if labelled else upward,
@@ -110,7 +121,6 @@ def draw_section(
             )
         convert_axis_units(axes.xaxis, "m", spacing=TICK_INCHES[0])
         convert_axis_units(axes.yaxis, "m", spacing=TICK_INCHES[1])
-    lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
         marks = [
             Line2D(
@@ -126,24 +136,49 @@ def draw_section(
             text.set_parse_math(False)
 
 
-def _exaggerations(cuts: Sequence[SectionPoints]) -> list[float]:
+def _exaggerations(cuts: Sequence[SectionPoints], space: tuple[float, float]) -> list[float]:
     """Automatic factor of each cut: the smallest for all, so that they can be compared.
 
     Each has its own factor if the smallest would not show small distances between lines.
+
+    Parameters
+    ----------
+    space : width and height of a plot, inches
     """
-    factors = [cut.automatic_exaggeration for cut in cuts]
+    proportions = [
+        space[int(vertical)] / space[1 - int(vertical)] for vertical in map(_is_across_upward, cuts)
+    ]
+    # In a low plot, a short picture with the next factor is clearer than one at true scale
+    factors = [
+        max(cut.automatic_exaggeration(each), min(cut.automatic_exaggeration(), EXAGGERATIONS[1]))
+        for cut, each in zip(cuts, proportions, strict=True)
+    ]
     least, extent = min(factors), min(cuts[0].section.width, cuts[0].section.height)
-    is_enough = VISIBLE_DISTANCE_M * least >= MIN_VISIBLE_SHARE * extent
+    shown = extent * min(1.0, *proportions)
+    is_enough = VISIBLE_DISTANCE_M * least >= MIN_VISIBLE_SHARE * shown
     return [least] * len(cuts) if is_enough else factors
 
 
-def cut_title(which: BoresightChoice, offset: PairOffset | None, *, short: bool = False) -> str:
-    """Title of a cut: before or after, with the largest offset of two lines if it is known."""
+def _is_across_upward(cut: SectionPoints) -> bool:
+    """Whether distances across the surface are along the vertical axis."""
+    return cut.normal is None or bool(abs(cut.normal[1]) > abs(cut.normal[0]))
+
+
+def cut_title(which: BoresightChoice, offset: PairOffset | None, length: int) -> str:
+    """Title of a cut: before or after, with the offset of two lines and their names if known.
+
+    Parameters
+    ----------
+    length : number of characters of a line of the title; a longer title has two lines
+    """
     if offset is None:
         return gettext(CUT_TITLES[which])
-    titles = SHORT_TITLES_WITH_OFFSET if short else CUT_TITLES_WITH_OFFSET
     amount = quantities.amount(1000 * offset.absolute_m, "mm", 1)
-    return gettext(titles[which], offset=amount, lines=offset.lines)
+    for titles in (CUT_TITLES_WITH_OFFSET, SHORT_TITLES_WITH_OFFSET):
+        title = gettext(titles[which], offset=amount, lines=offset.lines)
+        if len(title) <= length:
+            return title
+    return fill(title, max(length, 1), break_long_words=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +192,7 @@ class _CutView:
     vertical : whether the vertical axis is exaggerated, instead of the horizontal one
     is_natural : whether the axes are those of the section, instead of along and across a plane
     start : coordinate of the middle of the horizontal axis, metres
-    crop : ratio of the height of the section to that of the picture, at least 1
+    half_across : half of the extent of the picture across the surface, metres
     centre : distance across the plane of the middle of the picture, metres
     """
 
@@ -167,18 +202,18 @@ class _CutView:
     vertical: bool
     is_natural: bool
     start: float = 0.0
-    crop: float = 1.0
+    half_across: float = 0.0
     centre: float = 0.0
 
     @classmethod
     def of(cls, cut: SectionPoints, factor: float, start: float, *, is_natural: bool) -> "_CutView":
+        vertical = _is_across_upward(cut)
         if cut.normal is None or is_natural:
-            return cls(cut, factor, np.eye(2), True, True, start)
-        vertical = bool(abs(cut.normal[1]) > abs(cut.normal[0]))
+            return cls(cut, factor, np.eye(2), vertical, True, start)
         across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
         along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
         axes = (along, across) if vertical else (across, along)
-        return cls(cut, factor, np.column_stack(axes), vertical, False).centred()
+        return cls(cut, factor, np.column_stack(axes), vertical, False)
 
     @property
     def _across(self) -> dict[str, Array]:
@@ -196,27 +231,44 @@ class _CutView:
         middle = 0.5 * (middles[0] + middles[-1]) if has_space else middles[len(middles) // 2]
         return replace(self, centre=middle)
 
-    def widened(self, ratio: float) -> "_CutView":
-        """View with less height, for a plot wider than high, so that the picture is larger.
-
-        Empty space above and below the lines is left out, or a part of the surface along it.
-        """
-        if not any(map(len, self.cut.points.values())):
-            return self
-        if self._is_along_upward:
-            return replace(self, crop=max(min(ratio, MAX_CROP_ALONG), 1.0))
-        upward = np.concatenate(list(self.cut.points.values())) @ self.rotation[:, 1]
-        offsets = np.abs(upward - (self.centre if self.vertical else 0.0))
-        filled = float(np.quantile(offsets, FILLED_QUANTILE)) / (0.8 * self.half_extent[1])
-        return replace(self, crop=max(min(ratio, 1.0 / max(filled, 1e-6)), 1.0))
+    @property
+    def _extents(self) -> tuple[float, float]:
+        """Extents of the section across the surface and along it, metres."""
+        width, height = self.cut.section.width, self.cut.section.height
+        return (height, width) if self.vertical else (width, height)
 
     @property
-    def _is_along_upward(self) -> bool:
-        """Whether the surface is roughly along the vertical axis."""
-        normal = self.cut.normal
-        if not self.is_natural or normal is None:
-            return not self.vertical
-        return bool(abs(normal[0]) >= abs(normal[1]))
+    def _needed_half_width(self) -> float:
+        """Half width across the surface that shows all lines, metres."""
+        half = 0.5 * self._extents[0]
+        needed = None if self.is_natural else self.cut.needed_half_width
+        if needed is None:
+            points = np.concatenate([np.empty(0), *self._across.values()])
+            if not len(points):
+                return half
+            needed = float(np.quantile(np.abs(points), FILLED_QUANTILE)) / FILLED_SHARE
+        return min(needed, half)
+
+    def scale(self, space: tuple[float, float]) -> float:
+        """Inches per metre along the surface, with which the whole section is in the plot.
+
+        It is smaller if the lines would not fit across the surface, but a picture enlarged by the
+        user is at least as long as it is wide.
+
+        Parameters
+        ----------
+        space : width and height of the plot, inches
+        """
+        number = int(self.vertical)
+        along = self._extents[1]
+        fitting = space[number] / (self.factor * 2.0 * max(self._needed_half_width, 1e-6))
+        least = 0.0 if self.factor == 1 else min(space) / along
+        return min(space[1 - number] / along, max(fitting, least))
+
+    def scaled(self, scale: float, space: tuple[float, float]) -> "_CutView":
+        """View with a scale, which fills the plot across the surface."""
+        extent = space[int(self.vertical)] / (self.factor * scale)
+        return replace(self, half_across=0.5 * min(extent, self._extents[0]))
 
     @property
     def limits(self) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -240,9 +292,8 @@ class _CutView:
     @property
     def half_extent(self) -> Array:
         """Half of the width and height of the picture, shape (2,), metres."""
-        half = 0.5 * np.array([self.cut.section.width, self.cut.section.height])
-        half[int(self.vertical)] /= self.factor
-        half[1] /= self.crop
+        half = np.full(2, 0.5 * self._extents[1])
+        half[int(self.vertical)] = self.half_across
         return half
 
     @property
@@ -255,7 +306,8 @@ class _CutView:
         if not self.is_natural:
             across = (ACROSS_TITLE, ALONG_TITLE)
             titles = (across[1], across[0]) if self.vertical else across
-        upward = titles[1]
+        if is_low:
+            return [gettext(LOW_TITLES.get(title, title)) for title in titles]
         texts = [gettext(title) for title in titles]
         if self.factor != 1:
             number = int(self.vertical)
@@ -264,23 +316,37 @@ class _CutView:
                 title=texts[number].removesuffix(" (m)"),
                 factor=round(self.factor),
             )
-        if is_low:
-            texts[1] = gettext(LOW_TITLES.get(upward, upward))
         return texts
 
-    def title(self, offset: PairOffset | None, *, short: bool) -> str:
-        """Title of the cut, with its factor if the axes have no titles."""
-        title = cut_title(self.cut.which, offset, short=short)
-        if self.factor == 1 or not short:
-            return title
-        return gettext(SHORT_EXAGGERATION_TEXT, title=title, factor=round(self.factor))
+    def title(self, offset: PairOffset | None, length: int, *, is_low: bool) -> str:
+        """Title of the cut, with its factor if the titles of the axes do not contain it.
+
+        Parameters
+        ----------
+        length : number of characters of a line of the title
+        """
+        if self.factor == 1 or not is_low:
+            return cut_title(self.cut.which, offset, length)
+        texts = {"title": "", "factor": round(self.factor)}
+        length -= len(gettext(SHORT_EXAGGERATION_TEXT, **texts))
+        texts["title"] = cut_title(self.cut.which, offset, length)
+        return gettext(SHORT_EXAGGERATION_TEXT, **texts)
 
 
-def _plot_space(figure: Figure, count: int) -> tuple[float, float]:
-    """Approximate width and height of the space for each of the plots side by side, inches."""
-    width, height = figure.get_size_inches()
-    across, up = (width - LEGEND_INCHES) / count - AXIS_INCHES, height - AXIS_INCHES
-    return max(float(across), 0.1), max(float(up), 0.1)
+def _slot_width(figure: Figure, count: int, lines: Sequence[str]) -> float:
+    """Approximate width of a plot side by side with others, with its numbers and title, inches."""
+    letters = max(map(len, lines), default=0) * INCHES_PER_CHARACTER * SMALL_SIZE / FONT_SIZE
+    legend = LEGEND_MARK_INCHES + letters if lines else 0.0
+    return max(float(figure.get_figwidth()) - legend, 0.1) / count
+
+
+def _move_title_inside(axes: Axes) -> None:
+    """Move the title of the horizontal axis into the lower right corner of a low plot."""
+    axes.xaxis.set_label_coords(0.99, 0.05, transform=axes.transAxes)
+    axes.xaxis.label.set(
+        horizontalalignment="right", verticalalignment="bottom", in_layout=False,
+        bbox={"facecolor": theme.PAPER, "alpha": 0.8, "edgecolor": "none", "pad": 1.0},
+    )  # fmt: skip
 
 
 def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: str) -> None:
@@ -296,7 +362,7 @@ def _draw_cut(axes: Axes, view: _CutView, colours: Mapping[str, Colour], title: 
     across, upward = view.limits
     axes.set_xlim(*across)
     axes.set_ylim(*upward)
-    axes.set_aspect(view.aspect, adjustable="box")
+    axes.set_aspect(view.aspect, adjustable="box", anchor="W")
     axes.grid(color=theme.GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)

@@ -34,8 +34,9 @@ EMPTY_TEXT = N_(
 )
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 OFFSET_HINT = N_(
-    "Offset in a title: the largest one of two lines on the whole plane, as in the table of the "
-    "pairs of lines (step 4)."
+    "Offset in a title: that of the two lines in brackets on the whole plane, as in the table of "
+    "the pairs of lines (step 4) and in the report. After the calibration they have the largest "
+    "offset of all pairs."
 )
 PRINT_DPI = 200
 
@@ -46,8 +47,6 @@ MIN_TEXT_WIDTH_PX = 260
 """Width with which the whole text without a section is visible in a low panel, pixels."""
 LOW_PANEL_PX = 230
 """Height of the panel below which the titles of the axes are small, pixels."""
-NARROW_PANEL_PX = 1200
-"""Width of the panel below which the titles of the cuts are short, so that they do not overlap."""
 
 
 class SectionPanel(QWidget):
@@ -108,9 +107,9 @@ class SectionPanel(QWidget):
         self.enlarge = widgets.enlarge_button("enlarge_section")
         self._arrange()
         self.canvas: QWidget | None = None
-        self._is_low = self._is_narrow = True
-        self._drawn_proportion = 0.0
-        """Ratio of width to height of the figure for which the section was drawn."""
+        self._is_low = True
+        self._drawn_size = 0.0, 0.0
+        """Width and height of the figure for which the section was drawn, inches."""
         self.enlarge.toggled.connect(self.enlarged)
         self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.exaggeration_choice.currentIndexChanged.connect(self._redraw)
@@ -159,18 +158,17 @@ class SectionPanel(QWidget):
         self.text_label.setMinimumWidth(MIN_TEXT_WIDTH_PX)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Make the titles smaller in a low panel, and shorten those of the cuts."""
+        """Make the titles of the axes smaller in a low panel."""
         super().resizeEvent(event)
-        form = self.height() < LOW_PANEL_PX, self.width() < NARROW_PANEL_PX
-        if form != (self._is_low, self._is_narrow):
-            self._is_low, self._is_narrow = form
+        if (is_low := self.height() < LOW_PANEL_PX) != self._is_low:
+            self._is_low = is_low
             self._redraw()
 
     def _fill_resized_plots(self) -> None:
-        """Draw the section for other proportions of its plots."""
+        """Draw the section for another size of its plots."""
         width, height = self.canvas.figure.get_size_inches()
-        if (proportion := round(width / height, 1)) != self._drawn_proportion:
-            self._drawn_proportion = proportion
+        if (size := (round(width, 1), round(height, 1))) != self._drawn_size:
+            self._drawn_size = size
             self._redraw()
 
     @property
@@ -198,7 +196,7 @@ class SectionPanel(QWidget):
         size = width, max(height, MIN_PRINT_HEIGHT_INCHES)
         printed = Figure(figsize=size, dpi=PRINT_DPI, layout="constrained")
         with theme.paper_colours():
-            self._draw(printed, labelled=True, has_long_titles=not self._is_narrow)
+            self._draw(printed, labelled=True)
         for axes, shown_axes in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=shown_axes.get_xlim(), ylim=shown_axes.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
@@ -232,7 +230,7 @@ class SectionPanel(QWidget):
 
         Parameters
         ----------
-        offsets : largest offset of two lines in the validation, of each cut that has one
+        offsets : offset of two lines in the validation, of each cut that has one
         through : text that describes the position of the section
         target : whether the section is across a target, and not between two points
         """
@@ -253,20 +251,17 @@ class SectionPanel(QWidget):
 
     def _redraw(self) -> None:
         if self.canvas is not None and self.has_section:
-            self._draw(
-                self.canvas.figure, labelled=not self._is_low,
-                has_long_titles=not (self._is_low or self._is_narrow),
-            )  # fmt: skip
+            self._draw(self.canvas.figure, labelled=not self._is_low)
             self._zooming.set_home()
             self.canvas.draw_idle()
 
-    def _draw(self, figure: "Figure", *, labelled: bool, has_long_titles: bool) -> None:
+    def _draw(self, figure: "Figure", *, labelled: bool) -> None:
         # Imported here, so that the start of the window does not wait for Matplotlib.
         from lispac.gui.features.inspect.section_figure import draw_section
 
         draw_section(
             *self._shown, figure, exaggeration=self.exaggeration,
-            starts_at_left=self._starts_at_left, labelled=labelled, has_long_titles=has_long_titles,
+            starts_at_left=self._starts_at_left, labelled=labelled,
         )  # fmt: skip
 
     def _make_canvas(self) -> None:

@@ -14,5 +14,5 @@ LOW_TITLES = {
     ACROSS_TITLE: N_("Across (m)"),
     ALONG_TITLE: N_("Along (m)"),
 }
-"""Titles of the vertical axis in a low picture, which have one line; the title of the cut contains
-the factor."""
+"""Titles of the axes in a low picture, which have one line; the title of the cut contains the
+factor."""

@@ -284,14 +284,17 @@ class SectionTool(QObject):
 
 
 def _largest_offsets(project: Project, name: str) -> dict[BoresightChoice, PairOffset]:
-    """Largest offsets of two lines on a validation plane, if it has been compared."""
-    planes = [ValidationPlane.of(each) for each in project.validation if each.name == name]
-    found: dict[BoresightChoice, PairOffset | None] = {}
-    for plane in planes:
-        found = {
-            "prior": plane.largest_offset("before"), "estimated": plane.largest_offset("after")
-        }  # fmt: skip
-    return {which: offset for which, offset in found.items() if offset is not None}
+    """Offsets of the pair with the largest one after the calibration, before and after.
+
+    As in the report: the same two lines, so that the figures can be compared.
+    """
+    found: dict[BoresightChoice, PairOffset] = {}
+    for plane in (ValidationPlane.of(each) for each in project.validation if each.name == name):
+        if (before := plane.former_offset) is not None:
+            found["prior"] = before
+        if (after := plane.largest_offset) is not None:
+            found["estimated"] = after
+    return found
 
 
 def section_box_sketch(section: Section, *, has_ends: bool) -> Sketch:

@@ -29,7 +29,9 @@ FEATURE = Feature(
     panels=(
         PanelRecord(
             "patch_test",
-            WindowPlace(N_("Patch test"), 830, 520, "patch_test", spares_view=True),
+            WindowPlace(
+                N_("Patch test"), 830, 520, "patch_test", spares_view=True, narrow_width=440
+            ),
             PatchTestPanel,
             _connect,
         ),

@@ -50,6 +50,9 @@ SIDE_WIDTH_PX, LIST_WIDTH_PX, PICTURE_SPACING_PX = 316, 100, 6
 """Width of both lists, width of the list of objects, and space between the pictures, pixels."""
 MIN_WIDE_PX, MAX_ANGLES_WIDTH_PX = 1180, 440
 """Width from which the pictures are between lists and angles, and that of the angles then."""
+MIN_TWO_COLUMNS_PX, MIN_STACKED_HEIGHT_PX = 770, 760
+"""Width from which lists and angles are side by side, and height from which both pictures are one
+below the other in a narrower panel."""
 QWIDGETSIZE_MAX = 16777215
 """Largest size of a widget in Qt, which PySide6 does not export."""
 
@@ -100,17 +103,15 @@ class PatchTestPanel(QWidget):
         self._columns.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
         left.setLayout(self._create_left_column())
-        left.setFixedWidth(SIDE_WIDTH_PX)
-        self._columns.addWidget(left, 0, 0)
         middle = QWidget()
         self._middle = QStackedLayout(middle)
         self._middle.addWidget(self.text_label)
         self._middle.addWidget(self._create_pictures())
         self._pictures = middle
-        self._columns.addLayout(self._create_right_column(), 0, 2)
-        self._columns.setRowStretch(0, 3)
-        self._is_wide = True
-        self._place_pictures(is_wide=False)
+        self._left, self._right = left, QWidget()
+        self._right.setLayout(self._create_right_column())
+        self._form: tuple[bool, bool, bool] | None = None
+        self._arrange(is_wide=False, is_narrow=False, is_high=False)
         # In a small window, the panel scrolls and does not widen the window.
         self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -130,22 +131,54 @@ class PatchTestPanel(QWidget):
         self.update_enabled(Unavailable.NO_PROJECT, busy=False, has_result=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the pictures between lists and angles, or below them in a narrow panel."""
+        """Arrange lists, angles and pictures for the size of the panel."""
         super().resizeEvent(event)
-        self._place_pictures(is_wide=event.size().width() >= MIN_WIDE_PX)
+        size = event.size()
+        self._arrange(
+            is_wide=size.width() >= MIN_WIDE_PX, is_narrow=size.width() < MIN_TWO_COLUMNS_PX,
+            is_high=size.height() >= MIN_STACKED_HEIGHT_PX,
+        )  # fmt: skip
 
-    def _place_pictures(self, *, is_wide: bool) -> None:
-        if is_wide == self._is_wide:
+    def _arrange(self, *, is_wide: bool, is_narrow: bool, is_high: bool) -> None:
+        """Place the pictures between lists and angles, or below them; all parts in one column.
+
+        Parameters
+        ----------
+        is_wide, is_narrow : whether there is space for three columns, and only for one
+        is_high : whether the pictures are one below the other in one column
+        """
+        if (is_wide, is_narrow, is_high) == self._form:
             return
-        self._is_wide = is_wide
-        if is_wide:
-            self._columns.addWidget(self._pictures, 0, 1)
+        self._form = is_wide, is_narrow, is_high
+        columns = self._columns
+        for part in (self._left, self._right, self._pictures):
+            columns.removeWidget(part)
+        self._left.setMinimumWidth(SIDE_WIDTH_PX)
+        self._left.setMaximumWidth(QWIDGETSIZE_MAX if is_narrow else SIDE_WIDTH_PX)
+        columns.addWidget(self._left, 0, 0)
+        if is_narrow:
+            columns.addWidget(self._right, 1, 0)
+            columns.addWidget(self._pictures, 2, 0)
         else:
-            self._columns.addWidget(self._pictures, 1, 0, 1, 3)
-        self._columns.setColumnStretch(1, int(is_wide))
-        self._columns.setColumnStretch(2, int(not is_wide))
-        self._columns.setRowStretch(1, 0 if is_wide else 2)
+            columns.addWidget(self._right, 0, 2)
+            columns.addWidget(self._pictures, *((0, 1) if is_wide else (1, 0, 1, 3)))
+        for column, stretch in enumerate((is_narrow, is_wide, not is_wide and not is_narrow)):
+            columns.setColumnStretch(column, int(stretch))
+        for row, stretch in enumerate((1, 0, 3) if is_narrow else (3, 0 if is_wide else 2, 0)):
+            columns.setRowStretch(row, stretch)
         self.angles.setMaximumWidth(MAX_ANGLES_WIDTH_PX if is_wide else QWIDGETSIZE_MAX)
+        # The tips of the pairs explain the symbols too
+        self.pair_kinds.setVisible(is_high or not is_narrow)
+        self._stack_pictures(stacked=is_narrow and is_high)
+
+    def _stack_pictures(self, *, stacked: bool) -> None:
+        """Place the curve with its choice below the picture of the lines, or beside it."""
+        grid = self._picture_grid
+        row, column = (2, 0) if stacked else (0, 1)
+        for number, part in enumerate((self.of, self.curve)):
+            grid.removeWidget(part)
+            grid.addWidget(part, row + number, column)
+        grid.setRowStretch(3, int(stacked))
 
     def _buttons(self) -> None:
         add_button = widgets.button
@@ -225,13 +258,13 @@ class PatchTestPanel(QWidget):
         grid.setSpacing(PICTURE_SPACING_PX)
         grid.addWidget(self.view, 0, 0)
         grid.addWidget(self.picture, 1, 0)
-        grid.addWidget(self.of, 0, 1)
-        grid.addWidget(self.curve, 1, 1)
         grid.setRowStretch(1, 1)
+        self._picture_grid = grid
         return container
 
     def _create_right_column(self) -> QVBoxLayout:
         column = QVBoxLayout()
+        column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
         column.addWidget(self.angles)
         column.addWidget(self.all)

@@ -207,6 +207,11 @@ class CurvePicture(PaperPicture):
             box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT_PX - 6, 16)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
+    def _label_top(self, lowest: float) -> float:
+        """Upper edge of the label of the minimum, where the curve is not, pixels."""
+        is_high = self.place(lowest, float(self._mismatch.min())).y() < self._frame.center().y()
+        return self._frame.bottom() - 18 if is_high else self._frame.top() + 2
+
     def _draw_marks(self, painter: QPainter) -> None:
         lowest, frame = self.minimum, self._frame
         if lowest is not None:
@@ -219,7 +224,7 @@ class CurvePicture(PaperPicture):
             width = (x - frame.left() if right else frame.right() - x) - 8
             if painter.fontMetrics().horizontalAdvance(text) > width:
                 text = value
-            box = QRectF(x - 204 if right else x + 4, frame.top() + 2, 200, 16)
+            box = QRectF(x - 204 if right else x + 4, self._label_top(lowest), 200, 16)
             side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
             painter.setPen(theme.colour("done"))
             painter.drawText(box, side, text)

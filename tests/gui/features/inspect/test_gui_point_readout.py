@@ -405,6 +405,21 @@ def test_a_click_beside_the_points_is_answered_at_the_mouse(board: Driver) -> No
     assert window.controller.candidate is None
 
 
+def test_the_note_at_the_mouse_stays_after_ctrl_is_released(board: Driver) -> None:
+    canvas = board.viewport.canvas
+    board.viewport.view("isometric")
+    QTest.keyPress(canvas, Key.Key_Control)
+    board.bot.mouseClick(canvas, Left, Control, EMPTY)
+    board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
+    QTest.keyRelease(canvas, Key.Key_Control)
+    board.bot.wait(700)  # Qt hides a tooltip 0.3 s after a request
+    assert QToolTip.isVisible()
+    assert QToolTip.text() == NO_POINT_TEXT
+    QTest.keyPress(canvas, Key.Key_Control)
+    board.bot.waitUntil(lambda: not QToolTip.isVisible(), timeout=WAIT_MS)
+    QTest.keyRelease(canvas, Key.Key_Control)
+
+
 def test_a_click_beside_the_points_names_the_surface_to_pick(board: Driver) -> None:
     canvas, notes = board.viewport.canvas, board.window.task_bar
     board.viewport.view("isometric")

@@ -154,7 +154,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
 def test_the_section_gives_the_offsets_of_the_table_of_pairs(
     demo: Demo, validated: Project, driver: Driver
 ) -> None:
-    """Title, pairs of lines and validation planes have one definition of the offset."""
+    """The titles before and after are of one pair, as in the report and the table of pairs."""
     window = driver.window
     window.document.open(validated, demo.survey)
     wait_until_idle(driver)
@@ -166,16 +166,22 @@ def test_the_section_gives_the_offsets_of_the_table_of_pairs(
     (plane,) = [each for each in validated.validation if each.name == "V1"]
     histograms = window.histograms
     columns = [column.value for column in WINDOW_PAIRS_TABLE.columns]
-    for axes, state in zip(panel.canvas.figure.axes, ("before", "after"), strict=True):
-        pair = max(plane.pairs, key=lambda each: abs(getattr(each, state).signed.median))
-        offset = f"{1000 * abs(getattr(pair, state).signed.median):.1f}"
-        title = axes.get_title(loc="left")
-        assert offset in title
-        column = columns.index(f"{state}.signed.median_m")
-        listed = [
-            histograms.pairs.item(row, column).text() for row in range(histograms.pairs.rowCount())
-        ]
-        assert offset in {text.strip("+−-") for text in listed}
+    pair = max(plane.pairs, key=lambda each: abs(each.after.signed.median))
+    texts = [
+        [histograms.pairs.item(row, column).text() for column in range(len(columns))]
+        for row in range(histograms.pairs.rowCount())
+    ]
+    (row,) = [each for each in texts if {pair.line_a, pair.line_b} <= set(each[0].split())]
+    for height in (420, 150):
+        window.resizeDocks([window.docks["Section"]], [height], Qt.Orientation.Vertical)
+        driver.rest()
+        for axes, state in zip(panel.canvas.figure.axes, ("before", "after"), strict=True):
+            offset = f"{1000 * abs(getattr(pair, state).signed.median):.1f}"
+            title = axes.get_title(loc="left")
+            assert offset in title
+            assert f"({pair.line_a} / {pair.line_b})" in " ".join(title.split())
+            column = columns.index(f"{state}.signed.median_m")
+            assert row[column].strip("+−-") == offset
     window._select("T1", "")
     driver.rest()
     titles = [each.get_title(loc="left") for each in panel.canvas.figure.axes]
@@ -206,7 +212,8 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     for axes, cut in zip((before, after), cuts, strict=True):
         factor = 1 / axes.get_aspect()
         width = np.ptp(axes.get_xlim())
-        assert factor * width == pytest.approx(panel.size.value())
+        assert factor > 1
+        assert axes.get_ylim() == pytest.approx(np.array([-0.5, 0.5]) * panel.size.value())
         assert axes.get_xlabel() == f"Across the surface, enlarged {factor:.0f} times (m)"
         assert cut.spread < width
         for drawn in axes.lines:
@@ -228,7 +235,7 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     label = panel.canvas.figure.axes[0].get_xlabel()
     assert label == "From the middle, away from the vessel (m)"
     far = replace(cuts[0], spread=10.0)
-    assert far.automatic_exaggeration == 1
+    assert far.automatic_exaggeration() == 1
     colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
     figure = Figure()
     draw_section([far, cuts[1]], colours, ("Distance", "Height"), {}, figure)
@@ -237,10 +244,13 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     assert after.get_xlabel().startswith("Across the surface, enlarged")
     assert before.get_ylabel() == after.get_ylabel()
     near, nearer = replace(cuts[1], spread=0.09), replace(cuts[1], spread=0.03)
-    assert near.automatic_exaggeration < nearer.automatic_exaggeration
+    assert near.automatic_exaggeration() < nearer.automatic_exaggeration()
     draw_section([near, nearer], colours, ("Distance", "Height"), {}, figure)
     before, after = figure.axes
-    assert before.get_aspect() == after.get_aspect() == 1 / near.automatic_exaggeration
+    assert 1 > before.get_aspect() == after.get_aspect()
+    assert before.get_xlim() == after.get_xlim()
+    draw_section([near, near], colours, ("Distance", "Height"), {}, figure)
+    assert figure.axes[0].get_aspect() == before.get_aspect(), "the smaller factor for both"
     for size in ((9.0, 1.8), (14.0, 2.2)):  # low and wide, as the panel is
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
@@ -268,6 +278,45 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         assert 0 <= label.y0 < label.y1 <= figure.bbox.height, "not cut off"
 
 
+@pytest.mark.parametrize("size", [(5.5, 1.5), (9.0, 1.5), (12.0, 1.5), (12.0, 3.0), (6.0, 6.0)])
+def test_the_whole_section_is_shown_in_a_figure_of_any_size(
+    adjusted: Driver, size: tuple[float, float]
+) -> None:
+    """Along the surface the whole section, and across it all lines, in the width of the plot."""
+    press(adjusted, Key.Key_S)
+    adjusted.rest()
+    adjusted.window._select("T1", "")
+    adjusted.rest()
+    cuts = adjusted.window.tools.sections._cuts
+    flat = [
+        replace(
+            cut, normal=np.array([0.0, 1.0]),
+            points={line: points[:, ::-1] for line, points in cut.points.items()},
+        )
+        for cut in cuts
+    ]  # fmt: skip
+    colours = {line.name: (0, 0, 0) for line in adjusted.project.lines}
+    labelled = size[1] > 2.0
+    half = 0.5 * cuts[0].section.width
+    for shown, across in ((cuts, 0), (flat, 1)):
+        figure = Figure(figsize=size, layout="constrained")
+        FigureCanvasAgg(figure)
+        draw_section(
+            shown, colours, (AHEAD_LABEL, HEIGHT_LABEL), {}, figure, labelled=labelled
+        )  # fmt: skip
+        figure.canvas.draw()
+        for axes, cut in zip(figure.axes, shown, strict=True):
+            limits = axes.get_xlim(), axes.get_ylim()
+            assert limits[1 - across] == pytest.approx((-half, half))
+            normal = cut.normal / np.linalg.norm(cut.normal)
+            for points in cut.points.values():
+                middle = abs(float(np.median(points @ normal)))
+                assert middle < max(limits[across])
+            box = axes.get_window_extent()
+            slot = figure.bbox.width / len(shown)
+            assert box.width > 0.5 * slot or box.height > 0.5 * figure.bbox.height
+
+
 @pytest.mark.parametrize("factor", ["automatic", "1", "50"])
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
@@ -288,7 +337,7 @@ def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
         with in_language(language):
             draw_section(
                 shown, colours, (AHEAD_LABEL, upward), {}, figure, labelled=False,
-                has_long_titles=False, exaggeration=None if factor == "automatic" else int(factor),
+                exaggeration=None if factor == "automatic" else int(factor),
             )  # fmt: skip
             figure.canvas.draw()
         title = figure.axes[0].yaxis.label

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QListWidget, QScrollArea, QSlider, QStyle, QStyleO
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
+from lispac.gui.features.patch_test.pictures import CurvePicture
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
 from tests.support.message_codes import is_shown
 
@@ -128,6 +129,19 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     alone = shown.angles.boresight
     assert abs(alone[PITCH] - result.boresight[PITCH]) < 0.2 * result.sigma[PITCH]
     assert "mismatch is smallest" in shown.message_label.text()
+
+
+@pytest.mark.parametrize("depth", [0.01, 0.095])
+def test_the_label_of_the_minimum_does_not_cover_the_curve(qapp, depth: float) -> None:
+    """A shallow minimum lies high in the picture, and its label then below the curve."""
+    curve = CurvePicture()
+    curve.resize(400, 160)
+    angles = np.radians(np.linspace(-3.0, 3.0, 121))
+    curve.show_curve("Roll", angles, 0.1 - depth * np.exp(-((angles / np.radians(0.5)) ** 2)))
+    lowest = curve.minimum
+    top = curve._label_top(lowest)
+    height = curve.place(lowest, 0.1 - depth).y()
+    assert not top - 4 <= height <= top + 20
 
 
 def test_keys_change_an_angle_by_a_thousandth_and_update_the_picture(opened: Driver) -> None:
