@@ -79,12 +79,13 @@ class Session(QObject):
             show_with_owned_windows(window)
             if former is not None and former.dock_layout.is_maximised:
                 window.actions_["maximise"].trigger()
-            if former is not None:
+            if former is None:
+                window.activateWindow()
+            else:
                 _restore_focus(window)
-            window.activateWindow()
-            if former is not None:
                 window.scene.draw_now()
                 window.site_design.copy_state_from(former.site_design)
+                # Once only: a window manager may handle two requests in any order
                 _window_in_front(former, window, in_front).activateWindow()
         except BaseException:
             window.discard()

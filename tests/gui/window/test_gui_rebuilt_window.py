@@ -217,3 +217,18 @@ def test_the_header_of_the_open_step_has_the_focus(
         assert window.workflow.opened == REPORT
         focused = QApplication.focusWidget()
         assert focused is window.workflow.headers[REPORT], focused.objectName()
+
+
+@pytest.mark.parametrize("is_active", [True, False])
+def test_the_focus_follows_a_step_that_opens_by_itself(
+    session: Session, qtbot: QtBot, demo: Demo, is_active: bool
+) -> None:
+    window = session.window
+    window.document.open(demo.picked, demo.survey)
+    window.workflow.go_to(DATA)
+    if not is_active:
+        show_panel(window, "Patch test")
+        qtbot.waitUntil(window.panel_windows["Patch test"].isActiveWindow, timeout=SOON_MS)
+    assert window.focusWidget() is window.workflow.headers[DATA]
+    window.workflow.open(REPORT)
+    assert window.focusWidget() is window.workflow.headers[REPORT]
