@@ -154,7 +154,8 @@ class DockLayout(QObject):
         self._waiting: frozenset[str] = frozenset()
         self._wanted = set(self._automatic)
         self._filled: frozenset[str] = frozenset()
-        self._has_strip_height = False
+        self.has_strip_height = False
+        """Whether a panel at the bottom was shown, so that their height is the one to keep."""
         self._state_before: QByteArray | None = None
         self._open_before: Collection[str] = ()
         self._must_close_empty = False
@@ -221,8 +222,8 @@ class DockLayout(QObject):
 
     def _on_shown(self, title: str) -> None:
         self._wanted.add(title)
-        if not self._has_strip_height and title != WORKFLOW and self._window.isVisible():
-            self._has_strip_height = True
+        if not self.has_strip_height and title != WORKFLOW and self._window.isVisible():
+            self.has_strip_height = True
             self._set_strip_height(self._docks[title])
 
     def _on_closed(self, title: str) -> None:
@@ -282,7 +283,7 @@ class DockLayout(QObject):
         self._window.resizeDocks(
             [self._docks[WORKFLOW]], [SIDE_WIDTH_PX], Qt.Orientation.Horizontal
         )
-        self._has_strip_height = False
+        self.has_strip_height = False
         for title, dock in self._docks.items():
             if title != WORKFLOW and dock.isVisible():
                 self._on_shown(title)
@@ -310,11 +311,19 @@ class DockLayout(QObject):
             if not former._docks[title].visibleRegion().isEmpty():
                 dock.raise_()
 
-    def restore(self, layout: QByteArray, wanted: Collection[str] | None) -> None:
-        """Restore a stored layout; ``wanted`` is None if it was stored without the docks."""
+    def restore(
+        self, layout: QByteArray, wanted: Collection[str] | None, *, has_strip_height: bool = True
+    ) -> None:
+        """Restore a stored layout.
+
+        Parameters
+        ----------
+        wanted : titles of wanted docks; None if the layout was stored without them
+        has_strip_height : whether a panel at the bottom had been shown before it was stored
+        """
         self._window.restoreState(layout)
         self._wanted = set(self._automatic if wanted is None else wanted)
-        self._has_strip_height = True
+        self.has_strip_height = has_strip_height
 
 
 def _initial_strip_height(window: QMainWindow) -> int:
@@ -327,14 +336,17 @@ def _initial_strip_height(window: QMainWindow) -> int:
     return min(max(height, MIN_STRIP_HEIGHT_PX), round(MAX_STRIP_SHARE * window.height()))
 
 
-def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Show a window and then its floating panels, so that they are in front of it."""
-    floating = [dock for dock in docks.values() if dock.isFloating() and dock.isVisible()]
-    for dock in floating:
-        dock.hide()
+def show_with_owned_windows(window: QMainWindow) -> None:
+    """Show a window and then its floating panels and other windows, so that they are above it.
+
+    A window manager keeps a window above its parent only if the parent was shown first.
+    """
+    owned = [each for each in window.findChildren(QWidget) if each.isWindow() and each.isVisible()]
+    for each in owned:
+        each.hide()
     window.show()
-    for dock in floating:
-        dock.show()
+    for each in owned:
+        each.show()
 
 
 def hide_floating_docks(docks: Mapping[str, QDockWidget]) -> None:

@@ -127,6 +127,15 @@ class AppSettings:
     def open_panels(self, titles: list[str]) -> None:
         self._store.setValue("open_panels", json.dumps(titles))
 
+    @property
+    def has_panel_height(self) -> bool:
+        """Whether the stored layout has a height of the panels at the bottom that were shown."""
+        return str(self._store.value("has_panel_height", "yes")) == "yes"
+
+    @has_panel_height.setter
+    def has_panel_height(self, has_height: bool) -> None:
+        self._store.setValue("has_panel_height", "yes" if has_height else "no")
+
     def window_geometry(self, name: str) -> QByteArray | None:
         """Geometry of another window by its object name; None if it has not been open before."""
         stored = self._store.value(f"geometry_{name}")

@@ -45,6 +45,7 @@ class Scene(QObject):
     """Updates the viewport from the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
+    colouring_changed = Signal(str)
     focused = Signal(object, str)
     """Points (n, 3) to which the view moves, and the name of their target or line."""
     selection_changed = Signal()
@@ -67,7 +68,7 @@ class Scene(QObject):
         self._ticked: frozenset[str] = frozenset()
         """Names of the proposed targets that the user has ticked."""
         self.selected: tuple[str, str] | None = None
-        self.colouring: Colouring = "line"
+        self._colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
         self._shading: PointColouring | None = None
         self._residuals: ResidualColours = {}
@@ -84,6 +85,16 @@ class Scene(QObject):
         document.about_to_open.connect(self._clear)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._on_project_changed)
+
+    @property
+    def colouring(self) -> Colouring:
+        """Value by which the points are coloured; by line in a project that was just opened."""
+        return self._colouring
+
+    def _set_colouring(self, colouring: Colouring) -> None:
+        if colouring != self._colouring:
+            self._colouring = colouring
+            self.colouring_changed.emit(colouring)
 
     @property
     def clouds(self) -> Mapping[str, Cloud]:
@@ -166,7 +177,7 @@ class Scene(QObject):
             colours are then unchanged.
         """
         shaded = self._point_colours(colouring)
-        self.colouring = colouring
+        self._set_colouring(colouring)
         if self._document.survey is not None:
             self._draw_clouds(shaded)
             self._schedule_targets()
@@ -263,6 +274,7 @@ class Scene(QObject):
     def _clear(self) -> None:
         self.candidate = self.selected = None
         self._proposed = ()
+        self._set_colouring("line")
         self._markers, self._searched = [], ()
         self._viewport.clear()  # not redrawn before the next project
         self._drawn = {}
@@ -274,7 +286,7 @@ class Scene(QObject):
             self._estimated, self.which = None, "prior"
         else:
             self._estimated, self.which = former._estimated, former.which
-            self.colouring = former.colouring
+            self._set_colouring(former.colouring)
         survey = self._document.survey
         if survey is None:
             self._viewport.clear()
@@ -351,7 +363,7 @@ class Scene(QObject):
         try:
             return self._point_colours(self.colouring)
         except ValueError:  # no intensities or no result
-            self.colouring = "line"
+            self._set_colouring("line")
             return None, {}
 
     def _point_colours(self, colouring: Colouring) -> ColouredPoints:

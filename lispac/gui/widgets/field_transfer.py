@@ -1,23 +1,21 @@
-"""Transfer of choices and numbers between the fields of two widgets."""
+"""Transfer of choices, numbers and texts between the fields of two widgets."""
 
 from typing import TypeVar
 
-from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QPlainTextEdit, QWidget
 
-from lispac.errors import InputError
-from lispac.gui.widgets.number_field import NumberField
-from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.gui.widgets.number_input import PanelEntry
 
 WidgetType = TypeVar("WidgetType", bound=QWidget)
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:
-    """Copy choices and numbers between the fields that have the same names.
+    """Copy choices, numbers and texts between the fields that have the same names.
 
-    Choices are copied first, since they may set the unit of a number.
+    Choices are copied first, since they may set the unit of a number, or clear a text.
     """
     _copy_choices(before, after)
-    _copy_numbers(before, after)
+    _copy_entries(before, after)
 
 
 def _copy_choices(before: QWidget, after: QWidget) -> None:
@@ -30,17 +28,13 @@ def _copy_choices(before: QWidget, after: QWidget) -> None:
             copied.setChecked(button.isChecked())
 
 
-def _copy_numbers(before: QWidget, after: QWidget) -> None:
-    for number, copied in _matching_fields(NumberField, before, after):
-        copied.setValue(number.value())
-        if number.input_error is not None:
-            copied.lineEdit().setText(number.text())
-    for optional, copied in _matching_fields(OptionalNumber, before, after):
-        try:
-            copied.show_value(optional.value())
-        except InputError:
-            copied.setText(optional.text())
-        copied.textChanged.emit(copied.text())
+def _copy_entries(before: QWidget, after: QWidget) -> None:
+    for field, copied in _matching_fields(QWidget, before, after):
+        if isinstance(copied, PanelEntry):
+            copied.copy_state_from(field)
+    for text, copied in _matching_fields(QPlainTextEdit, before, after):
+        if not text.isReadOnly() and text.toPlainText() != copied.toPlainText():
+            copied.setPlainText(text.toPlainText())
 
 
 def _matching_fields(

@@ -3,18 +3,19 @@
 from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QValidator, QWheelEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QShowEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QToolTip
 
 from lispac.gui.appearance import units
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_input import (
-    NumberEntry,
+    PanelEntry,
     PendingInput,
     handle_shortcut_override,
     is_start_of_number,
     parse_number,
+    text_in_unit,
 )
 from lispac.language import gettext
 from lispac.messages import Message, error
@@ -29,7 +30,7 @@ TIP_DELAY_MS = 300
 """Delay of the tip after the field loses the focus, since Qt then hides all tips."""
 
 
-class NumberField(NumberEntry, QDoubleSpinBox):
+class NumberField(PanelEntry, QDoubleSpinBox):
     """Number field that keeps all digits of its value in the base unit and shows some of them.
 
     A value that is shown or confirmed without a change keeps all its digits. Any text can be typed;
@@ -158,6 +159,24 @@ class NumberField(NumberEntry, QDoubleSpinBox):
         super().setValue(value)
         self._reformat_text()
 
+    def copy_state_from(self, former: "NumberField") -> None:
+        """Copy the value of a field of a former window, and the text that is typed in it.
+
+        An assumed value stays assumed.
+        """
+        value = former.value() if former._before is None else former._before
+        self._end()
+        if former.is_assumed:
+            self.show_assumed(value)
+        else:
+            self.setValue(value)
+        if not former._is_edited:
+            return
+        if former.is_typing:
+            self._begin()
+        text = text_in_unit(former._without_unit(former.text()), former._sign, self._sign)
+        self._show_typed(text)
+
     def stepBy(self, steps: int) -> None:
         """Step from the typed value, or from the former one if the typed one is not accepted."""
         if self._kept is not None:
@@ -197,6 +216,18 @@ class NumberField(NumberEntry, QDoubleSpinBox):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Keep the text being typed, which Qt would format as a value."""
+        text = self._without_unit(self.text())
+        super().showEvent(event)
+        if self._is_edited:
+            self._show_typed(text)
+
+    def _show_typed(self, text: str) -> None:
+        """Show a text without its unit, with the cursor at its end."""
+        self.lineEdit().setText(f"{text}{self.suffix()}")
+        self.lineEdit().setCursorPosition(len(text))
 
     @property
     def _is_edited(self) -> bool:

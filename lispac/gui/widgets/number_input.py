@@ -8,6 +8,7 @@ import math
 import re
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
@@ -69,6 +70,12 @@ def parse_number(text: str, unit: str = "") -> float | None:
     return number if math.isfinite(number) else None
 
 
+def text_in_unit(text: str, typed_unit: str, unit: str) -> str:
+    """Text of a number typed in one unit, as it is typed in a field with another unit."""
+    is_bare = parse_number(f"{text} {typed_unit}", typed_unit) is not None
+    return f"{text} {typed_unit}" if is_bare and typed_unit != unit else text
+
+
 def is_start_of_number(text: str) -> bool:
     """Whether a text becomes a number if more digits are typed."""
     return parse_number(text.rstrip() + "0") is not None
@@ -117,6 +124,17 @@ class NumberEntry:
             self.setProperty("wrong", wrong)
             self.style().unpolish(self)
             self.style().polish(self)
+
+
+class PanelEntry(NumberEntry):
+    """Base of the fields of the panels, which continue in a new window."""
+
+    @abstractmethod
+    def copy_state_from(self, former: Any) -> None:
+        """Copy the value of a field of the same class, and the text that is typed in it.
+
+        A text that is not committed is not committed here.
+        """
 
 
 class PendingInput(QObject):

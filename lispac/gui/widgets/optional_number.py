@@ -9,10 +9,11 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.appearance.units import Base
 from lispac.gui.widgets.number_input import (
-    NumberEntry,
+    PanelEntry,
     PendingInput,
     handle_shortcut_override,
     parse_number,
+    text_in_unit,
 )
 from lispac.language import gettext
 from lispac.messages import Message, error
@@ -20,7 +21,7 @@ from lispac.messages import Message, error
 BASE_OF_SIGN: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
 
-class OptionalNumber(NumberEntry, QLineEdit):
+class OptionalNumber(PanelEntry, QLineEdit):
     """Field for a number with its unit; an empty field means unknown.
 
     `parse_number` reads the text. A text that is not a number is kept and marked.
@@ -148,6 +149,18 @@ class OptionalNumber(NumberEntry, QLineEdit):
         """Discard the typed text and show the value again."""
         self._pending.end()
         self.setText("" if self._shown_value is None else self._shown_value[0])
+
+    def copy_state_from(self, former: "OptionalNumber") -> None:
+        """Copy the value of a field of a former window, and the text that is typed in it."""
+        self._pending.end()
+        if former.is_typing or former.input_error is not None:
+            self.show_value(None if former._shown_value is None else former._shown_value[1])
+            if former.is_typing:
+                self._pending.begin()
+            self.setText(text_in_unit(former.text(), former.unit, self.unit))
+        else:
+            self.show_value(former.value())
+        self.textChanged.emit(self.text())
 
     def event(self, event: QEvent) -> bool:
         """Use the keys that concern the typed text; leave Undo to the window if there is none."""

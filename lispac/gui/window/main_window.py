@@ -334,7 +334,11 @@ class MainWindow(QMainWindow):
         """
         if (stored := self.settings.layout()) is not None:
             self.restoreGeometry(stored[0])
-            self.dock_layout.restore(stored[1], self.settings.open_panels)
+            self.dock_layout.restore(
+                stored[1],
+                self.settings.open_panels,
+                has_strip_height=self.settings.has_panel_height,
+            )
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
@@ -612,6 +616,7 @@ class MainWindow(QMainWindow):
     def save_layout(self) -> None:
         """Store the layout of window and panels in the settings."""
         layout, self.settings.open_panels = self.dock_layout.state()
+        self.settings.has_panel_height = self.dock_layout.has_strip_height
         self.settings.save_layout(self.saveGeometry(), layout)
         for each in self.panel_windows.values():
             each.save_geometry()

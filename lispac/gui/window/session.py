@@ -18,9 +18,9 @@ from PySide6.QtCore import (
     QTimer,
     Signal,
 )
-from PySide6.QtWidgets import QAbstractItemView, QApplication
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 
-from lispac.gui.app.docks import show_window_and_docks
+from lispac.gui.app.docks import show_with_owned_windows
 from lispac.gui.app.garbage_collection import collect_all
 from lispac.gui.app.language import set_language
 from lispac.gui.app.point_colours import set_colour_scale
@@ -30,6 +30,7 @@ from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.project.features import StateCopier
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.field_transfer import copy_fields
+from lispac.gui.widgets.number_input import NumberEntry
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.features import panel_records
 from lispac.gui.window.main_window import MainWindow
@@ -75,17 +76,17 @@ class Session(QObject):
         try:
             if former is not None:
                 copy_window_state(former, window)
-            show_window_and_docks(window, window.docks)
+            show_with_owned_windows(window)
             if former is not None and former.dock_layout.is_maximised:
                 window.actions_["maximise"].trigger()
-            if former is not None:
-                window.workflow.focus_open_step()
-            window.activateWindow()
-            if former is not None:
+            if former is None:
+                window.activateWindow()
+            else:
+                _restore_focus(window)
                 window.scene.draw_now()
                 window.site_design.copy_state_from(former.site_design)
-                designed = in_front is not None and in_front is former.site_design.window
-                (window.site_design.window if designed else window).activateWindow()
+                # Once only: a window manager may handle two requests in any order
+                _window_in_front(former, window, in_front).activateWindow()
         except BaseException:
             window.discard()
             raise
@@ -230,6 +231,27 @@ def copy_window_state(former: MainWindow, window: MainWindow) -> None:
     if former.tour.is_running:
         window.tour.resume()
     window.dock_layout.copy_state_from(former.dock_layout)
+
+
+def _restore_focus(window: MainWindow) -> None:
+    """Focus the field in which a number is being typed, or else the header of the open step."""
+    window.workflow.focus_open_step()
+    typed = (each for each in window.findChildren(QWidget) if isinstance(each, NumberEntry))
+    for field in typed:
+        if field.is_typing:
+            field.setFocus(Qt.FocusReason.OtherFocusReason)
+
+
+def _window_in_front(former: MainWindow, window: MainWindow, in_front: QWidget | None) -> QWidget:
+    """Window that continues the one in front before the change."""
+    pairs = [
+        (former.site_design.window, window.site_design.window),
+        *((former.panel_windows[title], each) for title, each in window.panel_windows.items()),
+    ]
+    for before, after in pairs:
+        if after is not None and before is in_front and in_front is not None:
+            return after
+    return window
 
 
 def _copy_view(former: MainWindow, window: MainWindow) -> None:

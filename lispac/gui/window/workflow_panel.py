@@ -92,12 +92,17 @@ class WorkflowPanel(QWidget):
         return QSize(self._width, hint.height())
 
     def open(self, step: int) -> None:
-        """Open one step, numbered from 0, and close the others."""
+        """Open one step, numbered from 0, and close the others.
+
+        If the header of another step has the focus, it moves to that of the open step.
+        """
         for k, (header, area) in enumerate(zip(self.headers, self._areas, strict=True)):
             header.setChecked(k == step)
             area.setVisible(k == step)
         if step != self.opened:
             self.opened = step
+            if self.window().focusWidget() in self.headers:  # also in a window not yet in front
+                self.focus_open_step()
             self.step_opened.emit(step)
 
     def focus_open_step(self) -> None:

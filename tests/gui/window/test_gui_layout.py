@@ -44,6 +44,7 @@ from tests.gui.support import (
     Left,
     click,
     estimate,
+    finish_layouts,
     in_front,
     open_step,
     press,
@@ -167,6 +168,34 @@ def test_the_view_has_most_of_the_window_in_every_state(
     print(language, size, {state: round(share, 2) for state, share in shares.items()})
     assert shares["start"] >= 0.6
     assert shares["import done"] >= 0.6
+
+
+@pytest.mark.parametrize("size", [(1366, 768), pytest.param((1600, 1000), marks=LONG)])
+@pytest.mark.parametrize("again", ["new window", "next start"])
+def test_a_layout_without_lower_panels_leaves_the_view_its_share(
+    session: Session, qtbot: QtBot, demo: Demo, estimated: Project, size: tuple[int, int],
+    again: str,
+) -> None:  # fmt: skip
+    """The height of panels that were never shown is not stored as that of the user."""
+    window = session.window
+    window.resize(*size)
+    qtbot.wait(200)
+    if again == "new window":
+        window.settings.theme = "dark"
+        session.rebuild_window()
+        window = session.window
+    else:
+        window.save_layout()
+        window.discard()
+        window = session.window = session._create_window(None)
+    qtbot.waitUntil(lambda: in_front(window), timeout=SOON_MS)
+    window.document.open(estimated, demo.survey)
+    qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(window.docks["Results"].isVisible, timeout=SOON_MS)
+    finish_layouts()
+    assert (window.width(), window.height()) == size
+    view = window.viewport.widget
+    assert view.width() * view.height() >= SIZES[size] * size[0] * size[1]
 
 
 def test_the_steps_with_assumed_noise_fit_into_the_initial_width(

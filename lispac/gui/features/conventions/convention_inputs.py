@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import widgets
+from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.language import N_, capitalised, gettext
 from lispac.messages import Message
@@ -69,6 +70,7 @@ class BoresightInputs(QWidget):
         self.covariance: np.ndarray | None = None
         self.sigma_warning: Message | None = None
         self.has_lever_arm = self.has_values = False
+        self._is_user_defined = False
         self._project_values: tuple[Mounting, np.ndarray | None, Message | None, str] | None = None
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
@@ -100,7 +102,7 @@ class BoresightInputs(QWidget):
         layout.addWidget(self.use_project, alignment=Qt.AlignmentFlag.AlignLeft)
 
     def show_project(self, project: Project | None) -> None:
-        """Fill in the boresight of the project if it has changed."""
+        """Fill in the boresight of the project if it has changed; clear that of a closed one."""
         self._project_values = None if project is None else _project_boresight(project)
         self.use_project.setEnabled(self._project_values is not None)
         key: tuple[object, ...] = ()
@@ -109,7 +111,25 @@ class BoresightInputs(QWidget):
         # Other edits of the project keep the typed values.
         if key != self._key:
             self._key = key
-            self._use_project()
+            if project is None:
+                self._clear()
+            else:
+                self._use_project()
+
+    def copy_state_from(self, former: "BoresightInputs") -> None:
+        """Copy the values of a former window with the same project."""
+        copy_fields(former, self)
+        if former._is_user_defined:
+            self._on_typed()
+        self.has_values = former.has_values
+        self.changed.emit()
+
+    def _clear(self) -> None:
+        self.boresight.set_value((0.0, 0.0, 0.0))
+        self.lever_arm.set_value((0.0, 0.0, 0.0))
+        self._on_typed()
+        self._is_user_defined = self.has_values = False
+        self.changed.emit()
 
     def _use_project(self) -> None:
         if self._project_values is None:
@@ -118,6 +138,7 @@ class BoresightInputs(QWidget):
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
         self.has_lever_arm = self.has_values = True
+        self._is_user_defined = False
         self.source.setText(source)
         self.changed.emit()
 
@@ -126,7 +147,7 @@ class BoresightInputs(QWidget):
         self.has_values = True
 
     def _on_typed(self) -> None:
-        self.has_values = True
+        self.has_values = self._is_user_defined = True
         self.mounting = Mounting(
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
@@ -230,6 +251,13 @@ class CurrentSettingsInputs(QWidget):
         return current_mounting_of_matrix(
             setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Current matrix"))
         )
+
+    def clear(self) -> None:
+        """Clear the settings of the other program."""
+        self.fields.set_value((0.0, 0.0, 0.0))
+        self.matrix.clear()
+        self.applied.setChecked(False)
+        self.known.setChecked(False)
 
     def _show_fields(self) -> None:
         self.fields.setVisible(not self.as_matrix.isChecked())

@@ -31,6 +31,7 @@ from lispac.gui.features.conventions.convention_inputs import (
 )
 from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.number_input import require_accepted_texts
 from lispac.gui.widgets.result_tables import local_amount
@@ -181,6 +182,15 @@ class ConventionPanel(QWidget):
     def show_state(self, state: ProjectState) -> None:
         """Use the boresight and lever arm of the project if they have changed."""
         self.inputs.show_project(state.project)
+
+    def clear_current_settings(self) -> None:
+        """Clear the settings of the other program, which belong to the project being left."""
+        self.current.clear()
+
+    def copy_state_from(self, former: "ConventionPanel") -> None:
+        """Copy the program, the values and the notes of a former window of the same project."""
+        copy_fields(former, self)
+        self.inputs.copy_state_from(former.inputs)
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -350,7 +360,8 @@ class ConventionPanel(QWidget):
         self._show_no_angles()
 
     def _show_no_angles(self) -> None:
-        for widget in (self.table, self.notes, self.lever, self.rules, self.matrix):
+        matrix = self.matrix_head, self.matrix
+        for widget in (self.table, self.notes, self.lever, self.rules, *matrix):
             widget.hide()
         self.values_head.setText(gettext("No angles computed"))
         for button in (self.copy, self.copy_angles, self.save):
@@ -368,7 +379,7 @@ class ConventionPanel(QWidget):
         self.assumption.setVisible(values.assumption is not None)
 
     def _show_values(self, values: ConventionValues, correction: CorrectionValues | None) -> None:
-        for widget in (self.lever, self.rules, self.matrix):
+        for widget in (self.lever, self.rules, self.matrix_head, self.matrix):
             widget.setVisible(True)
         for button in (self.copy, self.save):
             button.setEnabled(True)

@@ -32,6 +32,18 @@ class InstallationExport(QObject):
         self._document, self._runner, self._controller = document, runner, controller
         self._dialogs, self.panel = dialogs, panel
         panel.save_requested.connect(self._save)
+        document.opened.connect(self._leave_project)
+        self._had_project = document.project is not None
+
+    def copy_state_from(self, former: "InstallationExport") -> None:
+        """Copy the panel of a former window with the same project."""
+        self.panel.copy_state_from(former.panel)
+
+    def _leave_project(self) -> None:
+        """Clear the settings of the other program if they were given for another project."""
+        if self._had_project:
+            self.panel.clear_current_settings()
+        self._had_project = self._document.project is not None
 
     def _save(self) -> None:
         new, sigma_warning = self.panel.replacement, self.panel.inputs.sigma_warning

@@ -64,6 +64,7 @@ class ViewMenu(QObject):
         for name in COLOURINGS:
             slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         actions.connect_slots(slots)
+        scene.colouring_changed.connect(lambda name: actions[COLOUR_ACTIONS[name]].setChecked(True))
         viewport.signals.history_changed.connect(self._enable_history)
         self._enable_history(False, False)
 

@@ -1,6 +1,7 @@
 """Controller of the patch test: objects, angles, and the pictures that depend on them."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer
@@ -56,6 +57,37 @@ DEBOUNCE_MS = 200
 """Pause after the last move of a slider before a curve is computed."""
 
 
+@dataclass(frozen=True, eq=False)
+class _Curve:
+    """Mismatch as a function of one angle.
+
+    Attributes
+    ----------
+    angle : 0 roll, 1 pitch, 2 yaw
+    object_name : displayed object; None for all ticked objects
+    boresight : ndarray of shape (3,), radians
+        Angles for which the curve was computed.
+    values : ndarray of shape (n,), radians
+    mismatch : ndarray of shape (n,), metres
+    """
+
+    angle: int
+    object_name: str | None
+    boresight: Array
+    values: Array
+    mismatch: Array
+
+    @property
+    def title(self) -> str:
+        """Title in the user's language."""
+        name = gettext(ANGLE_NAMES[self.angle])
+        if self.object_name is None:
+            return gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
+        return gettext(
+            "Mismatch as a function of {angle}: {object}", angle=name, object=self.object_name
+        )
+
+
 class PatchTestController(QObject):
     """Holds the objects, and updates the pictures when the angles change."""
 
@@ -82,7 +114,7 @@ class PatchTestController(QObject):
         self._extraction: Task | None = None
         self._mismatch: Mismatch | None = None
         self._angle = 0
-        self._curve_boresight: Array | None = None
+        self._curve: _Curve | None = None
         self._drawn = self._outdated = False
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
@@ -161,8 +193,7 @@ class PatchTestController(QObject):
         sample = self._placed_objects.sample.of_objects([each.name])
         shown = PlacedObjects((each,), (self._placed_objects.boresight,), sample)
         self._mismatch = Mismatch(sample, shown.blocks([each.name], self._ticked_line_pairs()))
-        self._curve_boresight = None
-        self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        self._show_curve(None)
         if self._dense_sample is None or self._dense_sample.observed[0].object is not each:
             self._dense_sample = None
             self._extract_dense_points(each, self._placed_objects, survey)
@@ -235,13 +266,22 @@ class PatchTestController(QObject):
             self._debounce.start()
 
     def _is_curve_current(self, boresight: Array) -> bool:
-        at = self._curve_boresight
-        if at is None:
+        curve = self._curve
+        if curve is None or curve.angle != self._angle:
             return False
+        at = curve.boresight
         others = [k for k in range(3) if k != self._angle]
         moved = abs(boresight[self._angle] - at[self._angle])
-        return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
+        return bool((boresight[others] == at[others]).all()
                     and moved <= CURVE_INNER_SHARE * CURVE_HALF_WIDTH)  # fmt: skip
+
+    def _show_curve(self, curve: _Curve | None) -> None:
+        """Show a curve; None while it is not known."""
+        self._curve = curve
+        if curve is None:
+            self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        else:
+            self.panel.curve.show_curve(curve.title, curve.values, curve.mismatch)
 
     def _compute_curve(self) -> None:
         placed_objects, angle, each = (
@@ -275,15 +315,8 @@ class PatchTestController(QObject):
 
         def done(curve: tuple[Array, Array]) -> None:
             self._outdated = False
-            self._curve_boresight, self._curve_angle = boresight, angle
-            name = gettext(ANGLE_NAMES[angle])
-            if for_all:
-                title = gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
-            else:
-                title = gettext(
-                    "Mismatch as a function of {angle}: {object}", angle=name, object=each.name
-                )
-            self.panel.curve.show_curve(title, *curve)
+            name = None if for_all else each.name
+            self._show_curve(_Curve(angle, name, boresight, *curve))
             if not self._is_curve_current(self.panel.angles.boresight):
                 self._debounce.start()
 
@@ -385,6 +418,11 @@ class PatchTestController(QObject):
             self._show_result(self._result)
         panel.angles.copy_state_from(former.panel.angles)
         self._show_object()
+        if former._curve is not None:  # another one would have another interval
+            self._debounce.stop()
+            self._outdated = False
+            self._show_curve(former._curve)
+            self._draw_lines()
         self._enable_controls()
 
     def _show_result(self, result: PatchTestResult) -> None:
@@ -430,12 +468,12 @@ class PatchTestController(QObject):
         if survey is not None and survey is self._survey:
             return
         self._survey, self._placed_objects, self._result = survey, None, None
-        self._dense_sample = self._mismatch = self._curve_boresight = None
+        self._dense_sample = self._mismatch = None
         self._outdated = False
         has_lines = survey is not None and len(survey.clouds) > 1
         self.panel.show_empty(EMPTY_TEXT if has_lines else NO_DATA_TEXT)
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
-        self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        self._show_curve(None)
         self._discard_result()
         self._draw_sketch(None)
         self._reset_to_prior()

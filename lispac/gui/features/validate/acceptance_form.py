@@ -16,7 +16,7 @@ from lispac.acceptance import (
 from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance.message_texts import message_text
-from lispac.gui.widgets.number_input import NumberEntry, PendingInput, handle_shortcut_override
+from lispac.gui.widgets.number_input import PanelEntry, PendingInput, handle_shortcut_override
 from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.language import N_, gettext
 from lispac.messages import Message
@@ -112,7 +112,7 @@ class AcceptanceForm(QWidget):
         self.source.show_text(criteria.source)
 
 
-class SourceField(NumberEntry, QLineEdit):
+class SourceField(PanelEntry, QLineEdit):
     """Field for the document that gives the criteria; committed like a number field."""
 
     committed = Signal()
@@ -168,6 +168,15 @@ class SourceField(NumberEntry, QLineEdit):
         """Discard the typed text."""
         self._pending.end()
         self.setText(self._shown)
+
+    def copy_state_from(self, former: "SourceField") -> None:
+        """Copy the text of a field of a former window, and the text that is typed in it."""
+        self._pending.end()
+        self._shown = former._shown
+        if former.is_typing:
+            self._pending.begin()
+        self.setText(former.text())
+        self.setCursorPosition(former.cursorPosition())
 
     def event(self, event: QEvent) -> bool:
         """Use the keys that concern the typed text; leave Undo to the window if there is none."""
