@@ -98,12 +98,30 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.only_plane": N_(
         "The plane {target} is the only target, so only the different headings of the lines "
         "separate the angles. Add a target with a different orientation or a sphere; if there is "
-        "none, tick Accept a single orientation under Advanced."
+        "none, use the setting Accept a single orientation."
     ),
     "adjustment.parallel_planes": N_(
         "All targets are planes of the same orientation, so only the different headings of the "
         "lines separate the angles. Add a target with a different orientation or a sphere; if "
-        "there is none, tick Accept a single orientation under Advanced."
+        "there is none, use the setting Accept a single orientation."
+    ),
+    "adjustment.orientations_lost": N_(
+        "The adjustment turned all targets into one orientation and the boresight by "
+        "{change:deg.1}°, although {first} and {second} differ by {angle:deg.0}° on single lines. "
+        "Check the lever arm and the prior boresight, and that each target is the same surface on "
+        "every line."
+    ),
+    "adjustment.refused_after_rejection": Plural(
+        "One of {total:n} sightings was rejected because it disagrees with the others "
+        "({sightings:names}). Without it: {reason}",
+        "{count:n} of {total:n} sightings were rejected because they disagree with the others "
+        "({sightings:names}). Without them: {reason}",
+    ),
+    "adjustment.refused_after_exclusion": Plural(
+        "One of {total:n} targets was excluded because no point of it agrees with the others "
+        "({targets:names}). Without it: {reason}",
+        "{count:n} of {total:n} targets were excluded because no point of them agrees with "
+        "the others ({targets:names}). Without them: {reason}",
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(

@@ -164,6 +164,23 @@ TEXTS: Mapping[str, Template] = {
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"
     ),
+    "validation.peaks_on_plane": N_("{target} (peaks near {smaller:mm.0} and {larger:mm.0} mm)"),
+    "validation.peaks_and_shift_on_plane": N_(
+        "{target} (peaks near {smaller:mm.0} and {larger:mm.0} mm; {lines:names} shifted by "
+        "{shift:mm.1} mm, σ {sigma:mm.1} mm)"
+    ),
+    "validation.several_peaks": N_(
+        "The distances have several peaks on {items:names}, because the offsets of the pairs of "
+        "lines differ by more than their scatter. The uncertainties of POS and boresight explain "
+        "the shifts of the lines there (limit {limit:x.1} σ)."
+    ),
+    "validation.several_peaks_unknown": Advised(
+        N_(
+            "The distances have several peaks on {items:names}, because the offsets of the pairs "
+            "of lines differ by more than their scatter."
+        ),
+        N_("Validate again to compare the shifts with the uncertainties of POS and boresight."),
+    ),
     "validation.rms_below_offset": N_(
         "On validation plane {target}, the RMS of the distances between {line} and {other} after "
         "the calibration ({rms:mm.1} mm) is too small, because their offset is {offset:mm.1} mm. "

@@ -31,6 +31,7 @@ from lispac.report.validation_warnings import (
     distribution_warnings,
     larger_distances_messages,
     offset_notes,
+    peak_notes,
     surface_model_warnings,
 )
 from lispac.validation.absolute_messages import NamedMean, list_items_with_means
@@ -86,6 +87,7 @@ def report_warnings(
             ),
             *distribution_warnings(content.validation),
             *offset_notes(content.validation),
+            *peak_notes(content.validation),
             *surface_model_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),

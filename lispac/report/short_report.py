@@ -172,11 +172,23 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks += [legend, _overview(whole, is_alone=not small)]
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
+    mapped = [plane for plane in content.validation if plane.maps]
+    shown = [plane for plane in planes if plane.maps]
+    are_same = len(small) == 2 * len(shown) and len(mapped) == len(content.validation)
     if small and len(small) < 2 * len(content.validation):
-        pictured = gettext(
-            "Pictures of {shown:n} of {total:n} validation planes are shown: first those that "
-            "fail, then those with the largest RMS after the calibration.",
-            shown=len(small) // 2, total=len(content.validation),
+        pictured = (
+            gettext(
+                "Pictures and maps of {shown:n} of {total:n} validation planes are shown: first "
+                "those that fail, then those with the largest RMS after the calibration. The full "
+                "report contains all maps.",
+                shown=len(shown), total=len(mapped),
+            )
+            if are_same
+            else gettext(
+                "Pictures of {shown:n} of {total:n} validation planes are shown: first those that "
+                "fail, then those with the largest RMS after the calibration.",
+                shown=len(small) // 2, total=len(content.validation),
+            )
         )  # fmt: skip
         blocks.append(Paragraph(pictured))
     rows = [
@@ -187,15 +199,13 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         )
         for k in range(0, len(small), 2)
     ]
-    mapped = [plane for plane in content.validation if plane.maps]
-    shown = [plane for plane in planes if plane.maps]
     if not beside:
         blocks += rows
     if whole and histograms and not beside:
         blocks.append(PictureRow(tuple(histograms), tallest=MAX_HISTOGRAM_HEIGHT_MM))
     if shown:
         explained = gettext(MAP_LEGEND_TEXT)
-        if len(shown) < len(mapped):
+        if len(shown) < len(mapped) and not are_same:
             omitted = gettext(
                 "Maps of {shown:n} of {total:n} validation planes are shown: first those that "
                 "fail, then those with the largest RMS after the calibration. The full report "

@@ -1,8 +1,10 @@
 """Warnings about the acceptance of a calibration, and about distributions of distances."""
 
 from collections.abc import Iterator, Sequence
-from math import radians
-from statistics import NormalDist
+from math import pi, radians, sqrt
+from statistics import NormalDist, fmean
+
+import numpy as np
 
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
@@ -25,6 +27,12 @@ MIN_RMS_PER_OFFSET, MIN_OFFSET_M = 0.9, 0.005
 smallest offset, metres, for which it is checked. The RMS contains the offset and the scatter."""
 FALSE_WARNING_LEVEL = 0.01
 """Probability of any warning about the distances on the planes of a project without errors."""
+
+MIN_PEAK_PROMINENCE = 0.1
+"""Smallest height of a peak of the smoothed histogram above the saddle beside it, as a share of its
+height; smaller ones are hardly visible."""
+MIN_PEAK_SIGMAS = 4.0
+"""The same height in standard deviations of the smoothed histogram."""
 
 HALVES_LIMIT = NormalDist().inv_cdf(1.0 - 0.05 / (2 * len(ANGLES)))
 """Half width of the joint 95 % confidence intervals of the differences of the three angles between
@@ -254,6 +262,81 @@ def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
         else "validation.offset_not_smaller_shifted",
         items=items, ratio=ratio, limit=limit, subject=where,
     )  # fmt: skip
+
+
+def peak_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+    """Note on planes whose pooled distances have several peaks because the offsets of pairs differ.
+
+    The distances of all pairs are pooled without their signs. Planes with a warning about their
+    distribution are omitted, because it names the lines.
+    """
+    warned = {each.params["target"] for each in distribution_warnings(planes)}
+    found = [
+        (plane, peaks)
+        for plane in planes
+        if plane.name not in warned and (peaks := _separate_peaks(plane)) is not None
+    ]
+    if not found:
+        return
+    where = Cause.of_target(found[0][0].name)
+    items: list[Message] = []
+    for plane, (low, high) in found:
+        shift = max(plane.shifts, key=_significance, default=None)
+        if shift is None:
+            items.append(
+                note("validation.peaks_on_plane", target=plane.name, smaller=low, larger=high)
+            )
+            continue
+        items.append(
+            note(
+                "validation.peaks_and_shift_on_plane",
+                target=plane.name, smaller=low, larger=high,
+                lines=shift.lines, shift=abs(shift.offset_m), sigma=shift.sigma_m,
+            )
+        )  # fmt: skip
+    if all(plane.shifts for plane, _ in found):
+        limit = shift_limit(planes)
+        yield note("validation.several_peaks", items=tuple(items), limit=limit, subject=where)
+    else:
+        yield note("validation.several_peaks_unknown", items=tuple(items), subject=where)
+
+
+def _separate_peaks(plane: ValidationPlane) -> tuple[float, float] | None:
+    """Places of the two highest peaks of the pooled distances, metres; None if there is one.
+
+    The histogram is smoothed by a quarter of the scatter of a pair about its offset.
+    """
+    pairs = [
+        (signed.median_m, pair.after.distances.rms_m)
+        for pair in plane.pairs
+        if (signed := pair.after.signed) is not None
+        and (pair.reciprocal or plane.pooled_from == "all pairs")
+    ]
+    if len(pairs) < 2 or len(plane.counts_after) < 2:
+        return None
+    from scipy.ndimage import gaussian_filter1d
+    from scipy.signal import find_peaks
+
+    scatter = sqrt(fmean(max(rms**2 - offset**2, 0.0) for offset, rms in pairs))
+    edges = np.array(plane.bin_edges_m)
+    # The last bin includes all distances beyond it, which are no peak.
+    counts = np.array([*plane.counts_after[:-1], 0], dtype=float)
+    width = float(edges[1] - edges[0])
+    kernel = max(scatter / 4.0, width)
+    density = gaussian_filter1d(counts / np.diff(edges), kernel / width, mode="reflect")
+    # Reflected, so that a maximum at zero is a peak too.
+    whole = np.concatenate([density[::-1], density])
+    peaks, found = find_peaks(whole, prominence=0.0)
+    # Silverman (1986): variance of a density estimated with a Gaussian kernel
+    chance = MIN_PEAK_SIGMAS * np.sqrt(whole[peaks] / (2.0 * sqrt(pi) * kernel))
+    limits = np.maximum(MIN_PEAK_PROMINENCE * whole[peaks], chance)
+    clear = peaks[found["prominences"] >= limits] - len(density)
+    kept = [max(int(k), 0) for k in clear if k >= -1]  # at zero, -1 and 0 form one maximum
+    if len(kept) < 2:
+        return None
+    first, second = sorted(sorted(kept, key=lambda k: density[k])[-2:])
+    middles = (edges[:-1] + edges[1:]) / 2.0
+    return float(middles[first]), float(middles[second])
 
 
 def larger_distances_messages(planes: Sequence[ValidationPlane]) -> Iterator[Message]:

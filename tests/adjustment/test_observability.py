@@ -9,7 +9,7 @@ import pytest
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
 from lispac.adjustment.diagnostics.observability import MIN_LINE_SIGMA_RATIO
 from lispac.adjustment.diagnostics.warnings import result_warnings
-from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
@@ -17,10 +17,12 @@ from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, Stochasti
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.adjustment.result import ANGLES, AdjustmentResult, UncontrolledObservations
 from lispac.adjustment.solve.normal_equations import scaled_inverse
+from lispac.adjustment.solve.solver import with_agreeing_targets
+from lispac.cli.messages import option_hint
 from lispac.design.further_line_advice import further_line_advice, further_lines
-from lispac.errors import RankDeficient
+from lispac.errors import NotConverged, RankDeficient, TargetDisagrees
 from lispac.message_texts import english_text
-from lispac.messages import Message, note
+from lispac.messages import Message, error, note
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
     Ball,
@@ -33,6 +35,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
+from tests.adjustment.test_robustness import shifted
 from tests.support.error_codes import has_code
 from tests.support.message_codes import codes
 
@@ -126,6 +129,56 @@ def facing(degrees: float) -> Board:
 def test_parallel_targets_are_refused_for_any_headings(pos_errors, targets, code) -> None:
     with pytest.raises(RankDeficient, check=has_code(code)):
         adjust(survey(targets), PRIOR, StochasticModel(pos_errors), diagnostics=False)
+
+
+@pytest.mark.parametrize("accepted", [False, True])
+def test_planes_made_parallel_by_a_wrong_lever_arm_are_no_reason(accepted: bool) -> None:
+    """The boards differ by 45 deg; only the adjusted planes have one orientation."""
+    wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [5.0, 0.0, 0.0])
+    model = StochasticModel("independent", loss="none")
+    with pytest.raises(NotConverged) as failure:
+        adjust_or_explain(
+            survey(), wrong, model, diagnostics=False, accept_single_orientation=accepted
+        )
+    assert failure.value.code == "estimate.possible_cause"
+    reason, cause = (failure.value.message.params[name] for name in ("reason", "cause"))
+    assert reason.code == "adjustment.orientations_lost"
+    assert {reason.params["first"], reason.params["second"]} == {"T1", "T2"}
+    assert np.degrees(reason.params["angle"]) == pytest.approx(45, abs=2)
+    assert np.degrees(reason.params["change"]) <= 180
+    change = cause.params["change"]
+    assert change.code == "cause.smaller"
+    assert change.params["parameter"] == note("quantity.lever_x")
+    assert change.params["amount"].params["value"] == pytest.approx(5.0, abs=0.01)
+
+
+def test_a_refusal_names_the_sightings_rejected_before_it() -> None:
+    points = shifted(survey((UPRIGHT_BOARD, facing(0))), 8, 0.3)
+    with pytest.raises(RankDeficient) as refused:
+        adjust(points, PRIOR, StochasticModel(loss="tukey"))
+    assert refused.value.code == "adjustment.refused_after_rejection"
+    params = refused.value.message.params
+    assert (params["count"], params["total"]) == (1, 12)
+    off = points.sightings[8]
+    assert list(params["sightings"]) == [note("item.sighting", target=off.target, line=off.line)]
+    assert params["reason"].code == "adjustment.parallel_planes"
+    assert option_hint(refused.value.message) == "--accept-single-orientation"
+
+
+def test_a_refusal_names_the_targets_excluded_before_it() -> None:
+    points = survey((UPRIGHT_BOARD, facing(0), LEANING_BOARD))
+
+    def refuse(some: Observations) -> AdjustmentResult:
+        if "T2" in some.targets:
+            raise TargetDisagrees(error("adjustment.target_disagrees", target="T2"), "T2")
+        return adjust(some, PRIOR, StochasticModel(), diagnostics=False)
+
+    with pytest.raises(RankDeficient) as refused:
+        with_agreeing_targets(points, refuse, may_exclude=True)
+    assert refused.value.code == "adjustment.refused_after_exclusion"
+    params = refused.value.message.params
+    assert (params["count"], params["total"], list(params["targets"])) == (1, 3, ["T2"])
+    assert params["reason"].code == "adjustment.parallel_planes"
 
 
 @pytest.mark.parametrize(

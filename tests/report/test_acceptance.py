@@ -23,6 +23,7 @@ from lispac.present.checking.acceptance import (
     calibration_verdict_text,
     decisive_checks,
     failed_texts,
+    verdict_scope_text,
 )
 from lispac.present.checking.validation import ValidationPlane
 from lispac.present.tables import cell_text
@@ -340,6 +341,14 @@ def test_a_pass_by_some_criteria_says_how_many_are_given(project: Project) -> No
     assert calibration_verdict_text(AcceptanceValues.of(some.judgement)).startswith("pass (2 of 6")
     passed = AcceptanceValues.of(project.with_acceptance(every).judgement)
     assert calibration_verdict_text(passed) == "pass"
+
+
+def test_one_criterion_is_singular_in_french(project: Project) -> None:
+    with in_language("fr"):
+        for criteria, words in (({"rms": 1.0}, "critère"), ({"rms": 1.0, "p95": 1.0}, "critères")):
+            judged = project.with_acceptance(AcceptanceCriteria(**criteria))
+            text = verdict_scope_text(AcceptanceValues.of(judged.judgement))
+            assert words in text.split()
 
 
 def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project) -> None:

@@ -37,6 +37,7 @@ from lispac.report.sections import measuring_system_table
 from lispac.report.validation_warnings import (
     larger_distances_messages,
     offset_notes,
+    peak_notes,
     shift_limit,
 )
 from tests.support.report_sample import sample_content, sample_project, undrawn_pictures
@@ -147,6 +148,56 @@ def test_the_offsets_before_and_after_are_those_of_the_same_lines(
     assert plane.largest_offset_m == 0.0415
     row = report_table(PLANE_DISTANCES_TABLE, [plane]).plain_rows[0]
     assert [*row[-3:]] == ["L1 / L2", "39.2", "41.5"]
+
+
+@pytest.mark.parametrize(
+    ("places", "counts", "peaks"),
+    [
+        ((0.012, 0.030), 40_000, (0.012, 0.030)),
+        ((0.0, 0.030), 40_000, (0.0, 0.030)),  # the sign is lost, and half of the peak folded
+        ((0.012, 0.018), 40_000, None),  # closer than two peaks of this scatter can be
+        ((0.012, 0.030), 10, None),  # too few distances
+    ],
+)
+def test_pooled_distances_with_several_peaks_are_noted(
+    content: ReportContent,
+    places: tuple[float, float],
+    counts: int,
+    peaks: tuple[float, float] | None,
+) -> None:
+    scatter, edges = 0.003, np.arange(0.0, 0.0605, 0.0005)
+    generator = np.random.default_rng(38)
+    pooled = np.abs(generator.normal(0, scatter, (counts, 2)) + places)
+    first = content.validation[0].pairs[0]
+    assert first.after.signed is not None
+    pairs = tuple(
+        replace(
+            first,
+            after=replace(
+                first.after,
+                signed=replace(first.after.signed, median_m=place),
+                distances=replace(first.after.distances, rms_m=float(np.hypot(place, scatter))),
+            ),
+        )
+        for place in places
+    )
+    plane = replace(
+        content.validation[0],
+        pooled_from="all pairs",
+        pairs=pairs,
+        bin_edges_m=tuple(edges.tolist()),
+        counts_after=tuple(np.histogram(pooled, edges)[0].tolist()),
+    )
+    for sigma, code in ((0.01, "several_peaks"), (None, "several_peaks_unknown"), (0.001, "")):
+        shifts = () if sigma is None else (LineShiftValues(("L1",), ("L2",), 0.02, sigma, False),)
+        found = list(peak_notes([replace(plane, shifts=shifts)]))
+        if peaks is None or not code:  # a significant shift has a warning of its own
+            assert found == []
+            continue
+        assert [each.code for each in found] == [f"validation.{code}"]
+        (item,) = found[0].params["items"]
+        measured = (item.params["smaller"], item.params["larger"])
+        assert measured == pytest.approx(peaks, abs=0.001)
 
 
 def test_a_largest_offset_that_did_not_decrease_is_noted(content: ReportContent) -> None:

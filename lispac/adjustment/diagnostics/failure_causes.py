@@ -1,9 +1,9 @@
 """Search for the error that prevents an adjustment from converging.
 
-With a wrong sign of the attitude, a latency or a range offset, the targets may differ so much from
-line to line that the adjustment does not converge. It is repeated with each of these errors
-corrected or estimated. If it then converges, and the residuals pass the global chi-square test
-(Baarda 1968), this error is a possible cause.
+With a wrong sign of the attitude, a latency, a range offset or a wrong lever arm, the targets may
+differ so much from line to line that the adjustment does not converge. It is repeated with each of
+these errors corrected or estimated. If it then converges, and the residuals pass the global chi-
+square test (Baarda 1968), this error is a possible cause.
 """
 
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ WRONG_SIGN_CONVENTIONS = {
     "cause.wrong_roll_pitch_signs": (-1.0, -1.0, 1.0),
 }
 """Code of each wrong sign convention, and factors on roll, pitch and heading."""
-TESTED_PARAMETERS = ("latency", "range_offset")
+TESTED_PARAMETERS = ("latency", "range_offset", "lever_x", "lever_y", "lever_z")
 """Values of the mounting that are tested as causes by estimating them."""
 REJECTION_LEVEL = 1e-4
 """Significance level of the chi-square test: probability that a correct model is rejected."""

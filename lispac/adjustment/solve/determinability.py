@@ -1,20 +1,26 @@
 """Determinability: parameters and angles that lines and targets do not determine."""
 
+from contextlib import suppress
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import (
     MAX_PARAMETER_SIGMAS,
     ParameterEstimate,
     mounting_value_name,
 )
+from lispac.adjustment.model.target_shapes import points_local
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.errors import RankDeficient
+from lispac.errors import NotConverged, PlaneNotFound, RankDeficient
+from lispac.geometry.planes import fit_plane
+from lispac.geometry.rotations import rotation_matrix
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting
 
 Array = NDArray[np.float64]
 
@@ -174,6 +180,67 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
         if len(targets) == 1
         else error("adjustment.parallel_planes")
     )
+
+
+def require_orientations_kept(linearised: LinearisedProblem) -> None:
+    """Raise an error if the solution gives targets of different orientations the same normal.
+
+    An iteration from a prior mounting that is far off may end where all points lie near one plane.
+    The angle between two planes measured on one line hardly depends on the mounting, and shows
+    that this is not the solution.
+
+    Raises
+    ------
+    NotConverged
+        All adjusted planes have one orientation, but two of them differ on single lines.
+    """
+    if not have_targets_one_orientation(linearised):
+        return
+    problem, state = linearised.problem, linearised.state
+    observations, adjusted = problem.observations, state.shapes[:, :3]
+    on_lines = _angles_on_single_lines(observations, problem.prior)
+    excess = on_lines - np.arccos(np.minimum(np.abs(adjusted @ adjusted.T), 1.0))
+    first, second = map(int, np.unravel_index(np.argmax(excess), excess.shape))
+    if excess[first, second] <= MAX_PARALLEL_ANGLE:
+        return
+    raise NotConverged(
+        error(
+            "adjustment.orientations_lost",
+            first=observations.targets[first],
+            second=observations.targets[second],
+            angle=float(on_lines[first, second]),
+            change=_rotation_between(problem.prior.boresight, state.mounting.boresight),
+        )
+    )
+
+
+def _rotation_between(first: Array, second: Array) -> float:
+    """Angle of the rotation between two boresights, of roll, pitch and yaw, radians."""
+    rotation = rotation_matrix(*first).T @ rotation_matrix(*second)
+    return float(np.arccos(np.clip((np.trace(rotation) - 1) / 2, -1.0, 1.0)))
+
+
+def _angles_on_single_lines(observations: Observations, mounting: Mounting) -> Array:
+    """Median over the lines of the angle between two targets, shape (targets, targets), radians.
+
+    The angle is 0 for targets without a line in common.
+    """
+    points, count = points_local(observations, mounting), len(observations.targets)
+    normals: dict[tuple[str, int], Array] = {}
+    for s, sighting in enumerate(observations.sightings):
+        with suppress(PlaneNotFound):  # a single straight line of points has no normal
+            k = int(observations.target_of_sighting[s])
+            normals[sighting.line, k] = fit_plane(points[observations.sighting == s]).normal
+    angles = np.zeros((count, count))
+    for i, j in combinations(range(count), 2):
+        cosines = [
+            abs(float(normals[line, i] @ normals[line, j]))
+            for line in observations.lines
+            if (line, i) in normals and (line, j) in normals
+        ]
+        if cosines:
+            angles[i, j] = angles[j, i] = np.median(np.arccos(np.minimum(cosines, 1.0)))
+    return angles
 
 
 def is_plane_fixed_by_control(linearised: LinearisedProblem) -> bool:

@@ -1,6 +1,7 @@
 """Least-squares solution of mounting and targets in phases (thesis B.3)."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -28,6 +29,7 @@ from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, Linear
 from lispac.adjustment.solve.determinability import (
     find_undetermined_parameters,
     require_determined,
+    require_orientations_kept,
     require_two_orientations,
 )
 from lispac.adjustment.solve.group_sums import AdjustmentState
@@ -147,6 +149,8 @@ def with_agreeing_targets(
     ------
     AdjustmentError
         The observations cannot be used.
+    RankDeficient
+        Lines and targets do not determine the boresight; targets excluded before are named.
     TargetDisagrees
         A target disagrees and cannot be excluded, because only two are left or ``may_exclude`` is
         false.
@@ -166,6 +170,15 @@ def with_agreeing_targets(
             if not may_exclude or len(observations.targets) - len(excluded) <= 2:
                 raise
             excluded.append(reason.target)
+        except RankDeficient as failure:
+            if not excluded:
+                raise
+            raise RankDeficient(
+                error(
+                    "adjustment.refused_after_exclusion", reason=failure.reason,
+                    count=len(excluded), total=len(observations.targets), targets=excluded,
+                )
+            ) from failure  # fmt: skip
         else:
             elapsed = computing_time() - started
             return replace(result, elapsed=elapsed, excluded_targets=tuple(excluded))
@@ -190,7 +203,7 @@ def solve(
     TargetDisagrees
         No point of a target has any weight, because it disagrees with the others.
     NotConverged
-        The iteration does not converge.
+        The iteration does not converge, or makes planes of different orientations parallel.
     LinAlgError
         The iteration diverges.
     """
@@ -221,8 +234,10 @@ def solve(
             problem = problem.with_control(None)
         state = problem.start(state.mounting, state.shapes)
     found, rejected = iterate_with_majority(problem, state, progress)
+    require_orientations_kept(found.linearised)
     if not settings.accept_single_orientation and control is None:
-        require_two_orientations(found.linearised)
+        with _rejections_named(found.linearised):
+            require_two_orientations(found.linearised)
     components: tuple[VarianceComponent, ...] = ()
     factors = np.ones(3)
     if model.correlated and settings.components:
@@ -238,11 +253,13 @@ def solve(
         problem = found.linearised.problem.with_control(control).with_parameters(kept)
         found = iterate(problem, found.state, progress, earlier=found.path, noise_known=True)
     if not settings.accept_single_orientation and control is not None:
-        require_two_orientations(found.linearised)
+        with _rejections_named(found.linearised):
+            require_two_orientations(found.linearised)
     if len(sampled) < len(observations):
         observations = relative_to_origins(observations.with_scaled_sigmas(*factors), origins)
         found = _continue_with_all_points(found, observations, progress)
-    _require_still_determined(found.linearised)
+    with _rejections_named(found.linearised):
+        _require_still_determined(found.linearised)
     return Solution(
         found.linearised, found.state, found.path, fitted, origins, fixed, components,
         settings.assumed,
@@ -286,6 +303,32 @@ def _without_control(
     except RankDeficient:
         return every
     return alone.with_parameters(determined)
+
+
+@contextmanager
+def _rejections_named(linearised: LinearisedProblem) -> Iterator[None]:
+    """Add the rejected sightings to an error about the geometry of those that are left.
+
+    Raises
+    ------
+    RankDeficient
+        The original error, with the number and the names of the rejected sightings.
+    """
+    try:
+        yield
+    except RankDeficient as failure:
+        problem = linearised.problem
+        sightings = problem.observations.sightings
+        rejected = [sightings[s] for s in np.flatnonzero(problem.rejected_sightings)]
+        if not rejected:
+            raise
+        names = [note("item.sighting", target=s.target, line=s.line) for s in rejected]
+        raise RankDeficient(
+            error(
+                "adjustment.refused_after_rejection", reason=failure.reason, count=len(names),
+                total=len(sightings), sightings=names,
+            )
+        ) from failure  # fmt: skip
 
 
 def _require_still_determined(linearised: LinearisedProblem) -> None:

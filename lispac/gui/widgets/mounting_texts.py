@@ -35,11 +35,11 @@ def boresight_sentence(boresight: NDArray[np.float64]) -> str:
     return str(orientation_text(boresight, lambda values: _amount_texts(np.degrees(values), "°")))
 
 
-def convention_html() -> str:
-    """Definition of the three angles."""
+def convention_html(*, is_named: bool = True) -> str:
+    """Definition of the three angles, by default with the name of the convention."""
     formula = gettext(_FORMULA_TEXT, **_ROTATION_SYMBOLS)
-    name = gettext(CONVENTION_NAME_TEXT)
-    return f"{name}<br>{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(SIGNS_TEXT)}"
+    name = f"{gettext(CONVENTION_NAME_TEXT)}<br>" if is_named else ""
+    return f"{name}{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(SIGNS_TEXT)}"
 
 
 def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:

@@ -208,7 +208,10 @@ def verdict_scope_text(values: AcceptanceValues) -> str:
     given, excluded = total - len(values.criteria.missing), len(values.excluded_planes)
     texts = []
     if given < total:
-        texts.append(gettext("{given:n} of {total:n} criteria given", given=given, total=total))
+        criteria = Plural(
+            "{count:n} of {total:n} criteria given", "{count:n} of {total:n} criteria given"
+        )
+        texts.append(gettext(criteria, count=given, total=total))
     if excluded:
         text = Plural("{count:n} validation plane excluded", "{count:n} validation planes excluded")
         texts.append(gettext(text, count=excluded))

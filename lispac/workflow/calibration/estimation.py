@@ -245,7 +245,8 @@ def estimate(
 def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     """Add possible causes to the reason of an adjustment without a solution.
 
-    Warnings about the files are no causes if the targets are too few anyway.
+    Warnings about the files are no causes if the targets are too few anyway, or if the search for
+    causes found one with which the adjustment converges.
 
     Raises
     ------
@@ -261,7 +262,8 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     except (NotConverged, RankDeficient) as failure:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
         targets = [each for each in project.targets_of_role("target") if each.used]
-        if len(targets) < 2 or have_targets_single_orientation(project, survey):
+        is_explained = failure.code == "estimate.possible_cause"
+        if is_explained or len(targets) < 2 or have_targets_single_orientation(project, survey):
             warnings = []
         alone = single_line_notes(project)
         reason = failure.reason

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Literal
 
 from lispac.errors import NotConverged, RankDeficient
@@ -12,6 +13,8 @@ UNDETERMINED_CODES = {"propose": "propose.undetermined", "targetless": "targetle
 """Codes of the error that the angles are not determined, by method."""
 NO_RESULT_CODES = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
 """Codes of the error that there is no result for another reason, by method."""
+REJECTION_CODES = ("adjustment.refused_after_rejection", "adjustment.refused_after_exclusion")
+"""Codes of errors that name rejected data before the reason."""
 
 
 @contextmanager
@@ -45,6 +48,12 @@ def _method_error(reason: Message, project: str, method: Method) -> Message:
             "estimate.possible_cause",
             reason=_method_error(inner, project, method), cause=reason.params["cause"],
         )  # fmt: skip
+    if reason.code in REJECTION_CODES:
+        inner = reason.params["reason"]
+        assert isinstance(inner, Message)
+        return replace(
+            reason, params={**reason.params, "reason": _method_error(inner, project, method)}
+        )
     if reason.code in ("adjustment.undetermined", "adjustment.undetermined_because"):
         return error(
             UNDETERMINED_CODES[method],

@@ -223,7 +223,7 @@ class ResultsPanel(QWidget):
             "correlation_table", gettext("Correlation of the angles"), 3
         )
         convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
-        convention.setText(convention_html())
+        convention.setText(convention_html(is_named=False))  # the name is below the angles
         self._body = ColumnFlow({
             "warnings": _block(self.warnings),
             "angles": _block(
@@ -437,6 +437,8 @@ def _create_table(name: str, title: str, rows: int, unit: str = "") -> QTableWid
     header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
     header.setHighlightSections(False)
     header.setFixedHeight(_ROW_HEIGHT_PX + 2)
+    # As beside the rows; the padding of the theme leaves no space for descenders.
+    header.setStyleSheet("QHeaderView::section { padding: 0px 6px; }")
     return table
 
 

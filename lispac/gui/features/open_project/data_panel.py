@@ -127,6 +127,9 @@ class DataPanel(QWidget):
         sigmas = (*self.pos_sigmas.position.fields, *self.pos_sigmas.attitude.fields)
         for field in (*self.lever_arm.fields, *self.boresight.fields, *sigmas):
             field.committed.connect(self._emit_edit)
+        single = (self.lidar_sigma, self.angle_sigma, self.divergence)
+        for field in single:
+            field.setMinimumWidth(max(each.sizeHint().width() for each in single))
         noise = (self.lidar_sigma, *self.lidar_axes.fields, self.angle_sigma)
         for field in (*noise, self.divergence, *self.lever_arm_sigma.fields):
             field.committed.connect(self._emit_edit)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.import_survey.file_table import SPAN, STATE
 from lispac.gui.features.open_project.import_survey.import_dialog import (
     MOUNTING,
     QUALITY,
@@ -54,6 +55,20 @@ def test_escape_asks_before_it_discards_files(filled: ImportDialog, qtbot: QtBot
 def test_escape_closes_an_empty_dialogue_at_once(dialog: ImportDialog) -> None:
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert not dialog.isVisible()
+
+
+# -- table of the files ----------------------------------------------------------------------------
+
+
+def test_times_have_no_separators_and_the_state_is_not_cut(filled: ImportDialog) -> None:
+    table = filled.table
+    for row in range(table.rowCount()):
+        first, dash, last = table.item(row, SPAN).text().split()
+        assert dash == "–"
+        assert float(first) < float(last)  # "486,000.5" is no number
+    table.setColumnWidth(STATE, 40)
+    table.show_files(filled.input_files)
+    assert table.columnWidth(STATE) >= table.sizeHintForColumn(STATE)
 
 
 # -- quality ---------------------------------------------------------------------------------------

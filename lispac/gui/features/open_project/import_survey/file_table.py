@@ -127,6 +127,7 @@ class FileTable(QTableWidget):
             for column in (FILE, COUNT, SPAN, FRAME):
                 text_colour = theme.MUTED if is_excluded else theme.TEXT
                 self.item(row, column).setForeground(QColor(text_colour))
+        self.setColumnWidth(STATE, max(self.columnWidth(STATE), self.sizeHintForColumn(STATE)))
         if self.current is None and self._paths:
             self.selectRow(0)
 

@@ -39,10 +39,15 @@ def time_span_text(file: InputFile) -> str:
     """Text of the first and last time of a file."""
     content = file.content
     if isinstance(content, LineTimes):
-        return f"{number(content.start, 1)} – {number(content.end, 1)}"
+        return f"{_seconds(content.start)} – {_seconds(content.end)}"
     if isinstance(content, Trajectory | TrajectoryAccuracy):
-        return f"{number(content.time[0], 1)} – {number(content.time[-1], 1)}"
+        return f"{_seconds(content.time[0])} – {_seconds(content.time[-1])}"
     return NO_VALUE
+
+
+def _seconds(value: float) -> str:
+    """Seconds of a time base; as everywhere, groups of three digits are not separated."""
+    return number(value, 1, is_grouped=False)
 
 
 def frame_text(file: InputFile) -> str:
