@@ -10,6 +10,7 @@ from functools import cache, lru_cache
 from io import BytesIO
 from itertools import pairwise
 from math import ceil, floor, log10
+from operator import attrgetter
 from pathlib import Path
 
 import matplotlib
@@ -51,7 +52,7 @@ TRACK_OFFSET_PT = 1.4
 
 TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
 """Font sizes of axis labels and of details, points."""
-MAX_SIGHTINGS_PER_FIGURE = 20
+MAX_SIGHTINGS_PER_FIGURE = 26
 """Largest number of sightings in a bar chart, which is then half as high as a page."""
 MAX_POS_ERRORS_PER_FIGURE = 22
 """The same in a figure of POS errors, whose rows are lower."""
@@ -185,13 +186,16 @@ def site_figure_of(
 
 
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """RMS of each sighting before and after the calibration, in parts with one scale."""
-    largest = 1000 * max((max(s.rms_before_m, s.rms_after_m) for s in sightings), default=0.0)
+    """RMS of each sighting before and after the calibration, in parts with the same scales."""
+    largest = [
+        max((rms(each) for each in sightings), default=0.0)
+        for rms in (attrgetter("rms_before_m"), attrgetter("rms_after_m"))
+    ]
     figures = []
     for part in _parts_of(sightings):
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
-        before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
-        figures.append(_before_after_bars(labels, before, after, largest_mm=largest))
+        values = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
+        figures.append(_before_after_bars(labels, values, largest))
     return figures
 
 
@@ -494,22 +498,25 @@ def short_name(name: str) -> str:
 
 
 def _before_after_bars(
-    labels: Sequence[str],
-    before: Sequence[float],
-    after: Sequence[float],
-    *,
-    largest_mm: float,
+    labels: Sequence[str], values: Sequence[Sequence[float]], largest: Sequence[float]
 ) -> Figure:
-    """Bars of each label; the scale contains at least ``largest_mm``."""
-    figure = blank_figure(None, (6.3, 0.7 + 0.2 * len(labels)))
-    axes = figure.add_subplot()
+    """Bars of each label, in a panel each for before and after.
+
+    Parameters
+    ----------
+    labels : sequence of n texts
+    values : two sequences of n numbers, metres, before and after
+    largest : two numbers, metres, which the scales of the panels contain
+    """
+    figure = blank_figure(None, (6.3, 0.75 + 0.16 * len(labels)))
+    panels = figure.subplots(1, 2, sharey=True)
     at = np.arange(len(labels))
-    for shift, values, colour, label in (
-        (-0.2, before, BEFORE_COLOUR, gettext("before")),
-        (0.2, after, AFTER_COLOUR, gettext("after")),
+    colours = (BEFORE_COLOUR, AFTER_COLOUR)
+    titles = gettext("before"), gettext("after")
+    for axes, lengths, limit, colour, title in zip(
+        panels, values, largest, colours, titles, strict=True
     ):
-        millimetres = 1000 * np.asarray(values)
-        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
+        bars = axes.barh(at, 1000 * np.asarray(lengths), height=0.7, color=colour)
         axes.bar_label(
             bars,
             fmt=lambda each: fixed_number(each, 1),
@@ -517,20 +524,13 @@ def _before_after_bars(
             color=INK_COLOUR,
             padding=2,
         )
-    axes.set_yticks(at, labels)
-    axes.set_ylim(len(labels) - 0.4, -0.6)
-    axes.update_datalim([(largest_mm, 0.0)])
-    axes.margins(x=0.1)
-    style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
-    axes.grid(False, axis="y")
-    axes.tick_params(axis="y", length=0)
-    figure.legend(
-        loc="outside upper right",
-        ncols=2,
-        fontsize=SMALL_TEXT_SIZE,
-        frameon=False,
-        labelcolor=INK_COLOUR,
-    )
+        axes.set_title(title, fontsize=TEXT_SIZE, color=INK_COLOUR)
+        axes.set_xlim(0.0, max(1150.0 * limit, 1e-3))  # with space for the numbers
+        style_axes(axes, gettext("RMS distance (mm)"), "")
+        axes.grid(False, axis="y")
+        axes.tick_params(axis="y", length=0)
+    panels[0].set_yticks(at, labels)
+    panels[0].set_ylim(len(labels) - 0.4, -0.6)
     return figure
 
 

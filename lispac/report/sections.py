@@ -255,7 +255,10 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     targets = report_table(table, adjustment.targets)
     sightings = report_table(SIGHTING_FIT_TABLE, adjustment.sightings)
     bars = UndrawnPictures(
-        gettext("RMS of each sighting, before and after the calibration."),
+        gettext(
+            "RMS distance of each sighting from the surface of its target before and after the "
+            "calibration. Each panel has its own scale."
+        ),
         residual_figures_of,
         (adjustment.sightings,),
     )

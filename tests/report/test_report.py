@@ -490,7 +490,7 @@ def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     whole, enlarged = figure.axes
     assert enlarged.get_xlim()[1] < whole.get_xlim()[1] / 2
     (bars,) = figures.residual_figures_of(sighting_values(project.result))
-    assert len(bars.axes[0].patches) == 2 * len(project.result.sightings)
+    assert [len(axes.patches) for axes in bars.axes] == 2 * [len(project.result.sightings)]
     values = project.result.estimated, project.result.correlation_all
     assert figures.correlation_figure_of(*values, figure) is figure
     site = figures.site_figure({"L1": [(0, 0), (10, 0)]}, {"T1": (5.0, 2.0, 1.0)}, {}, figure)

@@ -577,7 +577,7 @@ def test_the_figures_of_a_target_are_not_divided(project: Project) -> None:
     each = adjustment.sightings[0]
     named = [
         replace(each, target=target, line=f"L{k}")
-        for target, count in (("T1", 6), ("T2", 6), ("T3", 6), ("T4", 4))
+        for target, count in (("T1", 8), ("T2", 8), ("T3", 8), ("T4", 6))
         for k in range(count)
     ]
     heights = [figure.axes[0].get_yticklabels() for figure in residual_figures_of(named)]
