@@ -341,12 +341,20 @@ def show_with_owned_windows(window: QMainWindow) -> None:
 
     A window manager keeps a window above its parent only if the parent was shown first.
     """
-    owned = [each for each in window.findChildren(QWidget) if each.isWindow() and each.isVisible()]
+    owned = {
+        each: each.size()
+        for each in window.findChildren(QWidget)
+        if each.isWindow() and each.isVisible()
+    }
     for each in owned:
         each.hide()
     window.show()
-    for each in owned:
+    for each, size in owned.items():
+        # Each would become the active window, at a time that the window system chooses
+        each.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         each.show()
+        each.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating, False)
+        each.resize(size)
 
 
 def hide_floating_docks(docks: Mapping[str, QDockWidget]) -> None:

@@ -21,7 +21,7 @@ from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.calibration.proposals import Proposal
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs
+from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs, in_front
 from tests.support.long_runs import others_long
 
 SOON_MS = 20_000
@@ -40,7 +40,7 @@ def choose_theme(session: Session, bot: QtBot, theme: str) -> None:
     former = session.window
     choose(bot, open_menu(bot, former, "View"), "heme", theme)
     bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
-    bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
+    bot.waitUntil(lambda: in_front(session.window), timeout=SOON_MS)
 
 
 def test_the_same_lines_are_shown_in_another_theme(
@@ -110,7 +110,7 @@ def choose_language(session: Session, bot: QtBot, language: str) -> None:
     menu = "View" if language == "Français" else "Affichage"
     choose(bot, open_menu(bot, former, menu), "Lang", language)
     bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
-    bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
+    bot.waitUntil(lambda: in_front(session.window), timeout=SOON_MS)
 
 
 def changes(session: Session, bot: QtBot, *, with_theme: bool = False) -> Iterator[None]:
