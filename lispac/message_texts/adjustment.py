@@ -98,12 +98,12 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.only_plane": N_(
         "The plane {target} is the only target, so only the different headings of the lines "
         "separate the angles. Add a target with a different orientation or a sphere; if there is "
-        "none, use the setting Accept a single orientation."
+        "none, use the setting Accept a single orientation (Estimate, Advanced)."
     ),
     "adjustment.parallel_planes": N_(
         "All targets are planes of the same orientation, so only the different headings of the "
         "lines separate the angles. Add a target with a different orientation or a sphere; if "
-        "there is none, use the setting Accept a single orientation."
+        "there is none, use the setting Accept a single orientation (Estimate, Advanced)."
     ),
     "adjustment.orientations_lost": N_(
         "The adjustment turned all targets into one orientation and the boresight by "
