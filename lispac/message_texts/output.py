@@ -93,10 +93,13 @@ TEXTS: Mapping[str, Template] = {
         "{position:s} s (position) and {attitude:s} s (attitude).",
     ),
     "corrections.not_determined": N_(
-        "Not corrected, because the data do not determine them: {names:names}."
+        "The data do not determine all components of position and attitude. Not corrected: "
+        "{names:names}."
     ),
     "corrections.velocities": N_(
-        "Velocities and angular rates in the corrected trajectory are those of the given one."
+        "Velocities and angular rates in the corrected trajectory are those of the given one, the "
+        "velocities along north, west and up. The smrmsg contains zeros as accuracies of "
+        "velocities."
     ),
     # -- report --------------------------------------------------------------------------------
     "report.ending": N_(

@@ -164,11 +164,7 @@ TEXTS: Mapping[str, Template] = {
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"
     ),
-    "validation.peaks_on_plane": N_("{target} (peaks near {smaller:mm.0} and {larger:mm.0} mm)"),
-    "validation.peaks_and_shift_on_plane": N_(
-        "{target} (peaks near {smaller:mm.0} and {larger:mm.0} mm; {lines:names} shifted by "
-        "{shift:mm.1} mm, σ {sigma:mm.1} mm)"
-    ),
+    "validation.peaks_on_plane": N_("{target} ({smaller:mm.0} and {larger:mm.0} mm)"),
     "validation.several_peaks": N_(
         "The distances have several peaks on {items:names}, because the offsets of the pairs of "
         "lines differ by more than their scatter. The uncertainties of POS and boresight explain "

@@ -279,26 +279,15 @@ def peak_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
     if not found:
         return
     where = Cause.of_target(found[0][0].name)
-    items: list[Message] = []
-    for plane, (low, high) in found:
-        shift = max(plane.shifts, key=_significance, default=None)
-        if shift is None:
-            items.append(
-                note("validation.peaks_on_plane", target=plane.name, smaller=low, larger=high)
-            )
-            continue
-        items.append(
-            note(
-                "validation.peaks_and_shift_on_plane",
-                target=plane.name, smaller=low, larger=high,
-                lines=shift.lines, shift=abs(shift.offset_m), sigma=shift.sigma_m,
-            )
-        )  # fmt: skip
+    items = tuple(
+        note("validation.peaks_on_plane", target=plane.name, smaller=low, larger=high)
+        for plane, (low, high) in found
+    )
     if all(plane.shifts for plane, _ in found):
         limit = shift_limit(planes)
-        yield note("validation.several_peaks", items=tuple(items), limit=limit, subject=where)
+        yield note("validation.several_peaks", items=items, limit=limit, subject=where)
     else:
-        yield note("validation.several_peaks_unknown", items=tuple(items), subject=where)
+        yield note("validation.several_peaks_unknown", items=items, subject=where)
 
 
 def _separate_peaks(plane: ValidationPlane) -> tuple[float, float] | None:

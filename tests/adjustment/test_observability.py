@@ -37,6 +37,7 @@ from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.adjustment.test_robustness import shifted
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -131,7 +132,7 @@ def test_parallel_targets_are_refused_for_any_headings(pos_errors, targets, code
         adjust(survey(targets), PRIOR, StochasticModel(pos_errors), diagnostics=False)
 
 
-@pytest.mark.parametrize("accepted", [False, True])
+@pytest.mark.parametrize("accepted", others_long([False, True]))
 def test_planes_made_parallel_by_a_wrong_lever_arm_are_no_reason(accepted: bool) -> None:
     """The boards differ by 45 deg; only the adjusted planes have one orientation."""
     wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [5.0, 0.0, 0.0])

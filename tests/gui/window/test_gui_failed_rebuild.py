@@ -20,6 +20,7 @@ from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.language import current_language
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Control, Key
+from tests.support.long_runs import others_long
 
 SOON_MS = 20_000
 
@@ -50,7 +51,7 @@ def windows() -> list[MainWindow]:
     return [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
 
 
-@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("step", others_long(STEPS, lambda step: step in ("first part", "shown")))
 def test_a_window_that_cannot_be_replaced_stays_usable(
     session: Session,
     qtbot: QtBot,

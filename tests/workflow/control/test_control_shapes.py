@@ -20,6 +20,7 @@ from lispac.workflow.control.control_assignment import (
 from lispac.workflow.control.control_import import import_control
 from lispac.workflow.project.survey import Survey
 from tests.support.ball_survey import BALLS, BOARD, BORESIGHT_DEG, BallSurvey, make_ball_survey
+from tests.support.long_runs import others_long
 
 RADII = {"S1": 0.15, "S2": None}
 TRIPOD = np.array([3.0, 6.0, 2.0])
@@ -78,7 +79,9 @@ def solved(balls: BallSurvey) -> tuple[Project, Survey]:
     return estimate(project, balls.survey, cross_check=False), balls.survey
 
 
-@pytest.mark.parametrize("name", ["tripod.e57", "tripod.las", "tripod.laz", "tripod.txt"])
+@pytest.mark.parametrize(
+    "name", others_long(["tripod.e57", "tripod.laz", "tripod.las", "tripod.txt"], 2)
+)
 def test_planes_and_spheres_of_a_static_scan(
     solved: tuple[Project, Survey], tmp_path: Path, name: str
 ) -> None:

@@ -317,7 +317,7 @@ def test_the_whole_section_is_shown_in_a_figure_of_any_size(
             assert box.width > 0.5 * slot or box.height > 0.5 * figure.bbox.height
 
 
-@pytest.mark.parametrize("factor", ["automatic", "1", "50"])
+@pytest.mark.parametrize("factor", others_long(["automatic", "1", "50"]))
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
     adjusted: Driver, factor: str, language: str
