@@ -248,11 +248,16 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     validated = validate(estimated, demo.survey)
     driver.window.document.open(validated, demo.survey)
     dock = show_panel(driver.window, "Histograms")
-    driver.window.resizeDocks([dock], [400], Qt.Orientation.Vertical)
-    driver.rest()
-    finish_layouts()
-    driver.rest()
     panel, first = driver.window.histograms, validated.validation[0]
+
+    def has_legend() -> bool:
+        """Whether the plot has got the height at which it has a legend, and is drawn."""
+        driver.window.resizeDocks([dock], [400], Qt.Orientation.Vertical)
+        finish_layouts()
+        driver.rest()
+        return bool(panel.canvas.figure.legends)
+
+    driver.bot.waitUntil(has_legend)
     assert panel.table.item(0, RMS).text().replace("\u00a0", " ") == (
         f"{first.before.rms / FOOT:.4f} → {first.after.rms / FOOT:.4f}"
     )
