@@ -26,9 +26,6 @@ from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
 
-POS_COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
-"""Names of the components, in the order of all arrays of this module."""
-
 MAX_DETERMINED_SIGMA_RATIO = 0.995
 """Largest ratio of the sigma of a component after the adjustment to the prior one with which the
 data determine the component at all. A component that they determine at no knot is not corrected."""
@@ -43,7 +40,7 @@ class PosCorrections:
     """Corrections of the POS at the knots of the adjustment, with their covariance.
 
     A correction is added to what the POS reports: true value = reported value + correction.
-    Components as in `POS_COMPONENTS`: metres in the local frame (north, west, up), radians (roll,
+    Components in this order: metres in the local frame (north, west, up), radians (roll,
     pitch positive bow down, heading clockwise).
 
     Attributes

@@ -119,10 +119,6 @@ class Camera:
         scale_depth = self.scale_depth(depth)
         return self.position + np.array([right * scale_depth, up * scale_depth, depth]) @ self.axes
 
-    def metres_per_pixel(self, size: ViewportSize) -> float:
-        """Metres per pixel at the focal point."""
-        return self.distance / size.pixels_per_tangent
-
     def with_focal_depth(self, depth: float) -> "Camera":
         """Camera with the same picture and the focal point at another depth."""
         depth = max(depth, MIN_DISTANCE_M)

@@ -64,11 +64,12 @@ def test_parallel_projection_keeps_lengths_and_the_picked_point(seed):
     beside = camera.focal + 2.0 * camera.axes[0]
     for each in (camera, perspective):
         np.testing.assert_allclose(
-            each.project(beside, SIZE)[0, :2], [400.0 + 2.0 / each.metres_per_pixel(SIZE), 300.0]
+            each.project(beside, SIZE)[0, :2],
+            [400.0 + 2.0 * SIZE.pixels_per_tangent / each.distance, 300.0],
         )
     behind = camera.focal - 400.0 * camera.axes[2]  # behind the eye of the perspective camera
     ends = camera.project(np.array([behind, behind + 2.0 * camera.axes[0]]), SIZE)
-    assert ends[1, 0] - ends[0, 0] == pytest.approx(2.0 / camera.metres_per_pixel(SIZE))
+    assert ends[1, 0] - ends[0, 0] == pytest.approx(2.0 * SIZE.pixels_per_tangent / camera.distance)
     assert ends[0, 2] > 0.0
     point = camera.point_at(200.0, 150.0, camera.focal_depth + 17.0, SIZE)
     np.testing.assert_allclose(
@@ -172,7 +173,7 @@ def test_pick_prefers_the_front_surface_under_the_cursor():
 def test_a_click_between_the_points_of_a_sparse_board_picks_the_board_not_the_wall():
     """The wall is exactly under the cursor; points of the board are on all sides of it."""
     camera = Camera(np.array([0.0, 15.0, 1.5]), -0.5 * np.pi, 0.0, 15.0)
-    metres = camera.metres_per_pixel(SIZE)
+    metres = camera.distance / SIZE.pixels_per_tangent
     steps = np.array([-15.0, -5.0, 5.0, 15.0]) * metres
     x, z = (each.ravel() for each in np.meshgrid(steps, steps))
     board = np.column_stack([x, np.full(16, 15.0), 1.5 + z])
