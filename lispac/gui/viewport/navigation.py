@@ -125,9 +125,8 @@ class Navigator(QObject):
         """Find the surface in the middle of each picture, at whose depth its scale bar is valid."""
         for each in self.pictures:
             camera, size = self.camera_of(each), self.size_of(each)
-            points = (
-                each.drawn()
-            )  # all points in a close view, in which the thinned ones are sparse
+            # All points in a close view, in which the thinned ones are sparse
+            points = each.drawn()
             if sum(map(len, points.values())) > MAX_CENTRAL_POINTS:
                 points = each.coarse
             each.centre = None if camera.parallel else central_point(points, camera, size)
