@@ -40,9 +40,9 @@ MIN_TITLE_LENGTH = 14
 FILLED_QUANTILE, FILLED_SHARE = 0.99, 0.8
 """Share of the points that a picture without a plane contains, and that of the picture which they
 fill across the surface; single points off the surface may be out of it."""
-VISIBLE_DISTANCE_M, MIN_VISIBLE_SHARE = 0.02, 0.03
-"""Distance between lines that the automatic factor shows, metres, and the share of the width of
-the picture, enlarged, that is needed for that."""
+VISIBLE_DISTANCE_M, MIN_VISIBLE_INCHES = 0.02, 0.12
+"""Distance between lines that the automatic factor shows, metres, and its smallest length in the
+picture: five times the size of a point."""
 TICK_INCHES = 0.55, 0.22
 """Approximate space for a number of the horizontal and of the vertical axis."""
 OUTSIDE_TEXT = N_("{count:n} of {all:n} lines are out of the picture")
@@ -153,9 +153,12 @@ def _exaggerations(cuts: Sequence[SectionPoints], space: tuple[float, float]) ->
         max(cut.automatic_exaggeration(each), min(cut.automatic_exaggeration(), EXAGGERATIONS[1]))
         for cut, each in zip(cuts, proportions, strict=True)
     ]
-    least, extent = min(factors), min(cuts[0].section.width, cuts[0].section.height)
-    shown = extent * min(1.0, *proportions)
-    is_enough = VISIBLE_DISTANCE_M * least >= MIN_VISIBLE_SHARE * shown
+    least, section = min(factors), cuts[0].section
+    inches_per_metre = min(
+        space[1 - int(vertical)] / (section.width if vertical else section.height)
+        for vertical in map(_is_across_upward, cuts)
+    )
+    is_enough = VISIBLE_DISTANCE_M * least * inches_per_metre >= MIN_VISIBLE_INCHES
     return [least] * len(cuts) if is_enough else factors
 
 

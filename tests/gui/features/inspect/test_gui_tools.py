@@ -315,6 +315,9 @@ def test_the_whole_section_is_shown_in_a_figure_of_any_size(
             box = axes.get_window_extent()
             slot = figure.bbox.width / len(shown)
             assert box.width > 0.5 * slot or box.height > 0.5 * figure.bbox.height
+        lengths = (box.width, box.height)  # the last picture is that after the adjustment
+        drawn_px = 0.02 * lengths[across] / np.ptp(limits[across])
+        assert drawn_px > 0.1 * figure.dpi, "2 cm between lines are visible"
 
 
 @pytest.mark.parametrize("factor", others_long(["automatic", "1", "50"]))
