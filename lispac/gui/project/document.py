@@ -147,7 +147,7 @@ class Document(QObject):
 
     @property
     def refusal(self) -> Message | str:
-        """Reason why the automatic computation gave no result; empty if there is none."""
+        """Reason why the project has no result after an estimate; empty if there is none."""
         return "" if self._state is None else self._state.refusal
 
     @property
@@ -280,11 +280,15 @@ class Document(QObject):
         self._state.refusal = reason
         self.changed.emit()
 
-    def set_refused_since(self, reason: Message | str) -> None:
-        """Store the reason why an estimate was refused while an older result is kept."""
-        if self._state is not None and self._state.project.result is not None:
+    def refuse_request(self, reason: Message | str) -> None:
+        """Store the reason why a requested estimate was refused; an older result is kept."""
+        if self._state is None:
+            return
+        if self._state.project.result is None:
+            self._state.refusal = reason
+        else:
             self._state.refused_since = reason
-            self.changed.emit()
+        self.changed.emit()
 
     def mark_saved(self, file_digest: str) -> None:
         """Mark the project as saved to a file with this digest."""

@@ -75,7 +75,7 @@ class ProjectState:
     is_waiting : bool
         Whether a result is computed automatically after the last edit.
     refusal : str
-        Reason why this computation gave no result; empty if there is none.
+        Reason why the last estimate gave no result; empty if there is none.
     refused_since : Message or str
         Reason why an estimate after the present result failed; empty if there is none.
     estimate_reason : Unavailable or None
@@ -134,7 +134,7 @@ def step_statuses(
     waiting : bool
         Whether a result is computed automatically after the last edit.
     refusal : Message or str
-        Reason why the automatic computation gave no result.
+        Reason why the last estimate gave no result.
     report : ExportedReport or None
         Report that was last exported from the project; None if there is none.
     running : int or None

@@ -59,3 +59,24 @@ def test_undo_shows_the_lines_of_the_restored_result_after_the_calibration(
     press(adjusted, Key.Key_Z, Control)
     adjusted.rest()
     assert window.scene.which == "prior", "the choice of the user is kept"
+
+
+def test_reason_of_a_failed_first_estimate_stays_after_its_message(adjusted: Driver) -> None:
+    window = adjusted.window
+    without = replace(adjusted.project, result=None, cross_checks=None)
+    window.document.edit("removal of the result", without)
+    adjusted.rest()
+    window.estimation.estimate(replace(without.settings, surface=-1.0), False)
+    adjusted.rest()
+    [refusal] = adjusted.dialogs.errors
+    words = message_text(refusal.reason)
+    assert window.adjust.advice.text() == words
+    assert window.results.refusal.text() == words
+    window.controller.rename("T1", "North wall")
+    assert window.adjust.advice.text() != words, "an edit may remove the reason"
+    press(adjusted, Key.Key_Z, Control)
+    assert window.adjust.advice.text() == words
+    window.estimation.estimate(without.settings, False)
+    adjusted.rest()
+    assert adjusted.project.result is not None
+    assert window.document.refusal == ""

@@ -80,9 +80,9 @@ class Estimation(QObject):
     """Runs the adjustment, and stores the selected points for quick repetitions."""
 
     estimated = Signal()
+    """A requested adjustment has a result."""
     checking = Signal(bool)
     """Whether cross-checks of the last result are being computed."""
-    """A requested adjustment has a result."""
 
     def __init__(
         self,
@@ -185,10 +185,10 @@ class Estimation(QObject):
         self._cross_check = project is not None and project.cross_checks is not None
 
     def _record_refusal(self, error: BaseException) -> None:
-        """Record that an estimate was refused while an older result is kept."""
+        """Record why an estimate was refused, so that the reason stays visible."""
         task = self._last_task
         if task is not None and task.error is error and isinstance(error, LispacError):
-            self._document.set_refused_since(error.reason)
+            self._document.refuse_request(error.reason)
 
     # -- automatic adjustments ---------------------------------------------------------------
 
