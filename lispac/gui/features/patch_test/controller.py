@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
+from lispac.gui.app.docks import raise_panel
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.app.unavailable import Unavailable, first_reason
@@ -115,13 +116,16 @@ class PatchTestController(QObject):
         self._mismatch: Mismatch | None = None
         self._angle = 0
         self._curve: _Curve | None = None
-        self._drawn = self._outdated = False
+        self._outdated = False
+        self._sketch: Sketch | None = None
+        """Box of the displayed object; drawn while the panel is open."""
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
         panel.remove_requested.connect(self._remove)
         panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
         panel.ticked_changed.connect(self._on_ticks_changed)
+        panel.opened.connect(lambda _on: self._draw_sketch())
         panel.find_all_requested.connect(actions.guarded(self.find_all, panel))
         panel.save_requested.connect(actions.guarded(self.save_result, panel))
         panel.prior_requested.connect(self._reset_to_prior)
@@ -153,6 +157,8 @@ class PatchTestController(QObject):
         self._discard_result()
         self._show_object()
         self._enable_controls()
+        if shown and not panel.isVisible():
+            raise_panel(panel)  # an object was added with the menu
 
     def _object_names(self) -> list[str]:
         return (
@@ -178,10 +184,10 @@ class PatchTestController(QObject):
         if each is None or survey is None or self._placed_objects is None:
             self._dense_sample = self._mismatch = None
             self.panel.picture.show_points({}, {}, np.ones(2))
-            self._draw_sketch(None)
+            self._set_sketch(None)
             return
         corners = _clip_box(each.box).corners
-        self._draw_sketch(
+        self._set_sketch(
             Sketch(
                 tuple((float(x), float(y), float(z)) for x, y, z in corners),
                 BOX_EDGES,
@@ -475,7 +481,7 @@ class PatchTestController(QObject):
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
         self._show_curve(None)
         self._discard_result()
-        self._draw_sketch(None)
+        self._set_sketch(None)
         self._reset_to_prior()
         self._enable_controls()
 
@@ -490,10 +496,13 @@ class PatchTestController(QObject):
             no_data, busy=self._runner.busy, has_result=self._result is not None
         )
 
-    def _draw_sketch(self, sketch: Sketch | None) -> None:
-        if sketch is not None or self._drawn:
-            self._drawn = sketch is not None
-            self._viewport.show_sketch(SKETCH_NAME, sketch)
+    def _set_sketch(self, sketch: Sketch | None) -> None:
+        if sketch is not self._sketch:
+            self._sketch = sketch
+            self._draw_sketch()
+
+    def _draw_sketch(self) -> None:
+        self._viewport.show_sketch(SKETCH_NAME, self._sketch if self.panel.isVisible() else None)
 
 
 def placed_lines(placed_objects: PlacedObjects, survey: Survey):

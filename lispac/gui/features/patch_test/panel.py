@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -73,6 +73,8 @@ class PatchTestPanel(QWidget):
     find_all_requested = Signal()
     save_requested = Signal()
     prior_requested = Signal()
+    opened = Signal(bool)
+    """The panel was opened or closed; a minimised window is still open."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -129,6 +131,18 @@ class PatchTestPanel(QWidget):
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.update_enabled(Unavailable.NO_PROJECT, busy=False, has_result=False)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Emit `opened`."""
+        super().showEvent(event)
+        if not event.spontaneous():
+            self.opened.emit(True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Emit `opened` with False."""
+        super().hideEvent(event)
+        if not event.spontaneous():
+            self.opened.emit(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange lists, angles and pictures for the size of the panel."""

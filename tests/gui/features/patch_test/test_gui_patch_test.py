@@ -186,6 +186,10 @@ def test_user_defined_boxes_are_added_shown_and_removed(opened: Driver) -> None:
     assert opened.viewport.mouse_mode == "navigate"
     assert [shown.objects.item(0).text(), shown.objects.count()] == ["H1", 1]
     assert opened.viewport.sketches["patch"].label == "H1"
+    shown.window().close()
+    assert "patch" not in opened.viewport.sketches, "the box is hidden with the panel"
+    assert opened_panel(opened) is shown
+    assert opened.viewport.sketches["patch"].label == "H1"
     click(opened, shown.go)
     press(opened, Key.Key_X)
     click(opened, shown.box)
@@ -198,6 +202,17 @@ def test_user_defined_boxes_are_added_shown_and_removed(opened: Driver) -> None:
         opened.rest()
     assert shown.text_label.isVisible()
     assert "patch" not in opened.viewport.sketches
+
+
+def test_an_object_added_with_the_key_opens_the_panel(opened: Driver) -> None:
+    line = opened.window.document.survey.lines[0]
+    points = opened.viewport.clouds[line]
+    high = int(np.abs(points - [32.0, -24.5, 36.0]).sum(axis=1).argmin())
+    press(opened, Key.Key_T, Control | Qt.KeyboardModifier.ShiftModifier)
+    opened.viewport.point_at(line, high)
+    opened.rest()
+    assert panel(opened).isVisible()
+    assert opened.viewport.sketches["patch"].label == "H1"
 
 
 def test_the_result_is_cleared_when_the_choice_changes(opened: Driver) -> None:
