@@ -1,8 +1,16 @@
-"""Transfer of choices, numbers and texts between the fields of two widgets."""
+"""Transfer of choices, numbers, texts and scroll positions between two widgets."""
 
+from functools import partial
 from typing import TypeVar
 
-from PySide6.QtWidgets import QAbstractButton, QComboBox, QPlainTextEdit, QWidget
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractScrollArea,
+    QComboBox,
+    QPlainTextEdit,
+    QWidget,
+)
 
 from lispac.gui.widgets.number_input import PanelEntry
 
@@ -16,6 +24,17 @@ def copy_fields(before: QWidget, after: QWidget) -> None:
     """
     _copy_choices(before, after)
     _copy_entries(before, after)
+
+
+def copy_scroll_positions(before: QWidget, after: QWidget) -> None:
+    """Scroll the areas and tables that have the same names to the same places, once laid out."""
+    for area, copied in _matching_fields(QAbstractScrollArea, before, after):
+        for bar, other in (
+            (area.verticalScrollBar(), copied.verticalScrollBar()),
+            (area.horizontalScrollBar(), copied.horizontalScrollBar()),
+        ):
+            if bar.value():
+                QTimer.singleShot(0, other, partial(other.setValue, bar.value()))
 
 
 def _copy_choices(before: QWidget, after: QWidget) -> None:

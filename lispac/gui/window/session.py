@@ -29,7 +29,7 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.project.features import StateCopier
 from lispac.gui.viewport.base import Viewport
-from lispac.gui.widgets.field_transfer import copy_fields
+from lispac.gui.widgets.field_transfer import copy_fields, copy_scroll_positions
 from lispac.gui.widgets.number_input import NumberEntry
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.features import panel_records
@@ -83,6 +83,7 @@ class Session(QObject):
                 window.activateWindow()
             else:
                 _restore_focus(window)
+                copy_scroll_positions(former, window)
                 window.scene.draw_now()
                 window.site_design.copy_state_from(former.site_design)
                 # Once only: a window manager may handle two requests in any order

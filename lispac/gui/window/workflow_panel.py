@@ -60,6 +60,7 @@ class WorkflowPanel(QWidget):
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
             area = widgets.VerticalScrollArea(_top_aligned(panel), SIDE_WIDTH_PX)
+            area.setObjectName(f"area_{STEP_KEYS[k].lower()}")
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QScrollArea, QScrollBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.project.status import DATA, REPORT
@@ -217,6 +217,26 @@ def test_the_header_of_the_open_step_has_the_focus(
         assert window.workflow.opened == REPORT
         focused = QApplication.focusWidget()
         assert focused is window.workflow.headers[REPORT], focused.objectName()
+
+
+def test_the_open_step_stays_scrolled(session: Session, qtbot: QtBot, demo: Demo) -> None:
+    window = session.window
+    window.document.open(demo.picked, demo.survey)
+    window.resize(1366, 768)
+    window.workflow.go_to(DATA)
+    finish_layouts()
+
+    def bar() -> QScrollBar:
+        area = session.window.workflow.findChild(QScrollArea, "area_data")
+        assert area.isVisible()
+        return area.verticalScrollBar()
+
+    bar().setValue(bar().maximum() // 2)
+    before = bar().value()
+    assert before > 0
+    for setting, value in CHANGES.items():
+        rebuilt(session, qtbot, setting, value)
+        assert bar().value() == before
 
 
 @pytest.mark.parametrize("is_active", [True, False])

@@ -247,7 +247,9 @@ class ResultsPanel(QWidget):
         }, ARRANGEMENTS)  # fmt: skip
         around.addWidget(self._body)
         around.addStretch(1)
-        return widgets.VerticalScrollArea(outer, MIN_WIDTH_PX)
+        area = widgets.VerticalScrollArea(outer, MIN_WIDTH_PX)
+        area.setObjectName("results_area")
+        return area
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
         """Show the rotation matrix if a steep pitch makes roll and yaw inseparable."""
