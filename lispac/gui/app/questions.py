@@ -1,6 +1,6 @@
 """Message boxes with a question, and the message box for errors."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -23,7 +23,7 @@ SaveChoice = Literal["save", "discard", "cancel"]
 CandidateChoice = Literal["accept", "reject", "cancel"]
 DropChoice = Literal["add", "new", "cancel"]
 MAX_NAMED_FILES = 8
-"""Largest number of missing files that are listed by name."""
+"""Largest number of files that are listed by name."""
 
 
 def run_dialog(dialog: QDialog) -> bool:
@@ -31,6 +31,40 @@ def run_dialog(dialog: QDialog) -> bool:
     accepted = dialog.exec() == QDialog.DialogCode.Accepted
     dialog.deleteLater()
     return accepted
+
+
+def ask_to_replace(paths: Sequence[Path], parent: QWidget | None) -> bool:
+    """Ask whether to replace existing files."""
+    box = widgets.MessageBox(
+        QMessageBox.Icon.Question, "LISPAC",
+        gettext(
+            Plural(
+                "{count:n} file exists already and would be replaced.",
+                "{count:n} files exist already and would be replaced.",
+            ),
+            count=len(paths),
+        ),
+        QMessageBox.StandardButton.Cancel, parent,
+    )  # fmt: skip
+    box.setObjectName("replace_dialog")
+    box.setInformativeText("\n".join(_limited_list([str(path) for path in paths])))
+    replace = box.addButton(gettext("Replace"), QMessageBox.ButtonRole.DestructiveRole)
+    cancel = box.button(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(cancel)
+    box.exec()
+    chosen = box.clickedButton()
+    box.deleteLater()
+    return chosen is replace
+
+
+def _limited_list(names: Sequence[str]) -> list[str]:
+    """Names, with a number instead of those after the first ones."""
+    shown = list(names[:MAX_NAMED_FILES])
+    if more := len(names) - len(shown):
+        shown.append(
+            gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
+        )
+    return shown
 
 
 class Questions:
@@ -140,11 +174,7 @@ class Questions:
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("files_dialog")
-        shown = [str(path) for path in missing[:MAX_NAMED_FILES]]
-        if more := len(missing) - len(shown):
-            shown.append(
-                gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
-            )
+        shown = _limited_list([str(path) for path in missing])
         advice = gettext(
             "Choose the folder that contains the files now, or one of its parent folders."
         )
@@ -194,6 +224,47 @@ class Questions:
         anyway = box.addButton(gettext("Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
         cancel = box.button(QMessageBox.StandardButton.Cancel)
         return self._is_confirmed(box, anyway, default=cancel)
+
+    def file_to_save(
+        self,
+        title: str,
+        start: Path,
+        filters: Mapping[str, str],
+        *,
+        decides_ending: bool = True,
+    ) -> tuple[Path, str] | None:
+        """Ask for a file to write; None if cancelled.
+
+        A name without a known ending gets that of the chosen filter. Qt asks before it returns the
+        name of an existing file; this method asks if the name with its ending is that of a file.
+
+        Parameters
+        ----------
+        filters : mapping of the text of each filter to its ending
+        decides_ending : bool
+            Whether an ending of another filter is kept, instead of adding that of the chosen one.
+
+        Returns
+        -------
+        path : Path
+        chosen : str
+            Text of the chosen filter.
+        """
+        while True:
+            name, chosen = QFileDialog.getSaveFileName(
+                self.parent, title, str(start), ";;".join(filters)
+            )
+            if not name:
+                return None
+            chosen = chosen if chosen in filters else next(iter(filters))
+            typed = Path(name)
+            known = filters.values() if decides_ending else (filters[chosen],)
+            path = typed
+            if typed.suffix.lower() not in known:
+                path = typed.with_name(typed.name + filters[chosen])
+            if path == typed or not path.exists() or ask_to_replace([path], self.parent):
+                return path, chosen
+            start = path
 
     def ask_to_stop(self, task: str) -> bool:
         """Ask whether to close the program although a task is running."""

@@ -1,6 +1,6 @@
 """Export of targets and the trajectory for other programs."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -84,8 +84,8 @@ def export_targets(
         If the folder cannot be written.
     """
     mapper = ScannerPointConverter(system, survey.trajectory, project.mounting(which))
-    targets = _chosen_targets(project, names)
-    paths = [output / f"{target.name}_{which}.{ending}" for target in targets]
+    targets = exported_targets(project, names)
+    paths = target_paths(output, targets, which, ending)
     require_no_overwrite(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
@@ -126,10 +126,10 @@ def export_planes(
     spheres = [name for name in names if project.target(name).shape == "sphere"]
     if spheres:
         raise ProjectError(error("export.sphere", target=spheres[0]))
-    targets = [t for t in _chosen_targets(project, names) if t.shape == "plane"]
+    targets = exported_planes(project, names)
     if not targets:
         raise ProjectError(error("export.no_planar_target", project=project.name))
-    paths = [output / f"{target.name}_{which}.txt" for target in targets]
+    paths = target_paths(output, targets, which, "txt")
     require_no_overwrite(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
@@ -188,7 +188,32 @@ def trajectory_datum_note(project: Project) -> Message:
     return note("export.trajectory_datum", file=project.trajectory.name)
 
 
-def _chosen_targets(project: Project, names: Sequence[str]) -> list[Target]:
+def target_paths(
+    output: Path, targets: Iterable[Target], which: BoresightChoice, ending: str
+) -> list[Path]:
+    """Files that are written to a folder for some targets, in their order."""
+    return [output / f"{target.name}_{which}.{ending}" for target in targets]
+
+
+def exported_planes(project: Project, names: Sequence[str] = ()) -> list[Target]:
+    """Planar targets that are written, by default all.
+
+    Raises
+    ------
+    ProjectError
+        If there is no such target or none with points.
+    """
+    return [target for target in exported_targets(project, names) if target.shape == "plane"]
+
+
+def exported_targets(project: Project, names: Sequence[str] = ()) -> list[Target]:
+    """Targets that are written, by default all.
+
+    Raises
+    ------
+    ProjectError
+        If there is no such target or none with points.
+    """
     chosen = [project.target(name) for name in names] or list(project.targets)
     found = [target for target in chosen if target.sightings]
     if not found:

@@ -7,15 +7,22 @@ from typing import Any, Literal
 from lispac.messages import Message
 from lispac.progress import Progress, no_progress
 from lispac.project import BoresightChoice, Project
-from lispac.workflow.output.corrected_trajectory import write_corrected_trajectory
+from lispac.workflow.output.corrected_trajectory import accuracy_path, write_corrected_trajectory
 from lispac.workflow.output.data_export import (
     SBET_ZEROS_NOTE,
     export_planes,
     export_targets,
     export_trajectory,
+    exported_planes,
+    exported_targets,
+    target_paths,
     trajectory_datum_note,
 )
-from lispac.workflow.output.georeferencing import TrajectoryChoice, georeference_project
+from lispac.workflow.output.georeferencing import (
+    TrajectoryChoice,
+    georeference_project,
+    line_paths,
+)
 from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of
 from lispac.workflow.project.survey import Survey
 
@@ -62,6 +69,30 @@ class ExportRequest:
     trajectory_choice: TrajectoryChoice = "given"
 
 
+def output_paths(project: Project, request: ExportRequest) -> list[Path]:
+    """Files that an export would write.
+
+    Raises
+    ------
+    ProjectError
+        If there are no targets to export.
+    """
+    output, which = request.output, request.which
+    if request.what == "lines":
+        return line_paths(output, project.lines, which, request.form, request.trajectory_choice)
+    if request.what == "targets":
+        return target_paths(output, exported_targets(project), which, request.form)
+    if request.what == "planes":
+        return target_paths(output, exported_planes(project), which, request.form)
+    if request.what == "corrected_trajectory":
+        return [output, accuracy_path(output), _corrections_path(output)]
+    return [output]
+
+
+def _corrections_path(trajectory: Path) -> Path:
+    return trajectory.with_name(f"{trajectory.stem}_corrections.csv")
+
+
 def export(
     project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
 ) -> tuple[list[Path], tuple[Message, ...]]:
@@ -103,10 +134,10 @@ def export(
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()
     if request.what == "corrected_trajectory":
-        corrections = request.output.with_name(f"{request.output.stem}_corrections.csv")
         done = write_corrected_trajectory(
-            project, request.output, corrections=corrections, progress=progress
-        )
+            project, request.output, corrections=_corrections_path(request.output),
+            progress=progress,
+        )  # fmt: skip
         return list(done.paths), done.messages
     path = export_trajectory(project, request.output, form)
     zeros = (SBET_ZEROS_NOTE,) if form == "sbet" else ()

@@ -93,8 +93,8 @@ def georeference_project(
     chosen = [LineChunks.of(line) for line in _chosen_lines(project, lines)]
     trajectory, _ = local_trajectory(project)
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
-    suffix = f"{which}_corrected" if is_corrected else which
-    paths = [output / f"{chunks.line.name}_{suffix}.{ending}" for chunks in chosen]
+    lines_written = [chunks.line for chunks in chosen]
+    paths = line_paths(output, lines_written, which, ending, trajectory_choice)
     require_no_overwrite(project, paths)
     used = corrected_trajectory(project, trajectory) if is_corrected else trajectory
     support = support_notes(pos_corrections(project)) if is_corrected else ()
@@ -230,6 +230,18 @@ def stored_chunks(stored: StoredLine, reading: Reading = DEFAULT_READING) -> Ite
 
 def _assumptions(target: CoordinateSystem | None) -> tuple[Message, ...]:
     return (note("assumed.local_frame"),) if target is None else target.assumptions
+
+
+def line_paths(
+    output: Path,
+    lines: Iterable[LineSource],
+    which: BoresightChoice,
+    ending: str,
+    trajectory_choice: TrajectoryChoice,
+) -> list[Path]:
+    """Files that `georeference_project` writes to a folder for some lines, in their order."""
+    suffix = f"{which}_corrected" if trajectory_choice == "corrected" else which
+    return [output / f"{line.name}_{suffix}.{ending}" for line in lines]
 
 
 def require_no_overwrite(project: Project, paths: Sequence[Path]) -> None:

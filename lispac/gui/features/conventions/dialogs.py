@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog
-
 from lispac.gui.app.questions import Questions
 from lispac.language import gettext
 from lispac.workflow.output.installation import InstallationFormat
@@ -18,13 +16,10 @@ class ConventionDialogs(Questions):
     ) -> tuple[Path, InstallationFormat] | None:
         """File without its ending as ``start``; the chosen filter sets the format."""
         by_filter = {f"{each.name} (*{each.ending})": each for each in formats}
-        name, chosen = QFileDialog.getSaveFileName(
-            self.parent, gettext("Save for this program"), f"{start}{formats[0].ending}",
-            ";;".join(by_filter),
-        )  # fmt: skip
-        if not name:
-            return None
-        form = by_filter[chosen] if chosen in by_filter else formats[0]
-        path = Path(name)
-        known = path.suffix.lower() == form.ending
-        return path if known else path.with_name(path.name + form.ending), form
+        saved = self.file_to_save(
+            gettext("Save for this program"),
+            start.with_name(start.name + formats[0].ending),
+            {text: each.ending for text, each in by_filter.items()},
+            decides_ending=False,
+        )
+        return None if saved is None else (saved[0], by_filter[saved[1]])

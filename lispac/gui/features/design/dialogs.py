@@ -28,13 +28,13 @@ class DesignDialogs(Questions):
     def design_file(self, what: DesignFile, start: Path) -> Path | None:
         """A file of a plan, a site or a field plan, to read or to write."""
         title, filter_, writes = DESIGN_FILE_DIALOGS[what]
-        get_file_name = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
-        name, _ = get_file_name(self.parent, gettext(title), str(start), gettext(filter_))
-        if not name:
-            return None
-        path = Path(name)
-        ending = start.suffix if writes else ""
-        return path if path.suffix or not ending else path.with_name(path.name + ending)
+        if writes:
+            saved = self.file_to_save(gettext(title), start, {gettext(filter_): start.suffix})
+            return None if saved is None else saved[0]
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, gettext(title), str(start), gettext(filter_)
+        )
+        return Path(name) if name else None
 
     def sensors_of_plan(self, settings: AppSettings) -> "Sensors | None":
         """Sensors of the library for a plan; None if the dialogue is cancelled."""

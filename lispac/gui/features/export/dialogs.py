@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QFontDatabase, QGuiApplication
-from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QPlainTextEdit, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
@@ -101,10 +101,8 @@ class ExportDialogs(Questions):
 
     def script_file(self, start: Path) -> Path | None:
         """File for the script of the project."""
-        name, _ = QFileDialog.getSaveFileName(
-            self.parent, gettext("Save the script"), str(start), "Python (*.py)"
-        )
-        return Path(name if Path(name).suffix else f"{name}.py") if name else None
+        saved = self.file_to_save(gettext("Save the script"), start, {"Python (*.py)": ".py"})
+        return None if saved is None else saved[0]
 
     def script(self, script: "Script", save: Callable[[], str]) -> None:
         """Show the script of the project; ``save`` saves it and returns a text about it."""

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.app.questions import ask_to_replace
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.export.actions import ACTIONS
@@ -38,7 +39,12 @@ from lispac.messages import Message, error, note
 from lispac.project import BoresightChoice, Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
-from lispac.workflow.output.export_request import FILE_TYPES, ExportContent, ExportRequest
+from lispac.workflow.output.export_request import (
+    FILE_TYPES,
+    ExportContent,
+    ExportRequest,
+    output_paths,
+)
 from lispac.workflow.output.georeferencing import TrajectoryChoice
 from lispac.workflow.output.pos_corrections import pos_corrections, support_notes
 from lispac.workflow.project.output_crs import LOCAL_FRAME, output_system_of, trajectory_datum_of
@@ -198,6 +204,16 @@ class ExportDialog(QDialog):
             what, output, which, form, self._system_text, self._height, datum, epoch,
             self._trajectory_choice,
         )  # fmt: skip
+
+    def accept(self) -> None:
+        """Close the dialogue, after a question if files would be replaced."""
+        try:
+            paths = output_paths(self._project, self.request())
+        except LispacError:  # reported by the export
+            paths = []
+        existing = [path for path in paths if path.exists()]
+        if not existing or ask_to_replace(existing, self):
+            super().accept()
 
     def _preset_datum(self) -> None:
         """Fill in datum and epoch of the lines; leave them empty if the lines differ."""

@@ -24,10 +24,13 @@ from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.identity import Identity
 from lispac.language import N_, gettext
 
-REPORT_FILTERS = (
-    "PDF (*.pdf)", "HTML (*.html)", N_("Results as JSON (*.json)"),
-    N_("Tables as CSV in a ZIP file (*.zip)"),
-)  # fmt: skip
+REPORT_FILTERS = {
+    "PDF (*.pdf)": ".pdf",
+    "HTML (*.html)": ".html",
+    N_("Results as JSON (*.json)"): ".json",
+    N_("Tables as CSV in a ZIP file (*.zip)"): ".zip",
+}
+"""Ending of each file type of the report."""
 
 
 class PreviewDialog(QDialog):
@@ -139,25 +142,15 @@ class ReportDialogs(Questions):
 
     def report_file(self, start: Path) -> Path | None:
         """Ask for the file of the report; its suffix, or the chosen filter, sets the format."""
-        filters = ";;".join(map(gettext, REPORT_FILTERS))
-        name, kind = QFileDialog.getSaveFileName(
-            self.parent, dialog_title(ACTIONS["report"]), str(start), filters
-        )
-        if not name:
-            return None
-        path = Path(name)
-        ending = kind.rpartition("*")[2].rstrip(")")  # from "PDF (*.pdf)", in any language
-        return path if path.suffix else path.with_suffix(ending)
+        filters = {gettext(text): ending for text, ending in REPORT_FILTERS.items()}
+        saved = self.file_to_save(dialog_title(ACTIONS["report"]), start, filters)
+        return None if saved is None else saved[0]
 
     def pdf_file(self, start: Path) -> Path | None:
         """Ask for the PDF file of the previewed report."""
-        name, _ = QFileDialog.getSaveFileName(
-            self.parent, gettext("Save the report as PDF"), str(start), "PDF (*.pdf)"
-        )
-        path = Path(name)
-        return (
-            path.with_name(f"{path.name}.pdf" if not path.suffix else path.name) if name else None
-        )
+        title = gettext("Save the report as PDF")
+        saved = self.file_to_save(title, start, {"PDF (*.pdf)": ".pdf"})
+        return None if saved is None else saved[0]
 
     def preview(self, pages: Sequence[bytes], save: Callable[[], str]) -> None:
         """Show the pages of the report; ``save`` saves them and returns a text about it."""

@@ -6,9 +6,11 @@ from pathlib import Path
 import laspy
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.app import questions
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.features.export.export_dialog import (
@@ -18,9 +20,10 @@ from lispac.gui.features.export.export_dialog import (
     TRAJECTORY_TITLES,
     ExportDialog,
 )
+from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.io.project.project_file import read_project
 from lispac.project import LineSource, Project, Settings
-from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
+from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest, export, output_paths
 from lispac.workflow.project.output_crs import utm_zone
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
 from tests.support.cloud_files import track
@@ -271,3 +274,75 @@ def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path
     dialog._check_input()
     assert ok(dialog).isEnabled()
     assert dialog.request().epoch == 2010.0
+
+
+@pytest.mark.parametrize("what", CONTENT_TITLES)
+def test_an_export_asks_before_it_replaces_files(
+    dialog: ExportDialog, qtbot: QtBot, tmp_path: Path, what: str
+) -> None:
+    dialog.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
+    dialog.folder.setText(str(tmp_path))
+    paths = output_paths(dialog._project, dialog.request())
+    paths[-1].write_bytes(b"of an earlier export")
+    answers = ["Cancel", "Replace"]
+    asked: list[str] = []
+
+    def answer() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        asked.append(box.informativeText())
+        [button] = [each for each in box.buttons() if each.text() == answers[len(asked) - 1]]
+        qtbot.mouseClick(button, Left)
+
+    QTimer.singleShot(0, answer)
+    qtbot.mouseClick(ok(dialog), Left)
+    assert dialog.isVisible()
+    QTimer.singleShot(0, answer)
+    with qtbot.waitSignal(dialog.accepted):
+        qtbot.mouseClick(ok(dialog), Left)
+    assert asked == [str(paths[-1])] * 2
+
+
+def test_the_files_of_an_export_are_those_written(demo: Demo, estimated: Project, tmp_path) -> None:
+    for what, form in (
+        ("targets", "csv"), ("planes", "txt"), ("trajectory", "sbet"),
+        ("corrected_trajectory", "sbet"),
+    ):  # fmt: skip
+        folder = tmp_path / what
+        folder.mkdir()
+        output = folder if FILE_TYPES[what][0] in ("laz", "txt") else folder / "t.out"
+        request = ExportRequest(what, output, form=form)
+        written, _ = export(estimated, demo.survey, request)
+        assert sorted(written) == sorted(output_paths(estimated, request))
+        assert sorted(folder.iterdir()) == sorted(written)
+    asked = ExportRequest("lines", tmp_path / "lines", form="laz")
+    written, _ = export(estimated, demo.survey, asked)
+    assert written == output_paths(estimated, asked)
+
+
+@pytest.mark.parametrize(
+    ("typed", "chosen", "saved"),
+    [
+        ("report", "PDF (*.pdf)", "report.pdf"),
+        ("report 1.2", "PDF (*.pdf)", "report 1.2.pdf"),
+        ("report.HTML", "PDF (*.pdf)", "report.HTML"),
+        ("report", "unknown", "report.pdf"),
+    ],
+)
+def test_a_completed_name_is_asked_about_if_the_file_exists(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, typed: str, chosen: str, saved: str
+) -> None:
+    """Qt asks about the typed name only."""
+    names = iter([(str(tmp_path / typed), chosen), ("", "")])
+    asked: list[Path] = []
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: next(names))
+    monkeypatch.setattr(
+        questions, "ask_to_replace", lambda paths, _parent: bool(asked.extend(paths))
+    )
+    dialogs = ReportDialogs()
+    is_completed = typed != saved
+    if is_completed:
+        (tmp_path / saved).write_text("of an earlier export")
+    found = dialogs.report_file(tmp_path / "start.pdf")
+    assert found == (None if is_completed else tmp_path / saved)
+    assert asked == ([tmp_path / saved] if is_completed else [])
