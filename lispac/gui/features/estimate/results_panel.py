@@ -126,28 +126,26 @@ class ResultsPanel(QWidget):
         self._stack.addWidget(filled)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep the lowest visible row whole when the rows have been laid out."""
+        """Keep the rows of the angles whole when they have been laid out."""
         if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
             QTimer.singleShot(0, self, self._hide_cut_rows)
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the lowest visible row whole."""
+        """Keep the rows of the angles whole."""
         super().resizeEvent(event)
         self._hide_cut_rows()
 
     def _hide_cut_rows(self) -> None:
-        """Leave a margin below the results, of at most two rows, instead of a part of a row."""
-        body = self._area.widget()
-        tops_and_bottoms = [
-            (top := each.mapTo(body, QPoint()).y(), top + each.height())
-            for each in body.findChildren(QWidget)
-            if each.isVisibleTo(body) and each.height() <= _ROW_HEIGHT_PX
+        """Leave a margin below the results instead of a part of a row of the angles."""
+        body, table = self._area.widget(), self.angles
+        top = table.mapTo(body, QPoint()).y() + table.viewport().y()
+        rows = [
+            (start := top + table.rowViewportPosition(row), start + table.rowHeight(row))
+            for row in range(table.rowCount())
         ]
-        bottom = height = self.height()
-        while cut := [top for top, end in tops_and_bottoms if top < bottom < end]:
-            bottom = min(cut)
-        margin = height - bottom if height - bottom <= 2 * _ROW_HEIGHT_PX else 0
+        cut = [start for start, end in rows if start < self.height() < end]
+        margin = self.height() - cut[0] if cut else 0
         self._row.setContentsMargins(0, 0, _RIGHT_MARGIN_PX, margin)
 
     def show_checking(self, running: bool) -> None:
