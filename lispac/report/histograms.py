@@ -119,7 +119,7 @@ def small_histograms_figure_of(planes: Sequence[ValidationPlane], *, is_narrow: 
     places = figure.subplots(1, len(planes), squeeze=False)[0]
     for axes, plane in zip(places, planes, strict=True):
         counted = _binned_distances(plane)
-        amount = gettext("Share of the points\n(% per mm)") if axes is places[0] else ""
+        amount = gettext("Share of points\n(% per mm)") if axes is places[0] else ""
         style_axes(axes, "", amount)
         _HistogramBars(axes, counted, share=True).show(float(np.asarray(counted.edges)[-1]))
         for axis in (axes.xaxis, axes.yaxis):
@@ -174,7 +174,7 @@ def _draw_histogram(
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < MAX_ENLARGED_SHARE * top
     places = list(figure.subplots(1, 2, width_ratios=(3, 2))) if enlarged else [figure.subplots()]
-    amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
+    amount = gettext("Share of points\n(% per mm)") if share else gettext("Points")
     for axes, reach in zip(places, (top, counted.near), strict=False):
         is_first = axes is places[0]
         # A narrow window has no space for the quantity in the second label.
