@@ -28,7 +28,7 @@ from lispac.adjustment.solve.solution import Solution
 from lispac.adjustment.solve.solver import SolverSettings, estimate, solve, with_agreeing_targets
 from lispac.errors import AdjustmentError, NotConverged
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import as_message, error
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -292,8 +292,11 @@ def adjust_or_explain(
             diagnostics=diagnostics, shorten_times=shorten_times, progress=progress,
         )  # fmt: skip
     except NotConverged as failure:
-        reason = failure.reason
+        reason = as_message(failure.reason)
         progress(0.9, gettext_lazy("Searching for the cause"))
         for cause in find_failure_causes(observations, mounting, model, parameters=parameters):
-            reason = error("estimate.possible_cause", reason=reason, cause=cause)
+            reason = error(
+                "estimate.possible_cause", reason=reason, cause=cause,
+                subject=reason.subject or cause.subject,
+            )  # fmt: skip
         raise NotConverged(reason) from None

@@ -106,10 +106,10 @@ TEXTS: Mapping[str, Template] = {
         "there is none, use the setting Accept a single orientation (Estimate, Advanced)."
     ),
     "adjustment.orientations_lost": N_(
-        "The adjustment turned all targets into one orientation and the boresight by "
-        "{change:deg.1}°, although {first} and {second} differ by {angle:deg.0}° on single lines. "
-        "Check the lever arm and the prior boresight, and that each target is the same surface on "
-        "every line."
+        "No boresight fits the targets: the adjustment made all of them parallel by turning the "
+        "boresight by {change:deg.1}°, but {first} and {second} differ by {angle:deg.0}° on single "
+        "lines. Check the lever arm and the prior boresight, and that each target is the same "
+        "surface on every line."
     ),
     "adjustment.refused_after_rejection": Plural(
         "One of {total:n} sightings was rejected because it disagrees with the others "

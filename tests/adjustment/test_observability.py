@@ -35,6 +35,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
+from lispac.warning_causes import Cause
 from tests.adjustment.test_robustness import shifted
 from tests.support.error_codes import has_code
 from tests.support.long_runs import others_long
@@ -142,6 +143,7 @@ def test_planes_made_parallel_by_a_wrong_lever_arm_are_no_reason(accepted: bool)
             survey(), wrong, model, diagnostics=False, accept_single_orientation=accepted
         )
     assert failure.value.code == "estimate.possible_cause"
+    assert failure.value.message.subject == Cause.of_field("lever_arm")
     reason, cause = (failure.value.message.params[name] for name in ("reason", "cause"))
     assert reason.code == "adjustment.orientations_lost"
     assert {reason.params["first"], reason.params["second"]} == {"T1", "T2"}

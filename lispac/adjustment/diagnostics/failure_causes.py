@@ -21,6 +21,7 @@ from lispac.adjustment.solve.solver import SolverSettings, estimate
 from lispac.errors import AdjustmentError
 from lispac.messages import Message, note
 from lispac.survey.georeferencing import Mounting
+from lispac.warning_causes import Cause
 
 WRONG_SIGN_CONVENTIONS = {
     "cause.wrong_roll_sign": (-1.0, 1.0, 1.0),
@@ -102,4 +103,10 @@ def _value_message(result: AdjustmentResult, name: str) -> Message:
             parameter=mounting_value_name(name),
             amount=amount_with_unit(name, abs(change)),
         ),
+        subject=_place_of(name),
     )
+
+
+def _place_of(name: str) -> Cause:
+    """Field of the lever arm, or the switch of another value of the mounting."""
+    return Cause.of_field("lever_arm") if name.startswith("lever_") else Cause.of_parameter(name)

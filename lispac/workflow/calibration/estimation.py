@@ -21,7 +21,7 @@ from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.language import gettext_lazy
-from lispac.messages import Level, Message, error
+from lispac.messages import Level, Message, as_message, error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting, place_points
@@ -266,10 +266,12 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         if is_explained or len(targets) < 2 or have_targets_single_orientation(project, survey):
             warnings = []
         alone = single_line_notes(project)
-        reason = failure.reason
+        reason = as_message(failure.reason)
         causes: list[Message | str] = [*alone, *warnings[:MAX_DATA_WARNINGS]]
         for cause in causes:
-            reason = error("estimate.possible_cause", reason=reason, cause=cause)
+            reason = error(
+                "estimate.possible_cause", reason=reason, cause=cause, subject=reason.subject
+            )
         if isinstance(failure, TargetDisagrees):
             raise TargetDisagrees(reason, failure.target) from None
         raise type(failure)(reason) from None

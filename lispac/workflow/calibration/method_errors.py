@@ -47,6 +47,7 @@ def _method_error(reason: Message, project: str, method: Method) -> Message:
         return error(
             "estimate.possible_cause",
             reason=_method_error(inner, project, method), cause=reason.params["cause"],
+            subject=reason.subject,
         )  # fmt: skip
     if reason.code in REJECTION_CODES:
         inner = reason.params["reason"]

@@ -182,7 +182,8 @@ def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
 
 def _refusal_warning(refusal: Message | str, outdated: bool) -> Iterator[Message]:
     if refusal:
-        yield warning("project.refused", reason=refusal, subject=ADJUST_STEP)
+        found = refusal.subject if isinstance(refusal, Message) else None
+        yield warning("project.refused", reason=refusal, subject=found or ADJUST_STEP)
     elif outdated:
         yield note("project.out_of_date", subject=ADJUST_STEP)
 

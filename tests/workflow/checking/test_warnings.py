@@ -87,6 +87,13 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
     )
 
 
+def test_a_refused_estimate_leads_to_its_possible_cause(tmp_path: Path) -> None:
+    cause = Cause.of_field("lever_arm")
+    reason = error("estimate.possible_cause", reason="none", cause="lever arm", subject=cause)
+    found = warnings_of(sample_project(tmp_path), None, refusal=reason)
+    assert found[0] == warning("project.refused", reason=reason, subject=cause)
+
+
 def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
     by_code = messages_by_code(sample_project(tmp_path), refused_since=reason)
