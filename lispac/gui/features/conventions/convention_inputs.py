@@ -30,6 +30,7 @@ from lispac.survey.conventions.systems import Convention
 from lispac.survey.georeferencing import Mounting
 
 USER_DEFINED_TEXT = N_("User-defined values.")
+NO_VALUES_TEXT = N_("Type the values, or open a project.")
 ANGLE_SIGN_TEXTS = (
     N_("Roll is positive with the port side up"),
     N_("Pitch is positive with the bow down"),
@@ -77,7 +78,7 @@ class BoresightInputs(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(widgets.label(gettext("Boresight and lever arm in LISPAC"), "heading"))
         self.source = widgets.label(
-            gettext(USER_DEFINED_TEXT), "muted", wrap=True, name="convention_source"
+            gettext(NO_VALUES_TEXT), "muted", wrap=True, name="convention_source"
         )
         layout.addWidget(self.source)
         self.boresight = widgets.boresight_fields("convention_boresight")
@@ -129,6 +130,7 @@ class BoresightInputs(QWidget):
         self.lever_arm.set_value((0.0, 0.0, 0.0))
         self._on_typed()
         self._is_user_defined = self.has_values = False
+        self.source.setText(gettext(NO_VALUES_TEXT))
         self.changed.emit()
 
     def _use_project(self) -> None:
