@@ -23,6 +23,9 @@ from lispac.report.document_blocks import Document
 from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
+SECTION_GAPS, MIN_FILLED_SHARE = (1.0, 0.85, 0.7, 0.55), 0.5
+"""Factors of the gaps in the sections, the first of which gives a last page that is filled to this
+share of its height."""
 MAX_UNBROKEN_LETTERS = 24
 """Largest number of letters of a word without break points. Longer words, such as file names, get
 break points."""
@@ -102,21 +105,37 @@ def _typesetter(
         template = files("lispac.report") / "templates" / "report.typ"
         main = folder / "report.typ"
         main.write_bytes(template.read_bytes())
-        compiler = typst.Compiler(
-            main,
-            root=folder,
-            font_paths=[_matplotlib_fonts()],
-            # System fonts are allowed only if the text has characters that matplotlib's font lacks;
-            # otherwise the PDF is the same on every machine.
-            ignore_system_fonts=_has_fonts_for(text),
-        )
+        # System fonts are allowed only if the text has characters that matplotlib's font lacks;
+        # otherwise the PDF is the same on every machine.
+        own_fonts_only = _has_fonts_for(text)
+
+        def compiler_with(gap: float) -> typst.Compiler:
+            return typst.Compiler(
+                main, root=folder, font_paths=[_matplotlib_fonts()],
+                ignore_system_fonts=own_fonts_only, sys_inputs={"gap": str(gap)},
+            )  # fmt: skip
+
         made = datetime.fromisoformat(content.generated)
         try:
+            compiler = _fitting(compiler_with)
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as failure:
             given = [options.logo, *pictures.values()]
             _require_readable_pictures([path for path in given if path is not None], folder)
             raise LispacError(error("report.not_typeset", reason=str(failure.message))) from failure
+
+
+def _fitting(compiler_with: Callable[[float], Any]) -> Any:
+    """Compiler with the largest gaps with which the last page is at least half full, if any."""
+    for gap in SECTION_GAPS:
+        compiler = compiler_with(gap)
+        try:
+            share = float(compiler.query("<filled-share>", field="value", one=True))
+        except RuntimeError:
+            return compiler  # compiling gives the reason
+        if share >= MIN_FILLED_SHARE:
+            return compiler
+    return compiler_with(SECTION_GAPS[0])
 
 
 def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:

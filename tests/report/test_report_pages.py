@@ -94,6 +94,25 @@ def test_headings_and_introductions_stay_with_what_follows(
     assert ends >= {(1, 1), (1, 2), (2, 2)}  # page breaks occurred at both places
 
 
+def test_smaller_gaps_avoid_a_last_page_of_a_few_lines(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content, gaps = sample_content(project), pdf.SECTION_GAPS
+
+    def pages(paragraphs: int) -> list[str]:
+        below = tuple(Paragraph(f"paragraph {k}.") for k in range(paragraphs))
+        document = replace(_document(1), sections=(Section("Section", below),))
+        return _written_pages(content, tmp_path / "r.pdf", monkeypatch, document)
+
+    monkeypatch.setattr(pdf, "SECTION_GAPS", (1.0,))
+    usual = len(pages(30))
+    first = next(count for count in range(30, 90) if len(pages(count)) > usual)
+    monkeypatch.setattr(pdf, "SECTION_GAPS", gaps)
+    shown = pages(first)
+    assert len(shown) == usual
+    assert f"paragraph {first - 1}." in shown[-2]  # after the last page is a form feed
+
+
 def _table(title: str, rows: int) -> Table:
     cells = tuple((f"{title} row {k}", str(k)) for k in range(rows))
     return Table(title, (Column("Name", "left"), Column("Number")), cells, cells)
