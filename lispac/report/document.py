@@ -260,6 +260,8 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
         return status, gettext("{verdict} ({given})", verdict=text, given=scope) if scope else text
     # Without a verdict, green would look like a pass.
     status = "fair" if status == "good" else status
+    if not content.validation:
+        return status, gettext("{calibrated} – NOT VALIDATED", calibrated=text)
     return status, gettext("{calibrated} – ACCEPTANCE NOT JUDGED", calibrated=text)
 
 

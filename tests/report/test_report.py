@@ -31,6 +31,7 @@ from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
 from lispac.report.csv_tables import write_tables
+from lispac.report.document import report_document
 from lispac.report.histograms import histogram_figure
 from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
@@ -385,6 +386,15 @@ def test_tables_have_the_numbers_of_the_json(content: ReportContent, tmp_path: P
     again = tmp_path / "again.zip"
     write_tables(content, again)
     assert again.read_bytes() == (tmp_path / "r.zip").read_bytes()
+
+
+def test_the_verdict_states_that_a_calibration_is_not_validated(project: Project) -> None:
+    compared = report_document(sample_content(project), {}, FULL_REPORT)
+    assert "NOT VALIDATED" not in compared.verdict
+    alone = sample_content(replace(project, validation=()))
+    document = report_document(alone, {}, FULL_REPORT)
+    assert document.verdict == "CALIBRATED, WITH NOTES – NOT VALIDATED"
+    assert document.status == "fair"
 
 
 @pytest.mark.parametrize("picked", [True, False])
