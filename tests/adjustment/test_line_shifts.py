@@ -106,7 +106,7 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     prior = moved.T @ weights @ moved
     root = np.sqrt(np.diag(prior))
     variance = (prior - moved.T @ weights @ after @ weights @ moved) / np.outer(root, root)
-    score = moved.T @ weights @ here.state.pos_errors.reshape(-1) / root
+    score = moved.T @ weights @ here.state.pos_corrections.reshape(-1) / root
     np.testing.assert_allclose(scores.variance, variance, rtol=0, atol=1e-7)
     np.testing.assert_allclose(scores.score, score, rtol=0, atol=1e-7)
     for k in range(len(scores.lines)):

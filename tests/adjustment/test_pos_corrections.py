@@ -89,7 +89,7 @@ def data_information(linearised: LinearisedProblem) -> tuple[np.ndarray, np.ndar
         matrix[range(count - i), range(i, count)] = normal.band[i, : count - i]
     units = np.eye(count).reshape(count, -1, 6)
     matrix -= np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in units])
-    now = linearised.state.pos_errors
+    now = linearised.state.pos_corrections
     vector = normal.pos_right + knots.apply_prior_precision(now).reshape(-1)
     solved = np.linalg.solve(normal.matrix, np.column_stack([normal.mixed, normal.right]))
     matrix -= normal.mixed.T @ solved[:, :-1]
@@ -129,7 +129,7 @@ def test_corrections_at_the_knots_are_those_of_the_adjustment(linearised) -> Non
     found = estimate_pos_corrections(linearised)
     assert found is not None
     correction, sigma = found.collocate(found.time, found.prior_sigma)
-    np.testing.assert_allclose(correction, linearised.state.pos_errors, rtol=1e-12)
+    np.testing.assert_allclose(correction, linearised.state.pos_corrections, rtol=1e-12)
     np.testing.assert_allclose(sigma, found.sigma, rtol=1e-12)
 
 

@@ -133,7 +133,7 @@ def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> 
     for s, item in enumerate(compute_reliability(linearised)):
         own = observations.sighting == s
         nearest = np.argmin(np.abs(knots.time - observations.time[own].mean()))
-        np.testing.assert_array_equal(item.pos_error, -linearised.state.pos_errors[nearest])
+        np.testing.assert_array_equal(item.pos_error, -linearised.state.pos_corrections[nearest])
         np.testing.assert_allclose(item.pos_sigma_after, np.sqrt(variance[nearest]), rtol=1e-4)
         np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
 
@@ -358,7 +358,7 @@ def test_likelihood_matches_dense_matrices(linearised) -> None:
         [
             np.zeros(fixed),
             linearised.departures.reshape(-1),
-            linearised.state.pos_errors.reshape(-1),
+            linearised.state.pos_corrections.reshape(-1),
         ]
     )
     data_matrix = full - prior

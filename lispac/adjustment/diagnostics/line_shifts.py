@@ -76,7 +76,7 @@ class LineShiftScores:
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
         variance = (prior - after) / np.outer(root, root)
-        score = flat @ linearised.state.pos_errors.reshape(-1) / root
+        score = flat @ linearised.state.pos_corrections.reshape(-1) / root
         return cls(lines, score, (variance + variance.T) / 2)
 
     def p_value_of_shift(self, k: int) -> float:

@@ -22,7 +22,7 @@ def estimate_pos_corrections(linearised: LinearisedProblem) -> PosCorrections | 
     own, beside = linearised.normal.pos_error_variances
     return PosCorrections(
         knots.time + state.mounting.latency,
-        state.pos_errors,
+        state.pos_corrections,
         own**0.5,
         knots.sigma,
         beside,

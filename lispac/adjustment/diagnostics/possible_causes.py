@@ -430,7 +430,7 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     basis = linearised.directions
     added = layout.size + unknowns * len(lines)
     matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
-    mixed = np.zeros((added, linearised.state.pos_errors.size))
+    mixed = np.zeros((added, linearised.state.pos_corrections.size))
     matrix[: layout.size, : layout.size], right[: layout.size] = normal.matrix, normal.right
     mixed[: layout.size] = normal.mixed
     index = np.where(layout.index == layout.size, added, layout.index)

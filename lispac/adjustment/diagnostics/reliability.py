@@ -101,7 +101,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
             SightingReliability(
                 sighting=sighting,
                 # the state contains what is added to the reported position and attitude
-                pos_error=-linearised.state.pos_errors[nearest[s]],
+                pos_error=-linearised.state.pos_corrections[nearest[s]],
                 pos_sigma=prior[s],
                 pos_sigma_after=np.sqrt(variance[nearest[s]]),
                 shift=float(tests.shift[s]),

@@ -180,9 +180,9 @@ class PosErrorKnots:
             bridge_variance=self.bridge_variance[order],
         )
 
-    def apply_prior_precision(self, pos_errors: Array) -> Array:
-        """Multiply ``pos_errors``, shape (k, 6), by the prior precision matrix."""
-        product = self.precision_diagonal * pos_errors
-        product[:-1] += self.precision_beside * pos_errors[1:]
-        product[1:] += self.precision_beside * pos_errors[:-1]
+    def apply_prior_precision(self, values: Array) -> Array:
+        """Multiply ``values``, shape (k, 6), by the prior precision matrix."""
+        product = self.precision_diagonal * values
+        product[:-1] += self.precision_beside * values[1:]
+        product[1:] += self.precision_beside * values[:-1]
         return product

@@ -245,11 +245,11 @@ class AdjustmentProblem:
     def resume_state(self, state: AdjustmentState, of: "AdjustmentProblem") -> AdjustmentState:
         """Transfer the state of another problem of the same sightings to this one."""
         here, there = self.groups.knots, of.groups.knots
-        pos_errors = state.pos_errors
+        pos_corrections = state.pos_corrections
         if here is not None and there is not None:
-            columns = [np.interp(here.time, there.time, column) for column in pos_errors.T]
-            pos_errors = np.stack(columns, axis=1)
-        return replace(state, pos_errors=pos_errors)
+            columns = [np.interp(here.time, there.time, column) for column in pos_corrections.T]
+            pos_corrections = np.stack(columns, axis=1)
+        return replace(state, pos_corrections=pos_corrections)
 
     def with_scaled_sigmas(
         self, lidar: float, position: float, attitude: float
@@ -299,7 +299,7 @@ class AdjustmentProblem:
         owners = self.observations.target_of_sighting
         summed = self.sums_by_sighting(sums)
         normal = assemble_normal_equations(
-            sums, summed, self.groups, self.layout, owners, bases, state.pos_errors
+            sums, summed, self.groups, self.layout, owners, bases, state.pos_corrections
         )
         matrix, right, quadratic = normal.matrix, normal.right, normal.quadratic
         for parameter in self.parameters:
@@ -462,6 +462,6 @@ class LinearisedProblem:
             state.mounting.with_values(values),
             apply_shape_changes(state.shapes, changes, problem.observations.is_sphere),
             surface,
-            state.pos_errors + change,
+            state.pos_corrections + change,
         )
         return new, correction

@@ -214,7 +214,7 @@ def _blunder_equations(
     width, count = sums.shape[1], 1 if blunder.kind == "shift" else 3
     among, right = np.zeros((count, count)), np.zeros(count)
     by_unknowns = np.zeros((count, layout.size + 1))
-    by_pos = np.zeros((count, linearised.state.pos_errors.size))
+    by_pos = np.zeros((count, linearised.state.pos_corrections.size))
     for g in np.flatnonzero(np.isin(groups.sighting, blunder.sightings)):
         s, first = groups.sighting[g], 6 * groups.knot[g]
         size = np.zeros((width, count))

@@ -84,17 +84,17 @@ class AdjustmentState:
     shapes : ndarray of shape (targets, 4), local frame
     surface : ndarray of shape (sightings, 4)
         Deviation of each sighting from the shape of its target, in the same parameters.
-    pos_errors : ndarray of shape (knots, 6), metres and radians
-        POS error at the knots.
+    pos_corrections : ndarray of shape (knots, 6), metres and radians
+        Corrections at the knots that are added to the reported poses: minus the POS errors.
 
-    The current deviations and POS errors are included in the misclosures. Misclosures are therefore
-    small at the solution, and so are the rounding errors of their sums.
+    The current deviations and corrections are included in the misclosures. Misclosures are
+    therefore small at the solution, and so are the rounding errors of their sums.
     """
 
     mounting: Mounting
     shapes: Array
     surface: Array
-    pos_errors: Array
+    pos_corrections: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +180,7 @@ class EffectArrays(NamedTuple):
         between = (
             none if knots is None else (knots.fraction, knots.bridge_variance, knots.bridge_factor)
         )
-        return cls(groups.start, groups.knot, *between, state.surface, state.pos_errors)
+        return cls(groups.start, groups.knot, *between, state.surface, state.pos_corrections)
 
 
 class WeightArrays(NamedTuple):

@@ -390,7 +390,7 @@ def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, unknowns: 
 
 def assemble_normal_equations(
     sums: Array, summed: Array, groups: PointGroups, layout: UnknownsOrder,
-    target_of_sighting: NDArray[np.int64], bases: UnknownBases, pos_errors: Array,
+    target_of_sighting: NDArray[np.int64], bases: UnknownBases, pos_corrections: Array,
 ) -> NormalEquations:  # fmt: skip
     """Assemble the normal equations with the prior of the POS error, but without other priors.
 
@@ -401,11 +401,11 @@ def assemble_normal_equations(
     summed : ndarray of shape (sightings, a + 5, a + 5)
         The same sums from `sum_by_sighting`.
     target_of_sighting : ndarray of shape (sightings,), int
-    pos_errors : ndarray of shape (knots, 6), metres and radians
+    pos_corrections : ndarray of shape (knots, 6), metres and radians
         Current POS error.
     """
     own = len(layout.active) + 4
-    wide, unknowns = layout.size + 1, pos_errors.size
+    wide, unknowns = layout.size + 1, pos_corrections.size
     basis = unknown_directions(layout, target_of_sighting, bases)
     transposed_basis = np.swapaxes(basis, 1, 2)
     index = layout.index
@@ -418,7 +418,7 @@ def assemble_normal_equations(
     band, pos_right = np.zeros((12, unknowns)), np.zeros(unknowns)
     mixed = np.zeros((wide, unknowns))
     if groups.knots is not None:
-        prior = groups.knots.apply_prior_precision(pos_errors)
+        prior = groups.knots.apply_prior_precision(pos_corrections)
         own_knots = 6 * groups.knot[:, None] + np.arange(12)
         pose = slice(own, own + 12)
         lower, upper = _LOWER_TRIANGLE
@@ -428,7 +428,7 @@ def assemble_normal_equations(
         band[0] += groups.knots.precision_diagonal.reshape(-1)
         band[6, : unknowns - 6] += groups.knots.precision_beside.reshape(-1)
         pos_right = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
-        quadratic += float((prior * pos_errors).sum())
+        quadratic += float((prior * pos_corrections).sum())
         shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
         crossed = transposed_basis[groups.sighting] @ sums[:, :own, pose]
         mixed = _sum_by_place(shared, crossed, wide * unknowns).reshape(wide, unknowns)

@@ -123,9 +123,8 @@ def _weighted_residual_sum(
     problem = linearised.problem
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
-        statistic += float(
-            (problem.groups.knots.apply_prior_precision(state.pos_errors) * state.pos_errors).sum()
-        )
+        weighted = problem.groups.knots.apply_prior_precision(state.pos_corrections)
+        statistic += float((weighted * state.pos_corrections).sum())
     if problem.layout.surfaces:
         statistic += float(((linearised.departures / problem.surface_sigma) ** 2).sum())
     if linearised.control is not None:

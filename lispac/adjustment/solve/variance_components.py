@@ -357,7 +357,7 @@ class _RestrictedLikelihood:
 
     def __init__(self, linearised: LinearisedProblem) -> None:
         problem, self.normal = linearised.problem, linearised.normal
-        knots, pos_errors = problem.groups.knots, linearised.state.pos_errors
+        knots, pos_corrections = problem.groups.knots, linearised.state.pos_corrections
         assert knots is not None
         # A loss also reduces the weights of large residuals that follow the normal distribution.
         self.points = len(problem.observations) * linearised.loss.expected_square_share
@@ -365,10 +365,10 @@ class _RestrictedLikelihood:
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
         self.own = knots.precision_diagonal.reshape(-1)
         self.beside = knots.precision_beside.reshape(-1)
-        weighted = knots.apply_prior_precision(pos_errors)
+        weighted = knots.apply_prior_precision(pos_corrections)
         self.prior_pos_right = weighted.reshape(-1)
         self.prior_quadratic = [0.0] + [
-            float((weighted * pos_errors)[:, part].sum()) for part in (slice(3), slice(3, 6))
+            float((weighted * pos_corrections)[:, part].sum()) for part in (slice(3), slice(3, 6))
         ]
         self.band = self.normal.band.copy()
         self.band[0] -= self.own
