@@ -65,9 +65,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Exclude modules and tests, which exist until the end, from garbage collection."""
+    """Exclude modules and tests, which exist until the end, from garbage collection.
+
+    Tests that read many files make millions of objects without cycles, among which the default
+    threshold of 700 objects searches for garbage again and again.
+    """
     gc.collect()
     gc.freeze()
+    gc.set_threshold(100_000, 20, 20)
 
 
 @pytest.hookimpl(wrapper=True)
