@@ -55,11 +55,10 @@ def test_noise_and_offsets_of_a_project(
     settings = projects.open_project(project).settings
     assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.08, 0.02))
     assert beam["sigma_deg"]["pitch"] > 3 * axis["sigma_deg"]["pitch"]
-    estimated("--lidar-sigma", 0.004)
-    assert projects.open_project(project).settings.lidar_beam_sigma is None
 
     # A rotation of the beams about the x axis of the scanner is a roll; the boresight absorbs it.
-    turned = estimated("--scan-angle-offset", 0.3)
+    turned = estimated("--lidar-sigma", 0.004, "--scan-angle-offset", 0.3)
+    assert projects.open_project(project).settings.lidar_beam_sigma is None
     assert turned["boresight_deg"]["roll"] == pytest.approx(
         axis["boresight_deg"]["roll"] - 0.3, abs=0.01
     )

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import nullcontext, suppress
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from multiprocessing import active_children
@@ -22,7 +22,7 @@ import scipy.stats
 
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo, simulate_plan
 from lispac.design.plan import System
-from lispac.design.plan_search import Mapper, search
+from lispac.design.plan_search import search
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.config.plan_file import read_site
 from lispac.messages import Level, note
@@ -60,23 +60,15 @@ def cluster(clusters: Clusters) -> distributed.LocalCluster:
     return clusters.with_workers()
 
 
-@pytest.fixture(scope="module")
-def pool() -> Iterator[Mapper]:
-    """Two processes."""
-    with process_pool_mapper(2) as mapper:
-        yield mapper
-
-
 def are_identical(one: MonteCarloResult, other: MonteCarloResult) -> bool:
     """Whether two results are equal to the last bit."""
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
 
-def test_monte_carlo_results_do_not_depend_on_the_mapper(
-    cluster: distributed.LocalCluster, pool: Mapper
-) -> None:
+def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     here = run_monte_carlo(SMALL, 6)
-    assert are_identical(run_monte_carlo(SMALL, 6, mapper=pool), here)
+    with process_pool_mapper(2) as mapper:
+        assert are_identical(run_monte_carlo(SMALL, 6, mapper=mapper), here)
     with cluster_mapper(cluster.scheduler_address) as mapper:
         assert are_identical(run_monte_carlo(SMALL, 6, mapper=mapper), here)
     assert np.array_equal(run_monte_carlo(SMALL, 3).errors, here.errors[:3])
@@ -183,12 +175,12 @@ def test_a_task_that_ends_every_worker_ends_the_campaign(cluster: distributed.Lo
     assert raised.value.code == "plan_survey.process_ended"
 
 
-def test_an_error_in_a_worker_is_raised_unchanged(
-    cluster: distributed.LocalCluster, pool: Mapper
-) -> None:
+def test_an_error_in_a_worker_is_raised_unchanged(cluster: distributed.LocalCluster) -> None:
     for where in (
-        process_pool_mapper(1), nullcontext(pool), cluster_mapper(cluster.scheduler_address),
-    ):  # fmt: skip
+        process_pool_mapper(1),
+        process_pool_mapper(2),
+        cluster_mapper(cluster.scheduler_address),
+    ):
         with where as mapper, pytest.raises(LispacError, match=r"^number 3 is too large$"):
             list(mapper(raise_correctable_error, [3]))
 
