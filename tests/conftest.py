@@ -6,6 +6,7 @@ import shutil
 from collections import Counter
 from collections.abc import Generator
 from contextlib import redirect_stderr, redirect_stdout
+from functools import partial
 from io import StringIO
 from pathlib import Path
 
@@ -64,9 +65,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Exclude modules and tests, which exist until the end, from garbage collection."""
+    """Exclude modules and tests, which exist until the end, from garbage collection.
+
+    Tests that read many files make millions of objects without cycles, among which the default
+    threshold of 700 objects searches for garbage again and again.
+    """
     gc.collect()
     gc.freeze()
+    gc.set_threshold(100_000, 20, 20)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -141,13 +147,22 @@ def denser_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 def printed_demo(
     demo_project: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Path, int, str, str]:
-    """Folder, exit code and output of `lispac demo`; tests must not change it on disk."""
+    """Folder, exit code and output of `lispac demo`; tests must not change it on disk.
+
+    The survey has half of its points.
+    """
 
     def run_demo(folder: Path) -> tuple[Path, int, str, str]:
         shutil.copytree(demo_project.folder, folder)
         old_file = b"left by an earlier run, which the next one replaces"
         (folder / "raw" / "L1_000.laz").write_bytes(old_file)
-        with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
+        with (
+            pytest.MonkeyPatch.context() as patch,
+            redirect_stdout(StringIO()) as out,
+            redirect_stderr(StringIO()) as err,
+        ):
+            make = partial(make_demo, points_per_second=3 * DEMO_PULSES)
+            patch.setattr("lispac.workflow.planning.demo.make_demo", make)
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()
 
@@ -169,19 +184,16 @@ def calibrated(
 
 
 @pytest.fixture(scope="session")
-def whole_calibrated(
+def denser_calibrated(
     printed_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
-    """The built-in survey with all points, as `calibrated`, for tests that depend on its density.
-
-    Its calibration takes several times as long.
-    """
+    """The built-in survey with half of the points, as `calibrated`."""
 
     def take(folder: Path) -> Project:
         shutil.copytree(printed_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
         return open_project(folder)
 
-    project = make_once(tmp_path_factory, "whole-calibrated", take)
+    project = make_once(tmp_path_factory, "denser-calibrated", take)
     return project, load_survey(project)
 
 
@@ -204,9 +216,9 @@ def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 
 
 @pytest.fixture
-def whole_copy(whole_calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """A copy of the calibrated project with all points that a test may change."""
-    return open_project(Path(shutil.copytree(whole_calibrated[0].folder, tmp_path / "copy")))
+def denser_copy(denser_calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """A copy of the calibrated project with half of the points that a test may change."""
+    return open_project(Path(shutil.copytree(denser_calibrated[0].folder, tmp_path / "copy")))
 
 
 @pytest.fixture

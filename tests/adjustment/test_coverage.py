@@ -82,7 +82,9 @@ def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> Non
     assert all(shortened) if kind == "POS time / 10" else not any(shortened)
 
 
-@pytest.mark.parametrize(("kind", "is_raised"), [("turned line", True), ("none", False)])
+@pytest.mark.parametrize(
+    ("kind", "is_raised"), others_long([("turned line", True), ("none", False)])
+)
 def test_sigmas_are_raised_by_the_scatter_without_single_lines(kind: str, is_raised: bool) -> None:
     """The jackknife is computed again from adjustments without each line."""
     data = survey(kind, 0)

@@ -179,7 +179,7 @@ def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: 
     assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", others_long(NAMES))
 def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
     whole = adjusted_flight(

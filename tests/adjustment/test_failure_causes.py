@@ -7,7 +7,6 @@ import pytest
 
 from lispac.adjustment.diagnostics.failure_causes import find_failure_causes
 from lispac.adjustment.least_squares import adjust_or_explain
-from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import NotConverged
 from lispac.messages import note
@@ -20,7 +19,7 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_a_wrong_roll_sign_in_a_survey_of_balls_is_named(seed: int) -> None:
     """The radii of the balls are unknown, and no other cause fits."""
-    data = average_points_in_cells(changed(survey(seed), "roll_sign"), TRUTH, 0.02)
+    data = changed(survey(seed, spacing=0.03), "roll_sign")
     with pytest.raises(NotConverged) as raised:
         adjust_or_explain(data, PRIOR, MODEL)
     assert raised.value.code == "estimate.possible_cause"
@@ -31,8 +30,7 @@ def test_a_wrong_roll_sign_in_a_survey_of_balls_is_named(seed: int) -> None:
 
 def test_no_cause_is_named_if_none_fits() -> None:
     """Roll has the wrong sign, and the points of three lines are distorted too."""
-    data = changed(survey(1), "roll_sign")
+    data = changed(survey(1, spacing=0.03), "roll_sign")
     off = np.array([each.line in ("L1", "L2", "L3") for each in data.sightings])[data.sighting]
     points = np.where(off[:, None], data.points_lidar * [1.0, 1.3, 1.0], data.points_lidar)
-    data = average_points_in_cells(replace(data, points_lidar=points), TRUTH, 0.02)
-    assert find_failure_causes(data, PRIOR, MODEL) == ()
+    assert find_failure_causes(replace(data, points_lidar=points), PRIOR, MODEL) == ()

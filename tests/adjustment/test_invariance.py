@@ -34,7 +34,7 @@ def mixed(observations: Observations, seed: int) -> Observations:
 @pytest.mark.parametrize("order", others_long([1, 2]))
 def test_order_does_not_change_the_result(spacing, order) -> None:
     """The observations contain outliers and a blunder; with a spacing they are averaged."""
-    observations = shifted(with_outliers(survey(3), 1)[0], 4, 0.05)
+    observations = shifted(with_outliers(survey(3, 0.06 if spacing else 0.1), 1)[0], 4, 0.05)
     results = []
     for seed in (None, order):
         points = observations if seed is None else mixed(observations, seed)
@@ -77,7 +77,7 @@ def test_outliers_and_a_shifted_sighting_are_rejected(sighting) -> None:
 )
 def test_the_chi_square_test_accepts_correct_sigmas(factor, passes_mostly) -> None:
     """The 95 % test of the correlated model passes at correct LiDAR sigmas only."""
-    count = 30
+    count = 30 if passes_mostly else 10
     passed = sum(
         adjust(
             survey(300 + seed).with_scaled_sigmas(factor, 1.0, 1.0), PRIOR, StochasticModel(),

@@ -65,6 +65,7 @@ def here(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Lin
     return solved.linearised
 
 
+@pytest.mark.long
 def test_scores_are_those_of_dense_matrices(here: LinearisedProblem) -> None:
     _compare_with_dense_matrices(here)
 

@@ -101,13 +101,13 @@ def solved_equations(data: Observations) -> SolvedEquations:
 def test_correct_values_are_not_contradicted(bent) -> None:
     """Form errors of 3 mm per line must not look like a lever arm; 1 in 100 by chance."""
     count = 0
-    for seed in range(20):
+    for seed in range(10):
         data = survey(TRUE_MOUNTING, 1000 + seed)
         off = np.random.default_rng(seed).normal(0, bent, len(data.sightings))[data.sighting]
         beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
         data = replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
         count += len(find_contradicted_parameters(solved_equations(data).linearised))
-    assert count <= 2
+    assert count <= 1
 
 
 def test_the_significance_level_is_for_all_values_together() -> None:

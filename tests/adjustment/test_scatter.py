@@ -80,6 +80,7 @@ def test_sigmas_hardly_change_where_the_model_is_right(
     np.testing.assert_array_equal(raised.boresight, plain.boresight)
 
 
+@pytest.mark.long
 def test_unmodelled_errors_increase_the_sigmas(thinned: Opened, clean: TargetlessResult) -> None:
     """Beams are rotated in every other half second."""
     project, _ = thinned

@@ -37,7 +37,7 @@ def with_motion(data: Observations, share: float) -> Observations:
 def test_the_signs_are_confirmed_only_if_the_vessel_rolls_and_pitches(
     share: float, is_confirmed: bool
 ) -> None:
-    found = agreement(with_motion(survey(0), share))
+    found = agreement(with_motion(survey(0, spacing=0.02), share))
     assert (found is not None) == is_confirmed
     if found is not None:
         assert found.code == "adjustment.signs_agree"

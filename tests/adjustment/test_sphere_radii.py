@@ -129,7 +129,7 @@ def test_the_pitch_sign_of_a_real_survey_is_named(shared_data: Path) -> None:
 
 
 def test_the_result_of_an_adjustment_has_radius_discrepancies() -> None:
-    data = average_points_in_cells(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
+    data = average_points_in_cells(changed(survey(1, spacing=0.02), "pitch_sign"), TRUTH, 0.02)
     # Without a search for correlation times, none of which explains a wrong sign
     result = adjust(data, TRUTH, StochasticModel(loss="tukey"), test_model=False)
     assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}

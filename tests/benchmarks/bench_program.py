@@ -55,8 +55,8 @@ def measurements_of(tmp_path: Path, what: str, *words: str | Path) -> dict[str, 
 
 
 @pytest.mark.parametrize("opening", [False, True], ids=["alone", "with the demo"])
-def test_start(opening: bool, tmp_path: Path, whole_calibrated: tuple[Project, object]) -> None:
-    words = [whole_calibrated[0].folder] if opening else []
+def test_start(opening: bool, tmp_path: Path, denser_calibrated: tuple[Project, object]) -> None:
+    words = [denser_calibrated[0].folder] if opening else []
     runs = [measurements_of(tmp_path, "start", *words) for _ in range(ROUNDS + 1)][1:]
     for key, unit in UNITS.items():
         values = [run[key] for run in runs if key in run]

@@ -37,8 +37,8 @@ def command_times(command: list[str]) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("ending", ["pdf", "html"])
-def test_report(whole_calibrated: tuple[Project, Survey], tmp_path: Path, ending: str) -> None:
-    project, survey = whole_calibrated
+def test_report(denser_calibrated: tuple[Project, Survey], tmp_path: Path, ending: str) -> None:
+    project, survey = denser_calibrated
     path = tmp_path / f"r.{ending}"
     command = [sys.executable, "-m", "lispac", "report", str(project.folder), "--output", str(path)]
     command_times(command)  # writes byte code

@@ -75,8 +75,8 @@ def test_all_commands_from_raw_files_to_the_report(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
     project = tmp_path / "quay"
-    made = run_json(capsys, *new_words(project, raw))
-    assert len(made["points"]) == 6
+    made = run_json(capsys, *new_words(project, raw, *sorted(raw.glob("*.laz"))[:4]))
+    assert len(made["points"]) == 4
     seeds = {
         "T1": (1.15, -14.7, 8.1, "target"),
         "T2": (-1.1, -14.38, 7.7, "target"),
@@ -85,7 +85,7 @@ def test_all_commands_from_raw_files_to_the_report(
         picked = run_json(
             capsys, "pick", project, "--seed", x, y, z, "--name", name, "--role", role
         )
-        assert len(picked["lines"]) == 6, picked["missing"]
+        assert len(picked["lines"]) == 4, picked["missing"]
     numbers = run_json(capsys, "estimate", project, "--pos-errors", "correlated")
     expected = {
         "boresight_deg", "sigma_deg", "correlation", "variance_factor", "chi_square", "iterations",
@@ -96,7 +96,7 @@ def test_all_commands_from_raw_files_to_the_report(
     for angle, value in truth.items():
         error = abs(numbers["boresight_deg"][angle] - value)
         assert error < 3 * numbers["sigma_deg"][angle], (angle, numbers)
-    assert len(numbers["sightings"]) == 12
+    assert len(numbers["sightings"]) == 8
     assert len(numbers["targets"]) == 2
     assert set(numbers["chi_square"]) == {
         "statistic", "lower", "upper", "passed", "text", "outcome", "lidar_noise_ratio",
@@ -135,7 +135,7 @@ def test_all_commands_from_raw_files_to_the_report(
         capsys, "georeference", project, "--output", tmp_path / "out", "--crs", "EPSG:32619"
     )
     assert code == 0
-    assert len(list((tmp_path / "out").glob("*_estimated.laz"))) == 6
+    assert len(list((tmp_path / "out").glob("*_estimated.laz"))) == 4
     for ending in (".html", ".pdf", ".json"):
         code, _, err = run(capsys, "report", project, "--output", tmp_path / f"report{ending}")
         assert code == 0, err

@@ -66,11 +66,11 @@ def test_a_limit_that_is_not_positive_is_wrong_usage(folder: Path, word: str) ->
 
 def test_validate_prints_the_verdict_and_its_warnings(
     capsys: pytest.CaptureFixture[str],
-    whole_calibrated: tuple[Project, object],
-    whole_copy: Project,
+    denser_calibrated: tuple[Project, object],
+    denser_copy: Project,
 ) -> None:
-    write_project(whole_copy.with_acceptance(NO_CRITERIA.changed(rms=0.005)))
-    found = run_json(capsys, "validate", whole_copy.folder)
+    write_project(denser_copy.with_acceptance(NO_CRITERIA.changed(rms=0.005)))
+    found = run_json(capsys, "validate", denser_copy.folder)
     assert found["acceptance"]["verdict"] == "fail"
     warnings = [each for each in found["warnings"] if each["code"] == "acceptance.rms"]
     assert len(warnings) == len(found["validation"])

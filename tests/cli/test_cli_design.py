@@ -16,8 +16,9 @@ from lispac.io.config.plan_file import read_plan
 from lispac.message_texts import message_text
 from lispac.messages import error, note
 from lispac.project import Project
+from lispac.workflow.planning.demo import calibrate_demo
 from lispac.workflow.planning.plan_checks import write_design
-from lispac.workflow.project.survey import Survey
+from lispac.workflow.project.projects import open_project
 from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error, refused_with
 from tests.support.narrow_site import narrow_site
@@ -125,18 +126,28 @@ def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path
     refused_with("design.too_long", "design", site, available=5.0)
 
 
+@pytest.mark.long
 def test_replay_of_the_built_in_survey(
-    whole_calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    whole_demo: Project, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
     folder = tmp_path / "port"
-    shutil.copytree(whole_calibrated[0].folder, folder)
+    shutil.copytree(whole_demo.folder, folder)
+    calibrate_demo(open_project(folder))
     found = run_json(capsys, "compare-plan", folder, "--plan", PORT)
     adjusted, predicted = (
         found["obtained_sigma_deg"],
         found["surveyed_with_form_error_sigma_deg"],
     )
     assert adjusted == pytest.approx(predicted, rel=0.05)
+
+
+def test_a_survey_is_compared_with_plans(
+    copy: Project, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """With its own plan, and with plans of another line, board, distance and other names."""
+    folder = copy.folder
+    found = run_json(capsys, "compare-plan", folder, "--plan", PORT)
     assert found["missing_lines"] == []
     assert found["missing_targets"] == []
     more = tmp_path / "more.toml"

@@ -16,15 +16,16 @@ WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
 
 
 @pytest.fixture(scope="module")
-def raw(denser_project: Project) -> Path:
-    return denser_project.folder / "raw"
+def raw(demo_project: Project) -> Path:
+    return demo_project.folder / "raw"
 
 
 def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:
     made = [word for word in new_words(folder, raw) if word not in ("--lidar-sigma", 0.0017)]
     run_json(capsys, *made, *words)
-    for name, seed in SEEDS.items():
-        run_json(capsys, "pick", folder, "--seed", *seed, "--name", name)
+    seeds = folder.with_name("seeds.txt")
+    seeds.write_text("".join(f"{name} {x} {y} {z}\n" for name, (x, y, z) in SEEDS.items()))
+    run_json(capsys, "pick", folder, "--seeds", seeds, "--role", "target")
     return folder
 
 
@@ -49,16 +50,15 @@ def test_noise_and_offsets_of_a_project(
     assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
     equal_axes = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
     np.testing.assert_allclose(angles(equal_axes), angles(axis), rtol=0, atol=1e-9)
-    # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
-    beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
+    # Pitch is determined by the ranges, whose given sigma is now twenty times larger.
+    beam = estimated("--lidar-beam-sigma", 0.08, 0.02)
     settings = projects.open_project(project).settings
-    assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.06, 0.02))
+    assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.08, 0.02))
     assert beam["sigma_deg"]["pitch"] > 3 * axis["sigma_deg"]["pitch"]
-    estimated("--lidar-sigma", 0.004)
-    assert projects.open_project(project).settings.lidar_beam_sigma is None
 
     # A rotation of the beams about the x axis of the scanner is a roll; the boresight absorbs it.
-    turned = estimated("--scan-angle-offset", 0.3)
+    turned = estimated("--lidar-sigma", 0.004, "--scan-angle-offset", 0.3)
+    assert projects.open_project(project).settings.lidar_beam_sigma is None
     assert turned["boresight_deg"]["roll"] == pytest.approx(
         axis["boresight_deg"]["roll"] - 0.3, abs=0.01
     )

@@ -14,7 +14,7 @@ import pytest
 
 SURVEY_FIXTURES = {
     "calibrated", "copy", "demo_project", "port", "shared_data", "denser_project", "printed_demo",
-    "whole_calibrated", "whole_copy", "whole_demo",
+    "denser_calibrated", "denser_copy", "whole_demo",
 }  # fmt: skip
 SLOW = Path("slow-tests.json")
 """File with the names of the slow tests, in the folder that mutmut makes."""

@@ -1,6 +1,7 @@
 """Tests that no function is compiled while the user waits for a result."""
 
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -46,7 +47,7 @@ print(" ".join(compiled))
 
 @pytest.mark.long
 def test_a_calibration_compiles_nothing_after_precompilation(
-    tmp_path: Path, whole_copy: Project
+    tmp_path: Path, whole_demo: Project
 ) -> None:
     """The demo has four times as many points as the survey with which functions are compiled."""
     variables = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}
@@ -61,7 +62,8 @@ def test_a_calibration_compiles_nothing_after_precompilation(
     (cache,) = (tmp_path / "cache").iterdir()
     assert (cache / precompile.FINISHED_FILE).is_file()
     assert not (cache / precompile.SURVEY_FOLDER).exists()
-    assert run("-c", CALIBRATION, str(whole_copy.folder)).split() == []
+    folder = shutil.copytree(whole_demo.folder, tmp_path / "copy")
+    assert run("-c", CALIBRATION, str(folder)).split() == []
 
 
 @pytest.fixture

@@ -126,9 +126,11 @@ def spinning_boresight_deg(seed: int) -> np.ndarray:
     return np.random.default_rng([37, seed]).normal(0, 1, 3)
 
 
-def spinning(seed: int, *, cross_check: bool = True) -> SurveyOutcome:
+def spinning(
+    seed: int, *, points_per_second: float = 60_000, cross_check: bool = True
+) -> SurveyOutcome:
     made = read_simulation(
-        "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
+        "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=points_per_second,
         errors={"boresight_deg": tuple(spinning_boresight_deg(seed))},
     )  # fmt: skip
     with TemporaryDirectory() as folder:

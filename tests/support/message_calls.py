@@ -3,7 +3,7 @@
 import ast
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -14,6 +14,9 @@ ROOT = Path(__file__).resolve().parents[2]
 MAKERS = ("error", "warning", "note")
 MAX_STEPS = 4
 """Maximum number of names that are followed from a call to a constant."""
+
+NODE_TYPES = (ast.Call, ast.Return, ast.Yield, ast.keyword, ast.ClassDef)
+"""Nodes among which calls, returned values and attributes are found."""
 
 Scope = tuple[ast.AST, ...]
 """Functions that contain an expression, the innermost first."""
@@ -218,16 +221,20 @@ def _attributes() -> dict[str, list[Source]]:
     return found
 
 
-def _nodes_with_scopes() -> Iterator[tuple[ast.AST, Scope]]:
-    """All nodes of the program, except for the module of the makers, with enclosing functions."""
+@cache
+def _nodes_with_scopes() -> list[tuple[ast.AST, Scope]]:
+    """Nodes of `NODE_TYPES` in the program, except for the module of the makers, with functions."""
+    found: list[tuple[ast.AST, Scope]] = []
     waiting: list[tuple[ast.AST, Scope]] = [
         (tree, ()) for path, tree in trees().items() if path.name != "messages.py"
     ]
     while waiting:
         node, scope = waiting.pop()
-        yield node, scope
+        if isinstance(node, NODE_TYPES):
+            found.append((node, scope))
         inner = (node, *scope) if isinstance(node, ast.FunctionDef) else scope
         waiting += [(each, inner) for each in ast.iter_child_nodes(node)]
+    return found
 
 
 def _name(function: ast.expr) -> str:

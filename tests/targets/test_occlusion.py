@@ -120,9 +120,9 @@ def narrowed(project: Project, survey: Survey, name: str, line: str) -> Project:
 
 
 def test_a_halved_sighting_of_the_demo_is_reported(
-    whole_calibrated: tuple[Project, Survey],
+    denser_calibrated: tuple[Project, Survey],
 ) -> None:
-    project, survey = whole_calibrated
+    project, survey = denser_calibrated
     project = replace(project, result=None)
     line = project.target("T1").sightings[0].line
     whole = assess_sightings(project, survey)

@@ -109,9 +109,9 @@ def test_smear_is_not_removed_from_a_plane_seen_for_an_instant():
 
 
 def test_terminal_prints_the_rating_of_each_sighting(
-    whole_copy: Project, capsys: pytest.CaptureFixture[str]
+    denser_copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    folder = str(whole_copy.folder)
+    folder = str(denser_copy.folder)
     assert main(["estimate", folder, "--no-cross-checks", "--json"]) == 0
     qualities = json.loads(capsys.readouterr().out)["qualities"]
     assert {each["rating"] for each in qualities} <= {"good", "doubtful"}

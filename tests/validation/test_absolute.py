@@ -31,6 +31,7 @@ from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
 from tests.cli.test_cli import run, run_json
+from tests.conftest import DEMO_PULSES
 from tests.documents.schemas import followed
 from tests.support.absolute_sample import (
     check_against_points,
@@ -47,7 +48,7 @@ SHIFTS = (0.0, 0.005, 0.020)
 
 @pytest.fixture(scope="module")
 def truth() -> SimulatedSurvey:
-    return port_survey(points_per_second=50_000.0)
+    return port_survey(points_per_second=DEMO_PULSES)
 
 
 @pytest.fixture(scope="module")

@@ -72,11 +72,11 @@ def test_statistics_of_given_differences() -> None:
 
 
 def test_differences_of_the_demo_before_and_after_the_calibration(
-    whole_calibrated: tuple[Project, Survey],
+    denser_calibrated: tuple[Project, Survey],
 ) -> None:
     """The calibration reduces the differences to the POS errors of the simulation."""
-    project, survey = whole_calibrated
-    survey = replace(survey, clouds=dict(list(survey.clouds.items())[:2]))
+    project, survey = denser_calibrated
+    survey = replace(survey, clouds=dict(list(survey.clouds.items())[4:]))
     found = line_quality(project, survey)
     assert len(found.pairs) == 1
     again = line_quality(project, survey, which="estimated")

@@ -18,15 +18,16 @@ from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors
 from lispac.geometry.planes import fit_plane
 from lispac.io.las.las_format import read_scan
 from lispac.io.trajectory.sbet import read_sbet
-from lispac.project import LineSource, Reading, Settings
+from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import pick_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.importing.file_reading import detect_reading
 from lispac.workflow.project.projects import create_project, open_project, save_project
-from lispac.workflow.project.survey import load_survey
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run_json
 from tests.support.long_runs import others_long
 from tests.validation.test_truth import beside_truth
@@ -60,13 +61,12 @@ def angles(numbers: dict[str, Any], key: str) -> np.ndarray:
 
 def validate_beside_truth(
     capsys: pytest.CaptureFixture[str],
-    folder: Path,
+    opened: Project,
+    survey: Survey,
     planes: Mapping[str, Any],
     truth: Sequence[float],
 ) -> None:
     """Compare the validation planes of a survey and require the distances of the truth."""
-    opened = open_project(folder)
-    survey = load_survey(opened)
     for name, plane in planes.items():
         opened = pick_target(opened, survey, tuple(plane["centre"]), name=name, role="validation")
     validated = validate(replace(opened, truth_deg=tuple(truth)), survey)
@@ -87,23 +87,23 @@ def test_harbour(
     for found in picked(capsys, project, {k: t["centre"] for k, t in site["targets_nwu"].items()}):
         assert len(found["lines"]) == 6, found
     assert open_project(project).settings.pos_errors == "correlated"  # the default
-    uncorrelated = run_json(
-        capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks"
-    )
-    correlated = run_json(
-        capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks"
-    )
-    error = angles(correlated, "boresight_deg") - truth
-    comparison = (
-        f"truth {truth}, uncorrelated POS errors {angles(uncorrelated, 'boresight_deg')}, "
-        f"correlated {angles(correlated, 'boresight_deg')} +- {angles(correlated, 'sigma_deg')}"
-    )
-    assert correlated["pos_errors"] == "correlated"
-    assert (np.abs(error) < 3 * angles(correlated, "sigma_deg")).all(), comparison
-    assert angles(correlated, "sigma_deg")[1] <= 0.025, comparison
-    assert np.abs(angles(uncorrelated, "boresight_deg") - truth).max() < 0.25, comparison
+    opened = open_project(project)
+    survey = load_survey(opened)
+    thesis = replace(opened.settings, pos_errors="independent")
+    uncorrelated = estimate(opened, survey, settings=thesis, cross_check=False).result
+    opened = estimate(opened, survey, cross_check=False)
+    correlated = opened.result
+    assert uncorrelated is not None
+    assert correlated is not None
+    found, sigma = np.degrees(correlated.boresight), np.degrees(correlated.sigma)
+    without = np.degrees(uncorrelated.boresight)
+    comparison = f"truth {truth}, uncorrelated POS errors {without}, correlated {found} +- {sigma}"
+    assert correlated.model.pos_errors == "correlated"
+    assert (np.abs(found - truth) < 3 * sigma).all(), comparison
+    assert sigma[1] <= 0.025, comparison
+    assert np.abs(without - truth).max() < 0.25, comparison
     if validated:
-        validate_beside_truth(capsys, project, site["validation_nwu"], truth)
+        validate_beside_truth(capsys, opened, survey, site["validation_nwu"], truth)
 
 
 @pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))

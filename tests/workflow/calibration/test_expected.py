@@ -21,9 +21,9 @@ BOARD = ExpectedTarget(1.23, 1.22, pi / 2)
 
 
 def test_a_board_of_unexpected_size_is_reported(
-    whole_calibrated: tuple[Project, Survey],
+    denser_calibrated: tuple[Project, Survey],
 ) -> None:
-    project, survey = whole_calibrated
+    project, survey = denser_calibrated
     _, seed = demo_seeds()["T1"]
     found = find_target(project, survey, seed, name="T9", expected=BOARD)
     assert found.expected == BOARD

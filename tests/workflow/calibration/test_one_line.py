@@ -25,6 +25,7 @@ from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, picked_and_estimated
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 
@@ -194,7 +195,7 @@ def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledP
 
 @pytest.mark.parametrize(
     ("shift", "count", "code"),
-    [(0.0, 1, "adjustment.only_plane"), (40.0, None, "estimate.possible_cause")],
+    others_long([(0.0, 1, "adjustment.only_plane"), (40.0, None, "estimate.possible_cause")]),
 )
 def test_warnings_about_files_are_no_cause_of_too_few_targets(
     shift: float, count: int | None, code: str

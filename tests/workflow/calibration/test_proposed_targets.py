@@ -171,7 +171,8 @@ def test_use_of_a_plane_by_its_quality(poor: int, rough: int, use: str) -> None:
 
 
 def test_a_site_with_a_rippled_sheet_only_is_refused_with_its_reason() -> None:
-    scene_site = site([*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)])
+    surfaces = [*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)]
+    scene_site = site(surfaces, lines=4, pulses_per_second=60_000.0)
     project, survey = scene_site.opened()
     with pytest.raises(TargetNotFound) as raised:
         propose_targets(project, survey)

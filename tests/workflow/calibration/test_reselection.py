@@ -122,7 +122,7 @@ def test_a_board_picked_with_a_wrong_prior_is_selected_again(off_deg: tuple[floa
 @pytest.mark.parametrize("seed", [25, pytest.param(8, marks=pytest.mark.long)])
 def test_a_board_before_a_wall_keeps_its_points_with_a_spinning_scanner(seed: int) -> None:
     """The wall has twenty times the points of the board."""
-    found = spinning(seed, cross_check=False)
+    found = spinning(seed, points_per_second=30_000, cross_check=False)
     result = found.result
     assert result is not None
     assert {each.sighting.target for each in result.sightings} == {"T1", "T2", "V1"}

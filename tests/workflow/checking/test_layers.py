@@ -12,6 +12,7 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.validation.reference_places import measure_to_surface
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
+from tests.conftest import DEMO_PULSES
 from tests.support.absolute_sample import project_with_true_boresight, true_offsets
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import on_plane
@@ -19,7 +20,7 @@ from tests.support.static_scans import on_plane
 
 @pytest.fixture(scope="module")
 def truth() -> SimulatedSurvey:
-    return port_survey(points_per_second=50_000.0)
+    return port_survey(points_per_second=DEMO_PULSES)
 
 
 @pytest.fixture(scope="module")

@@ -12,8 +12,8 @@ from lispac.workflow.checking.subsampling import subsampling_study
 from lispac.workflow.project.survey import Survey
 
 
-def test_each_row_is_an_adjustment(whole_calibrated: tuple[Project, Survey]) -> None:
-    project, survey = whole_calibrated
+def test_each_row_is_an_adjustment(denser_calibrated: tuple[Project, Survey]) -> None:
+    project, survey = denser_calibrated
     rows = subsampling_study(project, survey, (0.2, 0.1, 0.05))
     assert [row.distance_m for row in rows] == [0.05, 0.1, 0.2]
     points = [row.points for row in rows]

@@ -1,6 +1,7 @@
 """Tests of control from its file to the result: import, assignment, storage, commands, scripts."""
 
 import json
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -85,10 +86,24 @@ def known() -> tuple[Project, Survey]:
     return picked()
 
 
-@pytest.fixture
-def with_control(known: tuple[Project, Survey], tmp_path: Path) -> tuple[Project, Survey]:
-    project, _ = import_control(*known, write_list(tmp_path / "control.csv", surveyed()))
-    return project, known[1]
+@pytest.fixture(scope="module")
+def solved_known() -> tuple[Project, Survey]:
+    """Project with an estimate, without control."""
+    project, survey = picked()
+    return estimate(project, survey, cross_check=False), survey
+
+
+@pytest.fixture(scope="module")
+def with_control(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, Survey]:
+    folder = tmp_path_factory.mktemp("control")
+    project, survey = picked()
+    project, _ = import_control(project, survey, write_list(folder / "control.csv", surveyed()))
+    return project, survey
+
+
+@pytest.fixture(scope="module")
+def solved_with_control(with_control: tuple[Project, Survey]) -> Project:
+    return estimate(*with_control, cross_check=False)
 
 
 # -- import ----------------------------------------------------------------------------------
@@ -107,10 +122,11 @@ def test_points_are_assigned_by_the_names_in_the_list(
         np.testing.assert_allclose(point.position, place, atol=6e-6)
 
 
-def test_points_are_assigned_by_their_places(known: tuple[Project, Survey], tmp_path: Path) -> None:
+def test_points_are_assigned_by_their_places(
+    solved_known: tuple[Project, Survey], tmp_path: Path
+) -> None:
     """The prior boresight of 0 displaces the surfaces; after an estimate they are near."""
-    project, survey = known
-    project = estimate(project, survey, cross_check=False)
+    project, survey = solved_known
     points = surveyed()
     points["far"] = on_board("T1", 0.0, 0.0) + 20.0
     points["off"] = on_board("T1", 0.0, 0.0) + 0.7 * site_of_few_lines().scene["T1"].normal
@@ -148,11 +164,10 @@ def test_three_sigmas_of_a_list(known: tuple[Project, Survey], tmp_path: Path) -
 
 
 def test_a_static_scan_gives_three_points_of_each_plane(
-    known: tuple[Project, Survey], tmp_path: Path
+    solved_known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     path = write_scan(tmp_path / "tripod.txt")
-    project, survey = known
-    project = estimate(project, survey, cross_check=False)
+    project, survey = solved_known
     project, notes = import_control(project, survey, path, sigma=0.003)
     (file,) = project.control
     assert file.kind == "scan"
@@ -203,10 +218,10 @@ def test_control_needs_targets(known: tuple[Project, Survey], tmp_path: Path) ->
 # -- estimate --------------------------------------------------------------------------------
 
 
-def test_the_estimate_uses_the_control(with_control: tuple[Project, Survey]) -> None:
-    project, survey = with_control
-    solved = estimate(project, survey, cross_check=False)
-    plain = estimate(project.with_control(()), survey, cross_check=False)
+def test_the_estimate_uses_the_control(
+    solved_with_control: Project, solved_known: tuple[Project, Survey]
+) -> None:
+    solved, plain = solved_with_control, solved_known[0]
     assert solved.result is not None
     assert plain.result is not None
     result, alone = solved.result, solved.result.without_control
@@ -335,9 +350,8 @@ def test_new_targets_of_a_single_line_take_their_control(
 # -- edits and storage -----------------------------------------------------------------------
 
 
-def test_edits_of_control_remove_dependent_results(with_control: tuple[Project, Survey]) -> None:
-    project, survey = with_control
-    solved = estimate(project, survey, cross_check=False)
+def test_edits_of_control_remove_dependent_results(solved_with_control: Project) -> None:
+    solved = solved_with_control
     same = solved.with_control(solved.control)
     assert same.result is solved.result
     excluded = solved.with_control(with_control_use(solved.control, ["T1.1"], used=False))
@@ -417,14 +431,16 @@ def test_a_new_target_of_the_same_name_elsewhere_does_not_take_the_control(
     assert found == {name: "T2" * (name[:2] == "P1") for name in points}
 
 
-def test_edits_of_a_target_keep_its_control(with_control: tuple[Project, Survey]) -> None:
+def test_edits_of_a_target_keep_its_control(
+    with_control: tuple[Project, Survey], solved_with_control: Project
+) -> None:
     project, survey = with_control
     before = project.control
     line = project.target("T1").sightings[0].line
     for edited in (
         set_target_use(project, "T1", False),
         set_sighting_use(project, "T1", line, False),
-        estimate(project, survey, cross_check=False),
+        solved_with_control,
     ):
         assert edited.control == before
         assert with_assigned_control(edited, survey).control is edited.control
@@ -475,17 +491,15 @@ def test_an_imported_file_replaces_the_one_of_its_name(
     """Points that were excluded stay excluded."""
     project, survey = with_control
     project = project.with_control(with_control_use(project.control, ["T1.2"], used=False))
-    again, _ = import_control(project, survey, tmp_path / "control.csv", common_sigma=0.01)
+    path = write_list(tmp_path / "control.csv", surveyed())
+    again, _ = import_control(project, survey, path, common_sigma=0.01)
     (file,) = again.control
     assert file.common_sigma == 0.01
     assert [point.name for point in file.points if not point.used] == ["T1.2"]
 
 
-def test_control_is_stored_in_the_project(
-    with_control: tuple[Project, Survey], tmp_path: Path
-) -> None:
-    project, survey = with_control
-    solved = estimate(project, survey, cross_check=False)
+def test_control_is_stored_in_the_project(solved_with_control: Project, tmp_path: Path) -> None:
+    solved = solved_with_control
     stored = replace(solved, folder=tmp_path / "stored", file_digest="")
     write_project(stored)
     read = read_project(stored.folder)
@@ -496,7 +510,8 @@ def test_control_is_stored_in_the_project(
     assert read.result.without_control is not None
     path = stored.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
-    assert content["control"][0]["path"] == "../control.csv"
+    place = Path(os.path.relpath(solved.control[0].path, stored.folder)).as_posix()
+    assert content["control"][0]["path"] == place
     content["control"][0]["points"][0]["sigmas"][1] = 0.0
     path.write_text(json.dumps(content))
     with pytest.raises(ProjectError) as failure:
@@ -523,7 +538,8 @@ def test_scripts_import_and_repeat_the_control(
 ) -> None:
     project, survey = with_control
     opened = lispac.OpenProject(project.with_control(()), survey)
-    file = opened.control(tmp_path / "control.csv", common_sigma=0.001)
+    path = write_list(tmp_path / "control.csv", surveyed())
+    file = opened.control(path, common_sigma=0.001)
     assert file.common_sigma == 0.001
     opened.exclude_control("T1.1")
     assert len(opened.project.control[0].used_points) == 7

@@ -161,10 +161,10 @@ FORWARD = np.pi / 2
 
 @dataclass(frozen=True)
 class Vlp16(Scanner):
-    """VLP-16 that turns clockwise, with every twelfth firing sequence in a sector to both sides."""
+    """VLP-16 that turns clockwise, with every 24th firing sequence in a sector to both sides."""
 
     def turn(self, starboard: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        sequence = np.arange(0, SEQUENCES_PER_PACKET * PACKETS_PER_TURN, 12)
+        sequence = np.arange(0, SEQUENCES_PER_PACKET * PACKETS_PER_TURN, 24)
         delay = CYCLE_S * sequence[:, None] + FIRING_S * np.arange(LASERS)
         azimuth = 2 * np.pi * self.turns_per_second * delay
         beam = np.broadcast_to(np.arange(LASERS), delay.shape)
