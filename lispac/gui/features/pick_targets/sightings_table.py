@@ -100,6 +100,8 @@ class SightingsModel(QAbstractTableModel):
 
     def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
         """Show the quality of the sightings, by the names of target and line."""
+        if qualities == self._qualities:
+            return  # they are emitted after every change
         self._qualities = qualities
         if self.rowCount():
             last = self.index(self.rowCount() - 1, self.columnCount() - 1)
