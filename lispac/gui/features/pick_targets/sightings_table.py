@@ -91,11 +91,14 @@ class SightingsModel(QAbstractTableModel):
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
         """Show another project."""
+        heading = {} if survey is None else dict(survey.heading)
+        if project is self._project and heading == self._heading:
+            return
         self.beginResetModel()
         self._project = project
         self._lines = [] if project is None else [line.name for line in project.lines]
         self._colours = theme.line_colours(self._lines)
-        self._heading = {} if survey is None else dict(survey.heading)
+        self._heading = heading
         self.endResetModel()
 
     def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
