@@ -35,6 +35,13 @@ Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_ROLES = frozenset(
+    {
+        Role.DisplayRole, Role.DecorationRole, Role.CheckStateRole, Role.ForegroundRole,
+        Role.TextAlignmentRole, Role.ToolTipRole,
+    }
+)  # fmt: skip
+"""Roles for which cells have values."""
 EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
 _EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
 CELLS_TIP = N_(
@@ -184,6 +191,8 @@ class SightingsModel(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         """Value of a cell for a role."""
+        if role not in _ROLES:
+            return None  # the view asks for all roles of all cells to compute the widths
         value = self._cell_value(index, role)
         return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 
