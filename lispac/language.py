@@ -271,6 +271,8 @@ def gettext(template: Template, /, **params: Any) -> str:
     **params
         Values of the placeholders in SI units. Without any, braces in the text are kept literally.
     """
+    if not params and isinstance(template, str):
+        return _translated(template, 0, current_language(), _has_degree_signs.get())
     return format_text(template, params)
 
 

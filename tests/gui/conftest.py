@@ -19,6 +19,7 @@ from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets import target_actions
 from lispac.gui.features.report.dialogs import ReportDialogs
+from lispac.gui.project import controller
 from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session
@@ -41,6 +42,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
+from tests.gui.shared_surveys import load_once
 from tests.gui.support import WAIT_MS, Demo, Driver, PatientBot, ScriptedDialogs
 from tests.support.sharing import make_once
 
@@ -61,7 +63,7 @@ def _picked_demo(source: Project, factory: pytest.TempPathFactory, name: str) ->
     folder = factory.mktemp("demo") / source.folder.name
     shutil.copytree(source.folder, folder, ignore=WINDOW_FILES)
     project = replace(source, folder=folder)
-    survey = load_survey(project)
+    survey = load_once(project)
 
     def pick_some(_folder: Path) -> Project:
         picked = project
@@ -135,6 +137,18 @@ def _share_qualities(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyP
     """
     if request.path.name not in QUALITY_FILES:
         monkeypatch.setattr(target_actions, "assess_sightings", _assess_once)
+
+
+@pytest.fixture(autouse=True)
+def _share_surveys(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reuse a survey that was read from the same files, as most windows open copies of the demo."""
+    monkeypatch.setattr(controller, "load_survey", load_once)
+
+
+@pytest.fixture
+def reads_files(_share_surveys: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Read the files whenever a project is opened, for tests of what happens meanwhile."""
+    monkeypatch.setattr(controller, "load_survey", load_survey)
 
 
 def _assess_once(

@@ -42,7 +42,7 @@ def cut_texts(figure: Figure) -> list[str]:
 
 
 @pytest.mark.parametrize("language", others_long(LANGUAGES, lambda language: language == "fr"))
-@pytest.mark.parametrize(("extent", "least"), [("short", 2), ("full", 6)])
+@pytest.mark.parametrize(("extent", "least"), others_long([("full", 6), ("short", 2)]))
 def test_no_text_of_a_figure_is_cut(
     language: str, extent: Extent, least: int, tmp_path: Path
 ) -> None:

@@ -33,6 +33,8 @@ SPACING = 8
 """Spacing between neighbouring widgets, pixels; the margins of a panel are twice as wide."""
 
 _scheme: ColourScheme = LIGHT_SCHEME
+_is_applied = False
+"""Whether a theme was applied to the application."""
 
 
 def __getattr__(name: str) -> str:
@@ -88,6 +90,8 @@ def swatch(colour: Colour, size: int = 12) -> QIcon:
     return icon
 
 
+STYLE_NAME = "fusion"
+"""Name of the style of Qt, as `QStyle.name` returns it."""
 EXTENSION_NAME = "qt_toolbar_ext_button"
 """Name that Qt gives to the button for the actions that have no place in a toolbar."""
 QUALITY_ICONS = {
@@ -142,26 +146,36 @@ def choose_scheme(application: QApplication, choice: str) -> ColourScheme:
     return SCHEMES[choice]
 
 
-def apply_theme(application: QApplication, choice: str = "light") -> None:
+def apply_theme(
+    application: QApplication, choice: str = "light", *, is_window_next: bool = False
+) -> None:
     """Apply Fusion style, palette and style sheet of a theme to the application.
 
     Parameters
     ----------
     choice : one of `settings.THEMES`
+    is_window_next : bool
+        Whether a window is built next, at the end of which `without_style_sheet` applies a new
+        style sheet. Existing widgets get it once then.
     """
-    global _scheme
+    global _scheme, _is_applied
     scheme_of_theme = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
     # Also applies to the frame of the window and to dialogues of the system.
     application.styleHints().setColorScheme(scheme_of_theme.get(choice, Qt.ColorScheme.Unknown))
     _scheme = choose_scheme(application, choice)
     if application.styleSheet() == style_sheet(_scheme):
         return
-    application.setStyle(QStyleFactory.create("Fusion"))
+    # With a style sheet, Qt would apply it to all widgets again after each of these changes
+    application.setStyleSheet("")
+    if application.style().name() != STYLE_NAME:
+        application.setStyle(QStyleFactory.create(STYLE_NAME))
     application.setPalette(palette(_scheme))
     for name in FRAMED_CLASSES:
         application.setPalette(framed_palette(_scheme), name)
     application.setFont(_window_font(application.font()))
-    application.setStyleSheet(style_sheet(_scheme))
+    _is_applied = True
+    if not is_window_next:
+        application.setStyleSheet(style_sheet(_scheme))
 
 
 @contextmanager
@@ -178,7 +192,7 @@ def without_style_sheet() -> Iterator[None]:
     try:
         yield
     finally:
-        application.setStyleSheet(sheet)
+        application.setStyleSheet(style_sheet(_scheme) if _is_applied else sheet)
 
 
 def _window_font(default: QFont) -> QFont:

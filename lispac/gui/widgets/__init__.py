@@ -1,6 +1,7 @@
 """Widgets of the panels and dialogues; the small ones are in this module."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from html import escape
 from textwrap import fill
 from typing import Any
@@ -92,6 +93,7 @@ def plain_tip(text: str) -> str:
     return f"<p>{escape(text)}</p>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
 
 
+@lru_cache(maxsize=2048)
 def wrapped_tip(text: str) -> str:
     """Tooltip in lines of readable length; Qt shows plain text of any length in one line."""
     return plain_tip("\n".join(fill(line, TIP_LENGTH) for line in text.split("\n")))

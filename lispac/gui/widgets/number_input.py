@@ -8,6 +8,7 @@ import math
 import re
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt
@@ -51,6 +52,7 @@ REASON_PROPERTY = "wrong_reason"
 """Property of a field with the reason why its text is not accepted; empty if it is."""
 
 
+@lru_cache(maxsize=2048)
 def parse_number(text: str, unit: str = "") -> float | None:
     """Number in a text, in ``unit``; None if the text is not a finite number.
 

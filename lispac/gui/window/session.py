@@ -71,7 +71,7 @@ class Session(QObject):
 
     def _create_window(self, former: MainWindow | None) -> MainWindow:
         in_front = QApplication.activeWindow()
-        self._apply_appearance()
+        self._apply_appearance(is_window_next=True)
         window = MainWindow(self._viewport(), self._settings, self._dialogs, former)
         try:
             if former is not None:
@@ -95,13 +95,13 @@ class Session(QObject):
         window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
         return window
 
-    def _apply_appearance(self) -> None:
+    def _apply_appearance(self, *, is_window_next: bool = False) -> None:
         """Apply the settings that widgets use when they are created."""
         chosen = self._settings.appearance
         set_language(chosen.language)
         units.set_units(*chosen.units)
         set_colour_scale(chosen.colour_scale)
-        theme.apply_theme(self._application, chosen.theme)
+        theme.apply_theme(self._application, chosen.theme, is_window_next=is_window_next)
 
     @property
     def log_folder(self) -> Path:

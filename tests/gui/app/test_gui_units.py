@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -34,6 +35,7 @@ from lispac.project import Project
 from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs, finish_layouts, show_panel
+from tests.support.long_runs import others_long
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 """International foot (1959) and US survey foot (1893) in metres."""
@@ -79,9 +81,13 @@ def field(suffix: str, decimals: int) -> NumberField:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("code", ["en", "fr"])
-@pytest.mark.parametrize("lengths", units.LENGTH_UNITS)
-@pytest.mark.parametrize("angles", units.ANGLE_UNITS)
+@pytest.mark.parametrize(
+    ("code", "lengths", "angles"),
+    others_long(
+        product(["en", "fr"], units.LENGTH_UNITS, units.ANGLE_UNITS),
+        lambda each: each in (("en", "feet", "degrees"), ("fr", "survey feet", "milliradians")),
+    ),
+)
 @settings(
     max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

@@ -130,6 +130,7 @@ def test_saving_clears_the_modified_state_and_undo_sets_it_again(
     assert driver.window.isWindowModified()
 
 
+@pytest.mark.usefixtures("reads_files")
 def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
     driver.window.open_project(demo_copy)
     assert driver.window.runner.busy
@@ -139,6 +140,7 @@ def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
     assert driver.window.document.project is None
 
 
+@pytest.mark.usefixtures("reads_files")
 def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo_copy: Path):
     before = opened.project
     opened.window.open_project(demo_copy)
@@ -217,6 +219,7 @@ def test_a_new_lever_arm_moves_the_lines_and_undo_moves_them_back(picked: Driver
     assert field.value() == pytest.approx(2.173)
 
 
+@pytest.mark.usefixtures("reads_files")
 def test_a_closed_window_is_hidden_before_its_tasks_have_ended(
     driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

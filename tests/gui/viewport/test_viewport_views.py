@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 
 from lispac.gui.viewport.base import DragHandle, Highlight, PointColouring, Sketch
 from lispac.gui.viewport.clipping import Box
+from tests.support.long_runs import others_long
 from tests.support.view_scenes import BLUE, RED, YELLOW, count, picture, pixel, scene, wall
 
 GREEN = (0, 158, 115)
@@ -207,8 +208,14 @@ def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
     assert count(picture(viewport), BLUE) == pytest.approx(whole[BLUE], rel=0.02)
 
 
-@pytest.mark.parametrize("parallel", [False, True])
-@pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])
+@pytest.mark.parametrize(
+    ("parallel", "origin"),
+    others_long(
+        [(False, (5_040_000.0, -612_000.0, 0.0)), (True, (0.0, 0.0, 0.0)),
+         (True, (5_040_000.0, -612_000.0, 0.0)), (False, (0.0, 0.0, 0.0))],
+        short=2,
+    ),
+)  # fmt: skip
 def test_the_divider_between_before_and_after_is_dragged(viewport, parallel, origin):
     here = wall(25.0, (-9.0, 9.0), (0.0, 9.0), origin=origin)
     viewport.set_station(origin)

@@ -34,7 +34,7 @@ from tests.gui.support import (
     sentence,
     type_into,
 )
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 
@@ -75,6 +75,7 @@ def test_f9_estimates_with_the_value_being_typed(picked: Driver) -> None:
     assert picked.window.document.undo_stack.count() == 2  # the change and the estimate
 
 
+@LONG
 def test_f9_estimates_with_the_prior_angle_being_typed(picked: Driver) -> None:
     picked.window.adjust.cross_check.setChecked(False)
     open_step(picked, 0)
@@ -89,6 +90,7 @@ def test_f9_estimates_with_the_prior_angle_being_typed(picked: Driver) -> None:
     assert picked.window.document.undo_stack.count() == 2  # the change and the estimate
 
 
+@LONG
 def test_f9_estimates_with_the_latency_being_typed(picked: Driver) -> None:
     panel = picked.window.adjust
     panel.cross_check.setChecked(False)

@@ -289,6 +289,7 @@ def test_unsaved_work_is_offered_after_a_crash(
     assert hands.session.crashed_project() is None
 
 
+@pytest.mark.long  # `test_gui_safekeeping` and `test_gui_view_state` cover it without dialogues
 def test_the_lines_after_the_calibration_are_shown_when_a_project_is_opened(
     hands: Hands, demo_copy: Path, estimated: Project, tmp_path: Path
 ) -> None:

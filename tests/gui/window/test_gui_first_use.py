@@ -13,6 +13,7 @@ from lispac.gui.features.estimate.results_panel import MIN_WIDTH_PX
 from lispac.gui.features.inspect.section_figure import draw_section
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST, REPORT, TARGETS
+from lispac.language import gettext
 from lispac.project import Project
 from tests.gui.import_support import rest
 from tests.gui.support import (
@@ -30,7 +31,10 @@ from tests.gui.support import (
 
 
 def test_no_verdict_is_shown_before_the_checks_end(picked: Driver) -> None:
-    window = picked.window
+    window, texts = picked.window, []
+    window.estimation.checking.connect(
+        lambda running: texts.append((running, window.results.checks.text()))
+    )
     assert window.adjust.cross_check.isChecked()
     seen = []
     window.document.changed.connect(lambda: seen.append(status(picked)))
@@ -44,6 +48,10 @@ def test_no_verdict_is_shown_before_the_checks_end(picked: Driver) -> None:
     assert sentence(picked, ADJUST) != checking
     with_result = [text for has_result, has_checks, text in seen if has_result and not has_checks]
     assert set(with_result) == {checking}
+    running, ended = texts
+    assert running == (True, gettext("being computed"))
+    assert not ended[0]
+    assert ended[1] != running[1]
 
 
 def status(driver: Driver) -> tuple[bool, bool, str]:

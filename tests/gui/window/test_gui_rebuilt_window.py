@@ -14,6 +14,7 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.support import Demo, Key, finish_layouts, in_front, show_panel
+from tests.support.long_runs import others_long
 
 SOON_MS = 20_000
 CHANGES = {"theme": "dark", "language": "fr"}
@@ -184,7 +185,7 @@ class ShowRecorder(QObject):
         return False
 
 
-@pytest.mark.parametrize("title", ["Patch test", "Diagnostics"])
+@pytest.mark.parametrize("title", others_long(["Patch test", "Diagnostics"]))
 def test_an_open_window_stays_above(
     session: Session, qtbot: QtBot, qapp: QApplication, title: str
 ) -> None:

@@ -35,6 +35,13 @@ Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_ROLES = frozenset(
+    {
+        Role.DisplayRole, Role.DecorationRole, Role.CheckStateRole, Role.ForegroundRole,
+        Role.TextAlignmentRole, Role.ToolTipRole,
+    }
+)  # fmt: skip
+"""Roles for which cells have values."""
 EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
 _EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
 CELLS_TIP = N_(
@@ -91,15 +98,20 @@ class SightingsModel(QAbstractTableModel):
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
         """Show another project."""
+        heading = {} if survey is None else dict(survey.heading)
+        if project is self._project and heading == self._heading:
+            return
         self.beginResetModel()
         self._project = project
         self._lines = [] if project is None else [line.name for line in project.lines]
         self._colours = theme.line_colours(self._lines)
-        self._heading = {} if survey is None else dict(survey.heading)
+        self._heading = heading
         self.endResetModel()
 
     def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
         """Show the quality of the sightings, by the names of target and line."""
+        if qualities == self._qualities:
+            return  # they are emitted after every change
         self._qualities = qualities
         if self.rowCount():
             last = self.index(self.rowCount() - 1, self.columnCount() - 1)
@@ -179,6 +191,8 @@ class SightingsModel(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         """Value of a cell for a role."""
+        if role not in _ROLES:
+            return None  # the view asks for all roles of all cells to compute the widths
         value = self._cell_value(index, role)
         return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 

@@ -385,20 +385,6 @@ def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     assert not model.accept_single_orientation.isChecked()
 
 
-def test_the_panel_says_that_cross_checks_are_being_computed(picked: Driver) -> None:
-    window, texts = picked.window, []
-    window.estimation.checking.connect(
-        lambda running: texts.append((running, window.results.checks.text()))
-    )
-    press(picked, Key.Key_F9)
-    picked.rest()
-    running, ended = texts
-    assert running == (True, gettext("being computed"))
-    assert not ended[0]
-    assert ended[1] != running[1]
-    assert picked.project.cross_checks is not None
-
-
 def test_an_automatic_estimate_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):
     driver.window.document.open(estimated, demo.survey)
     driver.rest()

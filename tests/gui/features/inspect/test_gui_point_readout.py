@@ -34,6 +34,7 @@ from lispac.workflow.calibration import picking
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.features.pick_targets.test_gui_seed_coordinates import find, use_next_dialog
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
+from tests.support.long_runs import others_long
 from tests.support.topocentric import east_north_up_by_proj, local_by_proj
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
@@ -122,7 +123,7 @@ def test_the_status_bar_shows_the_point_under_the_mouse(board: Driver) -> None:
     assert shown.text() == ""
 
 
-@pytest.fixture(params=LANGUAGES)
+@pytest.fixture(params=others_long(LANGUAGES, lambda code: code == "fr"))
 def language(request: pytest.FixtureRequest) -> Iterator[str]:
     """Language of the window."""
     set_language(request.param)
@@ -175,7 +176,7 @@ def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:
     assert board.viewport.widget.findChild(QMenu, "point_menu") is None, "a drag pans"
 
 
-@pytest.mark.parametrize("length", ["metres", "feet"])
+@pytest.mark.parametrize("length", others_long(["feet", "metres"]))
 def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
     clipboard, canvas = QGuiApplication.clipboard(), board.viewport.canvas
     units.set_units("degrees", length)
@@ -211,12 +212,16 @@ def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
     assert np.linalg.norm(cloud.sample - candidate.seed, axis=1).min() < 1e-3
 
 
-@pytest.mark.parametrize("key", [Key.Key_1, Key.Key_2, Key.Key_3])
-def test_the_axes_point_as_the_coordinates_grow(board: Driver, key: Qt.Key) -> None:
+def test_the_axes_point_as_the_coordinates_grow(board: Driver) -> None:
     """A point farther east, north or up is drawn in the direction of the axis of that name."""
+    for key in (Key.Key_1, Key.Key_2, Key.Key_3):
+        press(board, key)
+        board.rest()
+        assert_axes_point_as_the_coordinates_grow(board)
+
+
+def assert_axes_point_as_the_coordinates_grow(board: Driver) -> None:
     view, frame = board.viewport, board.window.document.survey.trajectory.frame
-    press(board, key)
-    board.rest()
     focal, right = view.camera.focal, view.camera.axes[0]
     length, start = 0.1, east_north_up_by_proj(focal, frame)
     across = np.ptp(view.to_pixels(np.array([focal, focal + length * right])), axis=0)

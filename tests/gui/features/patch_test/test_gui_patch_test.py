@@ -144,7 +144,7 @@ def test_the_label_of_the_minimum_does_not_cover_the_curve(qapp, depth: float) -
     assert not top - 4 <= height <= top + 20
 
 
-def test_keys_change_an_angle_by_a_thousandth_and_update_the_picture(opened: Driver) -> None:
+def test_keys_change_the_angles_and_another_choice_clears_the_result(opened: Driver) -> None:
     shown = opened_panel(opened)
     click(opened, shown.propose)
     opened.rest()
@@ -167,6 +167,22 @@ def test_keys_change_an_angle_by_a_thousandth_and_update_the_picture(opened: Dri
     np.testing.assert_allclose(
         shown.picture.drawn[next(iter(before))], before[next(iter(before))], atol=1e-9
     )
+
+    # another choice of objects or pairs of lines clears the result
+    click(opened, shown.angles.find_buttons[ROLL])
+    opened.rest()
+    assert "mismatch is smallest" in shown.message_label.text()
+    tick(opened, shown.objects, 0)
+    assert shown.objects.item(0).checkState() == Qt.CheckState.Unchecked
+    assert shown.message_label.text() == ""
+    many = len(shown.ticked_entries)
+    assert many == shown.objects.count() - 1
+    for row in range(shown.pairs.count()):
+        tick(opened, shown.pairs, row)
+    assert not shown.ticked_pairs
+    click(opened, shown.all)
+    opened.rest()
+    assert opened.dialogs.errors[-1].code == "patch_test.no_pairs"
 
 
 def test_user_defined_boxes_are_added_shown_and_removed(opened: Driver) -> None:
@@ -213,23 +229,3 @@ def test_an_object_added_with_the_key_opens_the_panel(opened: Driver) -> None:
     opened.rest()
     assert panel(opened).isVisible()
     assert opened.viewport.sketches["patch"].label == "H1"
-
-
-def test_the_result_is_cleared_when_the_choice_changes(opened: Driver) -> None:
-    shown = opened_panel(opened)
-    click(opened, shown.propose)
-    opened.rest()
-    click(opened, shown.angles.find_buttons[ROLL])
-    opened.rest()
-    assert "mismatch is smallest" in shown.message_label.text()
-    tick(opened, shown.objects, 0)
-    assert shown.objects.item(0).checkState() == Qt.CheckState.Unchecked
-    assert shown.message_label.text() == ""
-    many = len(shown.ticked_entries)
-    assert many == shown.objects.count() - 1
-    for row in range(shown.pairs.count()):
-        tick(opened, shown.pairs, row)
-    assert not shown.ticked_pairs
-    click(opened, shown.all)
-    opened.rest()
-    assert opened.dialogs.errors[-1].code == "patch_test.no_pairs"

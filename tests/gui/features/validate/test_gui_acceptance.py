@@ -41,6 +41,7 @@ from tests.gui.support import (
     show_panel,
     type_into,
 )
+from tests.support.long_runs import LONG, others_long
 from tests.support.view_scenes import array_of
 
 
@@ -251,7 +252,7 @@ def test_a_wrong_text_and_an_impossible_limit_change_nothing(judged: Driver) -> 
     assert field.text() == ""
 
 
-@pytest.mark.parametrize("text", ["0", "0.0000001", "99"])
+@pytest.mark.parametrize("text", others_long(["0.0000001", "0", "99"]))
 def test_the_limits_in_the_message_have_no_exponents(judged: Driver, text: str) -> None:
     field = judged.window.validate.acceptance.fields["roll_sigma_deg"]
     type_into(judged, field, text)
@@ -281,7 +282,7 @@ def test_criteria_for_the_angles_only_need_no_planes(judged: Driver) -> None:
     assert "criteria given" not in judged.window.validate.outcome.verdict.text()
 
 
-@pytest.mark.parametrize("text", ["-30", "abc"])
+@pytest.mark.parametrize("text", others_long(["-30", "abc"]))
 def test_a_typed_criterion_that_is_not_used_shows_no_verdict(judged: Driver, text: str) -> None:
     form, outcome = judged.window.validate.acceptance, judged.window.validate.outcome
     type_into(judged, form.fields["rms"], "1000")
@@ -351,7 +352,9 @@ def test_the_reasons_are_below_the_text_that_refers_to_them(judged: Driver) -> N
     assert panel.advice.geometry().bottom() < panel.outcome.geometry().top()
 
 
-@pytest.mark.parametrize("is_dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize(
+    "is_dark", [pytest.param(False, id="light", marks=LONG), pytest.param(True, id="dark")]
+)
 def test_failing_values_of_selected_rows_keep_their_colour(
     request, qapp: QApplication, driver: Driver, demo: Demo, validated: Project, is_dark: bool
 ) -> None:

@@ -13,6 +13,7 @@ from lispac.acceptance import LIMIT_NAMES
 from lispac.gui.project.status import STEP_KEYS, VALIDATE
 from lispac.project import Project
 from tests.gui.support import Control, Demo, Driver, Key, Left, finish_layouts, open_step, press
+from tests.support.long_runs import LONG
 
 SIZES = ((1366, 768), (1600, 1000))
 SOURCE = "Client specification 2026, P7"
@@ -35,7 +36,7 @@ def started(driver: Driver) -> list[str]:
     return names
 
 
-@pytest.fixture(params=SIZES, ids=str)
+@pytest.fixture(params=[SIZES[0], pytest.param(SIZES[1], marks=LONG)], ids=str)
 def judged(request, driver: Driver, demo: Demo, validated: Project) -> Driver:
     """A window at step 4, whose fields are all visible, with a contract in the details."""
     identity = validated.identity.changed(contract="C-118")
@@ -169,25 +170,26 @@ def test_tab_from_a_criterion_that_rebuilds_the_causes_keeps_the_focus_in_the_pa
     assert started == []
 
 
-@pytest.mark.parametrize("step", range(len(STEP_KEYS)), ids=STEP_KEYS)
 def test_letters_in_a_step_start_no_command_of_the_view(
-    driver: Driver, demo: Demo, validated: Project, started: list[str], step: int
+    driver: Driver, demo: Demo, validated: Project, started: list[str]
 ) -> None:
     driver.window.document.open(replace(validated), demo.survey)
     driver.rest()
-    open_step(driver, step)
     window = driver.window
-    panel = (window.data, window.targets, window.adjust, window.validate, window.report)[step]
-    focusable = [
-        each for each in panel.findChildren(QWidget)
-        if each.isVisible() and each.isEnabled() and each.focusPolicy() & Qt.FocusPolicy.TabFocus
-        and each.focusProxy() is None and not isinstance(each, QAbstractItemView)
-    ]  # fmt: skip
-    assert focusable
-    for each in focusable:
-        each.setFocus()
-        type_letters(driver, LETTERS)
-        assert started == [], each.objectName()
+    panels = (window.data, window.targets, window.adjust, window.validate, window.report)
+    for step, panel in enumerate(panels):
+        open_step(driver, step)
+        focusable = [
+            each for each in panel.findChildren(QWidget)
+            if each.isVisible() and each.isEnabled()
+            and each.focusPolicy() & Qt.FocusPolicy.TabFocus
+            and each.focusProxy() is None and not isinstance(each, QAbstractItemView)
+        ]  # fmt: skip
+        assert focusable, STEP_KEYS[step]
+        for each in focusable:
+            each.setFocus()
+            type_letters(driver, LETTERS)
+            assert started == [], each.objectName()
 
 
 def test_the_view_and_the_lists_keep_their_single_key_commands(

@@ -41,6 +41,7 @@ from tests.gui.support import (
     press,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG
 
 Role = Qt.ItemDataRole
 
@@ -179,6 +180,7 @@ def test_the_warning_of_a_zero_lever_arm_focuses_its_field(picked: Driver) -> No
     assert has_focus(picked.window.data.lever_arm.fields[0])
 
 
+@LONG
 def test_the_warning_of_a_scanner_far_below_focuses_its_z(picked: Driver) -> None:
     settings = replace(picked.project.settings, lever_arm=(1.2, 0.3, -2.1))
     picked.window.document.edit("below", picked.project.with_settings(settings))
@@ -201,22 +203,18 @@ def test_the_note_of_a_line_selects_and_shows_it(picked: Driver, demo: Demo) -> 
     assert in_view(picked, demo.survey.clouds[line.name].sample)
 
 
-@pytest.mark.parametrize(
-    ("cause", "step", "focused"),
-    [
-        (Cause.of_parameter("lever_z"), ADJUST, lambda a: a.parameters.switches["lever_z"]),
-        (Cause.of_field("surface"), ADJUST, lambda a: a.model.surface),
-        (Cause.of_field("pos_errors"), ADJUST, lambda a: a.chosen_model),
-    ],
-)
-def test_the_group_of_a_cause_is_unfolded(
-    adjusted: Driver, cause: Cause, step: int, focused
-) -> None:
-    panel = adjusted.window.adjust
+def test_the_group_of_a_cause_is_unfolded(adjusted: Driver) -> None:
+    panel, workflow = adjusted.window.adjust, adjusted.window.workflow
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.cause_navigation.show_cause(cause)
-    assert adjusted.window.workflow.opened == step
-    assert has_focus(focused(panel))
+    for cause, field in (
+        (Cause.of_parameter("lever_z"), panel.parameters.switches["lever_z"]),
+        (Cause.of_field("surface"), panel.model.surface),
+        (Cause.of_field("pos_errors"), panel.chosen_model),
+    ):
+        workflow.open(DATA)
+        adjusted.window.cause_navigation.show_cause(cause)
+        assert workflow.opened == ADJUST
+        assert has_focus(field)
 
 
 def test_the_page_of_a_cause_is_raised(adjusted: Driver) -> None:
