@@ -193,7 +193,7 @@ class Slow:
 
     def __call__(self, number: int) -> int:
         (self.folder / str(number)).touch()
-        time.sleep(0.05)
+        time.sleep(0.2)
         return number
 
 
