@@ -5,11 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.diagnostics.failure_causes import find_failure_causes
-from lispac.adjustment.least_squares import adjust_or_explain
+from lispac.adjustment.diagnostics.failure_causes import find_failure_causes, find_wrong_value
+from lispac.adjustment.diagnostics.possible_causes import VERY_STRONG_EVIDENCE
+from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import NotConverged
 from lispac.messages import note
+from tests.adjustment.test_observability import PRIOR as BOARDS_PRIOR
+from tests.adjustment.test_observability import survey as boards_survey
 from tests.adjustment.test_sphere_radii import TRUTH, changed, survey
 
 MODEL = StochasticModel(loss="tukey")
@@ -34,3 +37,24 @@ def test_no_cause_is_named_if_none_fits() -> None:
     off = np.array([each.line in ("L1", "L2", "L3") for each in data.sightings])[data.sighting]
     points = np.where(off[:, None], data.points_lidar * [1.0, 1.3, 1.0], data.points_lidar)
     assert find_failure_causes(replace(data, points_lidar=points), PRIOR, MODEL) == ()
+
+
+def test_a_lever_arm_that_displaces_whole_targets_is_found() -> None:
+    wrong = replace(BOARDS_PRIOR, lever_arm=BOARDS_PRIOR.lever_arm + [1.0, 0.0, 0.0])
+    data = boards_survey()
+    result = adjust(data, wrong, MODEL, diagnostics=False)
+    assert result.rms_after > 0.1
+    cause = find_wrong_value(data, wrong, MODEL, result)
+    assert cause is not None
+    assert (cause.kind, cause.target, cause.line) == ("lever_x", "", "")
+    assert abs(cause.size[0] + 1.0) < 4 * cause.sigma[0] < 0.2
+    corrected = adjust(data, BOARDS_PRIOR, MODEL, diagnostics=False)
+    change = corrected.boresight - result.boresight
+    np.testing.assert_allclose(cause.angle_change, change, atol=4 * corrected.sigma.max())
+    assert cause.evidence > VERY_STRONG_EVIDENCE
+
+
+def test_a_correct_mounting_has_no_wrong_value() -> None:
+    data = boards_survey()
+    result = adjust(data, BOARDS_PRIOR, MODEL, diagnostics=False)
+    assert find_wrong_value(data, BOARDS_PRIOR, MODEL, result) is None

@@ -106,6 +106,30 @@ def test_harbour(
         validate_beside_truth(capsys, opened, survey, site["validation_nwu"], truth)
 
 
+@pytest.mark.long
+def test_a_lever_arm_of_the_harbour_that_is_a_metre_wrong_is_named(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
+) -> None:
+    """The points that are selected again are partly those of other surfaces."""
+    data, project = shared_data / "harbour", tmp_path / "harbour"
+    make(capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out")
+    run_json(capsys, "propose", project, "--accept")
+    opened = open_project(project)
+    x, y, z = opened.settings.lever_arm
+    wrong = opened.with_settings(replace(opened.settings, lever_arm=(x + 1.0, y, z)))
+    survey = load_survey(wrong)
+    result = estimate(wrong, survey, cross_check=False).result
+    assert result is not None
+    assert result.causes
+    [cause] = result.causes[0]
+    assert cause.kind == "lever_x"
+    assert cause.size[0] == pytest.approx(-1.0, abs=0.02)
+    right = estimate(opened, load_survey(opened), cross_check=False).result
+    assert right is not None
+    corrected = np.degrees(result.boresight + cause.angle_change)
+    np.testing.assert_allclose(corrected, np.degrees(right.boresight), atol=0.03)
+
+
 @pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))
 def test_drone(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, name: str

@@ -1,9 +1,9 @@
-"""Search for the error that prevents an adjustment from converging.
+"""Search for the error that prevents an adjustment from converging, or spoils its result.
 
 With a wrong sign of the attitude, a latency, a range offset or a wrong lever arm, the targets may
-differ so much from line to line that the adjustment does not converge. It is repeated with each of
-these errors corrected or estimated. If it then converges, and the residuals pass the global chi-
-square test (Baarda 1968), this error is a possible cause.
+differ so much from line to line that the adjustment does not converge, or converges far from the
+true angles. It is repeated with each of these errors corrected or estimated. If it then converges,
+and the residuals pass the global chi-square test (Baarda 1968), this error is a possible cause.
 """
 
 from collections.abc import Iterator
@@ -13,10 +13,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.diagnostics.possible_causes import PRIOR_ERROR_SIGMAS
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter, amount_with_unit, mounting_value_name
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.result import AdjustmentResult, PossibleCause
 from lispac.adjustment.solve.solver import SolverSettings, estimate
 from lispac.errors import AdjustmentError
 from lispac.messages import Message, note
@@ -33,6 +34,9 @@ TESTED_PARAMETERS = ("latency", "range_offset", "lever_x", "lever_y", "lever_z")
 """Values of the mounting that are tested as causes by estimating them."""
 REJECTION_LEVEL = 1e-4
 """Significance level of the chi-square test: probability that a correct model is rejected."""
+MAX_RMS_RATIO = 0.25
+"""Largest ratio of the RMS distance with the best candidate to that without it and to that with any
+other candidate."""
 
 
 def find_failure_causes(
@@ -50,19 +54,79 @@ def find_failure_causes(
         The correlated model with the loss of Tukey is used in any case, because independent POS
         errors would explain nearly any residuals.
     """
-    model = replace(model, pos_errors="correlated", loss="tukey")
     found: list[tuple[float, Message]] = []
     for code, some, also in _candidates(observations, parameters):
-        with suppress(AdjustmentError, np.linalg.LinAlgError):
-            settings = SolverSettings(
-                model, parameters=(*parameters, *also), accept_single_orientation=True
-            )
-            result = estimate(some, mounting, settings)
-            determined = all(each.value is not None for each in result.parameters)
-            if determined and not result.is_model_rejected(REJECTION_LEVEL):
-                message = _value_message(result, also[0].name) if also else note(code)
-                found.append((result.variance_factor, message))
+        result = _estimate(some, mounting, model, (*parameters, *also))
+        if result is not None and not result.is_model_rejected(REJECTION_LEVEL):
+            message = _value_message(result, also[0].name) if also else note(code)
+            found.append((result.variance_factor, message))
     return tuple(message for _, message in sorted(found, key=lambda each: each[0]))
+
+
+def find_wrong_value(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    result: AdjustmentResult,
+    *,
+    parameters: tuple[Parameter, ...] = (),
+) -> PossibleCause | None:
+    """Find the value of the mounting whose error explains a result far from all others.
+
+    Parameters
+    ----------
+    observations : Observations
+        Points as they were picked. A selection with the angles of ``result`` may have lost those
+        that show the error.
+    mounting, model, parameters : as in `find_failure_causes`
+    result : AdjustmentResult
+        Result without a correction of the value.
+
+    Returns
+    -------
+    PossibleCause or None
+        None unless the residuals with one value, and no other, are much smaller and agree with the
+        error model.
+    """
+    found: list[tuple[float, Parameter, AdjustmentResult]] = []
+    for _, _, also in _candidates(observations, parameters):
+        if also:
+            freed = _estimate(observations, mounting, model, (*parameters, *also))
+            if freed is not None:
+                found.append((freed.rms_after, also[0], freed))
+    found.sort(key=lambda each: each[0])
+    if not found or found[0][2].is_model_rejected(REJECTION_LEVEL):
+        return None
+    (best, parameter, freed), others = found[0], [each[0] for each in found[1:]]
+    if best > MAX_RMS_RATIO * min([result.rms_after, *others]):
+        return None
+    (value,) = (each for each in freed.parameters if each.name == parameter.name)
+    assert value.value is not None
+    assert value.sigma is not None
+    size, sigma = value.value - value.prior, value.sigma
+    # The Bayes factor of Laplace's approximation, with the prior of the other search
+    evidence = (size / sigma) ** 2 + 2 * np.log(sigma / PRIOR_ERROR_SIGMAS[parameter.name])
+    return PossibleCause(
+        parameter.name, "", "", np.array([size]), np.array([sigma]),
+        freed.boresight - result.boresight, float(np.sqrt(result.rms_after**2 - best**2)),
+        float(evidence),
+    )  # fmt: skip
+
+
+def _estimate(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    parameters: tuple[Parameter, ...],
+) -> AdjustmentResult | None:
+    """Result with the correlated model; None if it does not converge or leaves a value open."""
+    model = replace(model, pos_errors="correlated", loss="tukey")
+    with suppress(AdjustmentError, np.linalg.LinAlgError):
+        settings = SolverSettings(model, parameters=parameters, accept_single_orientation=True)
+        result = estimate(observations, mounting, settings)
+        if all(each.value is not None for each in result.parameters):
+            return result
+    return None
 
 
 def _candidates(

@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.failure_causes import find_wrong_value
 from lispac.adjustment.diagnostics.sign_check import is_sign_assumed, sign_agreement
 from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, EstimateWithoutControl
@@ -47,6 +49,10 @@ MAX_DATA_WARNINGS = 3
 SELECTION_SPACING = 0.1
 """Spacing of the points used in the adjustments between selections, metres. The near end of a
 surface may have hundreds of times the density of the far end, and would otherwise dominate."""
+
+MAX_FORM_ERROR_M, MAX_RMS_M = 0.03, 0.1
+"""Sigma of the form errors and RMS distance from which a result is implausible, metres: targets are
+chosen flat, and POS errors of this size are rare."""
 
 CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which the selection is not repeated.
@@ -375,7 +381,9 @@ def adjust_selected(
         lidar_noise_from_residuals=settings.is_lidar_noise_from_residuals,
     )
     observations = observations.without_targets(result.excluded_targets)
-    solved = project.with_result(_with_advice(result, observations) if advise else result)
+    if advise:
+        result = _with_advice(project, survey, result, observations)
+    solved = project.with_result(result)
     return (
         _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
         if cross_check
@@ -421,12 +429,19 @@ def complete_result(
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
     observations = observations.without_targets(project.result.excluded_targets)
-    advised = replace(project, result=_with_advice(project.result, observations))
+    result = _with_advice(project, survey, project.result, observations)
+    advised = replace(project, result=result)
     return _with_cross_checks(advised, observations, progress) if cross_check else advised
 
 
-def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """Result with a note on the additional line that would improve the precision most."""
+def _with_advice(
+    project: Project, survey: Survey, result: AdjustmentResult, observations: Observations
+) -> AdjustmentResult:
+    """Result with the additional line that would improve the precision most.
+
+    If the residuals are implausibly large, it has the value of the mounting that is wrong.
+    """
+    result = _with_wrong_value(project, survey, result)
     # The additional line is assessed with the sigmas of the complete adjustment.
     scaled = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability
@@ -434,6 +449,30 @@ def _with_advice(result: AdjustmentResult, observations: Observations) -> Adjust
         return result
     messages = (*seen.messages, *found)
     return replace(result, observability=replace(seen, messages=messages))
+
+
+def _with_wrong_value(
+    project: Project, survey: Survey, result: AdjustmentResult
+) -> AdjustmentResult:
+    """Result with a wrong value of the mounting as the only cause, if it displaces the targets.
+
+    With an error of about a metre, the points that are selected again are those of other surfaces,
+    in which the error is not visible; the picked points still show it.
+    """
+    is_plausible = result.surface < MAX_FORM_ERROR_M and result.rms_after < MAX_RMS_M
+    is_named = any(group[0].kind in OPTIONAL_NAMES for group in result.causes or ())
+    settings = project.settings
+    if is_plausible or is_named or settings.pos_errors != "correlated":
+        return result
+    thinned = replace(
+        settings, pos_errors="independent", subsample=max(settings.subsample, SELECTION_SPACING)
+    )
+    picked = observations_of(replace(project, result=None), survey, settings=thinned)
+    cause = find_wrong_value(
+        picked, project.mounting("prior"), settings.stochastic_model, result,
+        parameters=settings.parameters,
+    )  # fmt: skip
+    return result if cause is None else replace(result, causes=((cause,),))
 
 
 def _selected_observations(
