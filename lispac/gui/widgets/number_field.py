@@ -115,6 +115,10 @@ class NumberField(PanelEntry, QDoubleSpinBox):
         is_accepted = self._problem(text) is None
         return states.Acceptable if is_accepted else states.Intermediate, text, place
 
+    def fixup(self, text: str) -> str:
+        """Keep a text that is not accepted; Qt would remove its commas and read another number."""
+        return text
+
     def valueFromText(self, text: str) -> float:
         """Value of a text in the unit shown; the former value if the text is that of it."""
         if text and text == self.specialValueText():

@@ -77,7 +77,8 @@ def test_a_value_outside_the_range_is_marked_and_the_range_is_shown(form, qtbot)
     ("text", "code"),
     [("2173", "window.out_of_range"), ("abc", "window.not_a_number_in"),
      ("1.2.3", "window.not_a_number_in"), ("", "window.empty_number"),
-     ("5 kg", "window.not_a_number_in")],
+     ("5 kg", "window.not_a_number_in"), ("7,5,", "window.not_a_number_in"),
+     ("1.234,5", "window.not_a_number_in"), ("1,2,3", "window.not_a_number_in")],
 )  # fmt: skip
 def test_a_wrong_text_stays_visible_and_marked(form, qtbot, text: str, code: str) -> None:
     type_into_field(qtbot, form.up, text)
