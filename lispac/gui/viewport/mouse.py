@@ -157,8 +157,9 @@ class ViewportMouse(QObject):
         return True
 
     def _pressed(self, event: QMouseEvent) -> None:
-        if self._drag is not _Drag.NONE:
+        if self._drag is not _Drag.NONE and event.buttons() != event.button():
             return  # a second button during a drag
+        self._end_drag()
         if event.button() in _HISTORY_STEPS:
             self.history_requested.emit(_HISTORY_STEPS[event.button()])
             return
@@ -175,6 +176,8 @@ class ViewportMouse(QObject):
             self.drag_started.emit(self._press.x(), self._press.y())
 
     def _moved(self, event: QMouseEvent) -> None:
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self._end_drag()
         self._show_cursor(_is_control_pressed(event.modifiers()))
         step = event.position() - self._last
         self._last = event.position()
@@ -192,13 +195,7 @@ class ViewportMouse(QObject):
     def _released(self, event: QMouseEvent) -> None:
         if event.buttons() != Qt.MouseButton.NoButton:
             return
-        drag, self._drag = self._drag, _Drag.NONE
-        if drag in (_Drag.ROTATE, _Drag.PAN):
-            self.drag_ended.emit()
-        elif drag is _Drag.OUTLINE:
-            self.outlined.emit()
-        elif drag is _Drag.GRAB:
-            self.handle_released.emit()
+        drag = self._end_drag()
         distance = (event.position() - self._press).manhattanLength()
         if distance < QApplication.startDragDistance():
             if drag is _Drag.PICK:
@@ -207,6 +204,20 @@ class ViewportMouse(QObject):
                 self.pointed.emit(self._press.x(), self._press.y())
             elif event.button() == Qt.MouseButton.RightButton:
                 self.menu_requested.emit(self._press.x(), self._press.y())
+
+    def _end_drag(self) -> _Drag:
+        """End the drag and return its kind.
+
+        A dialogue that opens while a button is pressed receives the release of the button.
+        """
+        drag, self._drag = self._drag, _Drag.NONE
+        if drag in (_Drag.ROTATE, _Drag.PAN):
+            self.drag_ended.emit()
+        elif drag is _Drag.OUTLINE:
+            self.outlined.emit()
+        elif drag is _Drag.GRAB:
+            self.handle_released.emit()
+        return drag
 
     def _double_clicked(self, event: QMouseEvent) -> None:
         plain = event.button() == Qt.MouseButton.LeftButton and not _is_control_pressed(

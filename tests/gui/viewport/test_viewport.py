@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shiboken6
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QCursor, QGuiApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QCursor, QGuiApplication, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
@@ -164,6 +164,27 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     assert np.hypot(x - start.x(), y - start.y()) < 4.0
     assert viewport.camera.axes[0, 2] == 0.0
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
+
+
+def test_the_view_does_not_rotate_if_a_dialogue_received_the_release(viewport):
+    clouds, colours = scene()
+    viewport.show_clouds(clouds, colours)
+    viewport.view("front")
+    start = pixel(viewport, clouds["red"][600])
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, start)
+    before = viewport.camera
+    for step in (40, 80):
+        place = QPointF(start + QPoint(step, step))
+        moved = QMouseEvent(
+            QEvent.Type.MouseMove, place, viewport.canvas.mapToGlobal(place),
+            Qt.MouseButton.NoButton, Qt.MouseButton.NoButton, NO_MODIFIER,
+        )  # fmt: skip
+        QCoreApplication.sendEvent(viewport.canvas, moved)
+    assert viewport.camera == before
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, start)
+    QTest.mouseMove(viewport.canvas, start + QPoint(80, 0))
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, start + QPoint(80, 0))
+    assert viewport.camera != before
 
 
 def test_the_scale_bar_is_valid_at_the_centre_and_no_click_changes_it(viewport, qtbot):
