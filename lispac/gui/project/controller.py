@@ -527,7 +527,7 @@ class Controller(QObject):
             self.refused.emit(error)
             self._document.changed.emit()
             return False
-        self._document.edit(N_("renaming of {target}"), edited, target=old)
+        self._document.edit(N_("renaming of {target}"), edited, recompute=True, target=old)
         return True
 
     def remove(self, name: str) -> None:

@@ -5,10 +5,12 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
+import numpy as np
+
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.report.report_export import ReportExport
-from tests.gui.support import WAIT_MS, Control, Driver, Key, press
+from tests.gui.support import WAIT_MS, Control, Driver, Key, press, wait_until_idle
 
 
 def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_path: Path) -> None:
@@ -31,7 +33,7 @@ def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_
         (each["level"], each["text"]) for each in warnings if each["code"] == expected.code
     ] == [("warning", words)]
 
-    adjusted.window.controller.rename("T1", "North wall")  # keeps the result and its warning
+    adjusted.window.controller.rename("T1", "North wall")  # the boresight is estimated again
     assert words in unescape(adjusted.window.results.warnings.text())
     adjusted.window.estimation.estimate(adjusted.project.settings, False)
     adjusted.rest()
@@ -80,3 +82,15 @@ def test_reason_of_a_failed_first_estimate_stays_after_its_message(adjusted: Dri
     adjusted.rest()
     assert adjusted.project.result is not None
     assert window.document.refusal == ""
+
+
+def test_the_boresight_is_estimated_again_after_a_target_is_renamed(adjusted: Driver) -> None:
+    before = adjusted.project.result
+    adjusted.window.controller.rename("T1", "North wall")
+    wait_until_idle(adjusted)
+    after = adjusted.project.result
+    assert after is not None
+    np.testing.assert_allclose(after.boresight, before.boresight, atol=1e-9)
+    assert {each.sighting.target for each in after.reliability} == {"North wall", "T2"}
+    press(adjusted, Key.Key_Z, Control)
+    assert adjusted.project.result is before

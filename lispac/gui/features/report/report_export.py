@@ -157,7 +157,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._pictures.capture(project, options.extent, write)
+                project, survey, lambda: self._pictures.capture(project, options, write)
             )
 
     def _complete_input(self) -> tuple[Project, Survey, ReportOptions] | None:
@@ -225,7 +225,7 @@ class ReportExport(QObject):
         project, survey, options = found
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._pictures.capture(project, options.extent, set_pages)
+            project, survey, lambda: self._pictures.capture(project, options, set_pages)
         )
 
     def _lay_out_pages(

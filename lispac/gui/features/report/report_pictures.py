@@ -15,9 +15,9 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Array, Marker, Viewport
 from lispac.gui.viewport.clipping import Box
-from lispac.language import N_, LazyText, gettext, gettext_lazy
+from lispac.language import N_, LazyText, gettext, gettext_lazy, in_language
 from lispac.project import Project, Target
-from lispac.report.options import Extent
+from lispac.report.options import Extent, ReportOptions
 from lispac.report.short_report import MAX_PICTURED_PLANES
 from lispac.survey.cloud import Cloud
 from lispac.targets.cross_section import common_normal
@@ -83,8 +83,10 @@ class ReportPictures(QObject):
         for ended in (runner.stopped, runner.idle):
             ended.connect(self._close_viewport)
 
-    def capture(self, project: Project, extent: Extent, then: Callable[[Pictures], None]) -> None:
-        """Take the pictures and call ``then`` with them.
+    def capture(
+        self, project: Project, options: ReportOptions, then: Callable[[Pictures], None]
+    ) -> None:
+        """Take the pictures in the language of the report and call ``then`` with them.
 
         The lines must already be georeferenced with both boresights. Each picture is taken in two
         steps of the event loop, so that the window stays responsive. An edit of the project or a
@@ -99,9 +101,9 @@ class ReportPictures(QObject):
             viewport.show_markers(
                 [Marker(x.name, _middle(x, placed), _colour(x)) for x in project.targets]
             )
-        views = list(_views(project, extent, self._clouds))
+        views = list(_views(project, options.extent, self._clouds))
         taken: dict[tuple[PriorOrEstimated, int], QImage] = {}
-        steps = list(self._steps(viewport, views, taken))
+        steps = list(self._steps(viewport, views, options.language, taken))
 
         def step(_nothing: None) -> None:
             with theme.paper_colours():
@@ -123,6 +125,7 @@ class ReportPictures(QObject):
         self,
         viewport: Viewport,
         views: list[_View],
+        language: str,
         taken: dict[tuple[PriorOrEstimated, int], QImage],
     ) -> Iterator[Step]:
         def draw(which: PriorOrEstimated) -> None:
@@ -135,7 +138,7 @@ class ReportPictures(QObject):
             viewport.prepare()
 
         def take(which: PriorOrEstimated, k: int) -> None:
-            with units.standard_units():
+            with units.standard_units(), in_language(language):
                 taken[which, k] = viewport.picture(LABEL_SCALE)
 
         order: tuple[PriorOrEstimated, ...] = ("prior", "estimated")

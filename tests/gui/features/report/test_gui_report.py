@@ -32,6 +32,7 @@ from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
+from lispac.language import LANGUAGES, current_language
 from lispac.present.calibration.sigmas import SIGMA_TITLES
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
@@ -463,6 +464,30 @@ def picture_viewports(monkeypatch: pytest.MonkeyPatch) -> list[RecordingViewport
 
     monkeypatch.setattr(RecordingViewport, "create_empty_viewport", create)
     return made
+
+
+def test_pictures_have_the_language_of_the_report(
+    driver: Driver, demo: Demo, validated: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    languages: list[str] = []
+    take = RecordingViewport.picture
+
+    def picture(viewport: RecordingViewport, label_scale: float = 1.0) -> QImage:
+        languages.append(current_language())
+        return take(viewport, label_scale)
+
+    monkeypatch.setattr(RecordingViewport, "picture", picture)
+    driver.window.document.open(validated, demo.survey)
+    driver.rest()
+    open_step(driver, REPORT_STEP)
+    panel = driver.window.report
+    choose(driver, panel.language, 1 + list(LANGUAGES).index("fr"))
+    driver.dialogs.path = tmp_path / "r.html"
+    click(driver, panel.report)
+    driver.rest()
+    assert driver.dialogs.errors == []
+    assert current_language() == "en"
+    assert set(languages) == {"fr"}
 
 
 @pytest.mark.parametrize("extent", others_long(["short", "full"], lambda extent: extent == "full"))
