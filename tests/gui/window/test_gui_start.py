@@ -173,6 +173,7 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.rest()
 
 
+@pytest.mark.usefixtures("reads_files")
 def test_a_cancelled_tour_does_not_affect_the_next_project(
     driver: Driver, at_the_demo: Path, picked_folder: Path
 ) -> None:
