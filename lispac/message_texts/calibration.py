@@ -203,8 +203,8 @@ TEXTS: Mapping[str, Template] = {
         "computed from the covariance of the estimated angles."
     ),
     "budget.lidar_per_axis": N_(
-        "The LiDAR noise is given along x, y and z, so it does not grow with the distance. Noise "
-        "given in range and beam angle would grow with the distance."
+        "The LiDAR noise has fixed values along x, y and z, so it does not grow with the distance. "
+        "Noise given in range and beam angle would grow with the distance."
     ),
     "budget.footprint": N_(
         "The beam footprint is computed for a divergence of {divergence:x.2} mrad and an angle of "
