@@ -27,6 +27,10 @@ MIN_PLANE_POINTS, MAX_PLANE_RMS_M, MIN_EXTENT_M = 12, 0.03, 0.1
 each direction. Otherwise, the surface is not considered a plane."""
 
 
+MAX_PLANE_POINTS = 5_000
+"""Approximate largest number of points of this plane, which are enough for its normal."""
+
+
 class PointReader:
     """Reads the values of points; keeps what is common to all points of a project."""
 
@@ -48,12 +52,15 @@ class PointReader:
         index : int
             Index of the point in the sample of ``cloud``.
         near : ndarray of shape (n, 3), metres, local frame
-            Points of the line within `PLANE_RADIUS_M`.
+            Drawn points of the line within `PLANE_RADIUS_M`. If they are too few for a plane, as in
+            an overview, all points of the line are used.
         """
         place = cloud.sample[index].astype(np.float64)
         points_lidar, time = cloud.sample_lidar(np.array([index]))
         # The scanner itself has no position in `place` if there is a range offset
         beam = place - cloud.place(0.5 * points_lidar, time)[0]
+        if len(near) < MIN_PLANE_POINTS:
+            near = cloud.within(place, PLANE_RADIUS_M, limit=MAX_PLANE_POINTS).points
         intensity, incidence = cloud.sample_intensity, incidence_angle(near, beam)
         system = self._system(line)
         return MeasuredPoint(

@@ -16,6 +16,7 @@ from lispac.present.survey.measured_point import (
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.crs import coordinate_system
+from lispac.survey.georeferencing import to_lidar
 from lispac.survey.scan import Scan
 from lispac.workflow.project.measured_points import PointReader, incidence_angle
 from tests.support.cloud_files import MOUNTING, sweep, track
@@ -78,6 +79,32 @@ def test_coordinates_are_in_the_system_of_the_file(system: str, tmp_path: Path) 
     assert read.range_m == pytest.approx(float(np.linalg.norm(points[7])))
     assert read.time_s == time[7]
     assert (read.incidence_rad, read.intensity) == (None, None)
+
+
+def test_the_incidence_is_that_of_all_points_if_few_are_drawn(tmp_path: Path) -> None:
+    """A horizontal plane, on which the beams have an angle of incidence of 45°."""
+    trajectory = track()
+    time = np.linspace(trajectory.time[0] + 1.0, trajectory.time[0] + 1.2, 400)
+    poses = trajectory.at(time)
+    offsets = np.random.default_rng(1).uniform(-0.25, 0.25, (len(time), 2))
+    places = poses.position.mean(axis=0) + [20.0, 0.0, -20.0]
+    places = places + np.column_stack([offsets, np.zeros(len(time))])
+    points = to_lidar(places, poses, MOUNTING)
+    cloud = CloudInMemory.of(Scan(points_lidar=points, time=time), trajectory, MOUNTING)
+    line = LineSource("L1", tmp_path / "line.laz", (), Reading("las", ()))
+    project = Project(
+        folder=tmp_path, trajectory=tmp_path / "sbet.out", lines=(line,),
+        settings=Settings((0.0,) * 3, (0.0,) * 3),
+    )  # fmt: skip
+    reader = PointReader(project, trajectory)
+    places = np.asarray(cloud.sample, dtype=float)
+    middle = int(np.linalg.norm(places - np.median(places, axis=0), axis=1).argmin())
+    drawn = places[np.linalg.norm(places - places[middle], axis=1) <= 0.3]
+    seen = reader.values("L1", cloud, middle, drawn)
+    assert np.degrees(seen.incidence_rad) == pytest.approx(45.0, abs=3.0)
+    overview = reader.values("L1", cloud, middle, drawn[:3])
+    assert overview.incidence_rad == pytest.approx(seen.incidence_rad, abs=1e-6)
+    assert overview.plane_points == len(drawn)
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
