@@ -84,6 +84,8 @@ class ProjectState:
         Whether an edit has removed the result.
     is_validating : bool
         Whether the lines are being compared on the validation planes.
+    is_checking : bool
+        Whether the checks of the result are not complete.
     """
 
     project: Project | None
@@ -96,6 +98,7 @@ class ProjectState:
     estimate_reason: Reason = Unavailable.NO_PROJECT
     is_outdated: bool = False
     is_validating: bool = False
+    is_checking: bool = False
 
 
 OUTDATED_RESULT_NOTE = note("project.out_of_date")

@@ -121,7 +121,7 @@ class PanelRefresh(QObject):
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
             document.refused_since, self._estimate_reason(), document.is_result_outdated,
-            self._running_step() == VALIDATE,
+            self._running_step() == VALIDATE, document.awaits_checks,
         )  # fmt: skip
 
     def _running_step(self) -> int | None:

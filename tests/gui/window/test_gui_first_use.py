@@ -1,6 +1,7 @@
 """Tests of what a new user of the window sees: status while checking, options of the report."""
 
 from dataclasses import replace
+from html import unescape
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from lispac.gui.features.inspect.section_figure import draw_section
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST, REPORT, TARGETS
 from lispac.language import gettext
+from lispac.messages import warning
 from lispac.project import Project
 from tests.gui.import_support import rest
 from tests.gui.support import (
@@ -219,3 +221,19 @@ def test_one_click_shows_all_results(driver: Driver, demo: Demo, estimated: Proj
     click(driver, results.enlarge)
     driver.rest()
     assert results.height() == low
+
+
+def test_unchecked_signs_are_reported_only_after_the_checks(
+    adjusted: Driver, estimated: Project
+) -> None:
+    """The checks confirm the signs of roll and pitch of most surveys."""
+    message = warning("sbet.signs_not_checked", file="sbet.out", angles=("roll", "pitch"))
+    results = adjusted.window.results
+    state = replace(
+        adjusted.window.panel_refresh._project_state(),
+        project=estimated.with_data_messages((message,)),
+    )
+    for is_checking in (True, False):
+        results.show_state(replace(state, is_checking=is_checking))
+        text = unescape(results.warnings.text())
+        assert ("sbet.out" in text) != is_checking

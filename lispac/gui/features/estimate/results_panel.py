@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.adjustment.diagnostics.sign_check import ASSUMED_SIGN_CODES
 from lispac.adjustment.diagnostics.warnings import (
     HIGH_CORRELATION,
     outdated_result_warning,
@@ -40,7 +41,7 @@ from lispac.gui.widgets.mounting_texts import (
 )
 from lispac.gui.widgets.result_tables import fact_text, local_cell_text, local_number
 from lispac.language import N_, gettext, join_items
-from lispac.messages import Level, Message
+from lispac.messages import Level
 from lispac.present.angles import (
     ANGLE_TITLES,
     CORRELATIONS_TABLE,
@@ -181,7 +182,7 @@ class ResultsPanel(QWidget):
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_rotation(result)
-            self._fill_texts(project, result, state.refused_since)
+            self._fill_texts(project, result, state)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
@@ -262,12 +263,12 @@ class ResultsPanel(QWidget):
             title = escape(gettext("Rotation matrix, LiDAR to body (forward, left, up):"))
             self.rotation.setText(f"{sentence}<br>{title}<table>{rows}</table>")
 
-    def _fill_texts(
-        self, project: Project, result: AdjustmentResult, refused_since: Message | str
-    ) -> None:
+    def _fill_texts(self, project: Project, result: AdjustmentResult, state: ProjectState) -> None:
         further = list(project_warnings(project))
-        if refused_since:
-            further.insert(0, outdated_result_warning(refused_since))
+        if state.is_checking:  # the checks may confirm the signs
+            further = [each for each in further if each.code not in ASSUMED_SIGN_CODES]
+        if state.refused_since:
+            further.insert(0, outdated_result_warning(state.refused_since))
         warnings = result_warnings(result, project.cross_checks, further)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         is_note = all(each.level is Level.NOTE for each in warnings)
