@@ -274,6 +274,7 @@ class Scene(QObject):
     def _clear(self) -> None:
         self.candidate = self.selected = None
         self._proposed = ()
+        self.which, self._lost_estimated = "prior", False
         self._set_colouring("line")
         self._markers, self._searched = [], ()
         self._viewport.clear()  # not redrawn before the next project
@@ -281,8 +282,9 @@ class Scene(QObject):
 
     def _reload(self) -> None:
         former, self._former = self._former, None
-        self._lost_estimated = False
         if former is None:
+            # Also an edit that moves the lines: Undo shows them after the adjustment again
+            self._lost_estimated = self._lost_estimated or self.which == "estimated"
             self._estimated, self.which = None, "prior"
         else:
             self._estimated, self.which = former._estimated, former.which

@@ -63,6 +63,26 @@ def test_undo_shows_the_lines_of_the_restored_result_after_the_calibration(
     assert window.scene.which == "prior", "the choice of the user is kept"
 
 
+def test_several_undo_steps_to_a_result_show_the_lines_after_the_calibration(
+    adjusted: Driver,
+) -> None:
+    window = adjusted.window
+    adjusted.bot.waitUntil(lambda: window.scene.which == "estimated", timeout=WAIT_MS)
+    result = adjusted.project.result
+    without = replace(adjusted.project, result=None, cross_checks=None)
+    window.document.edit("removal of the result", without)
+    adjusted.rest()
+    x, y, z = without.settings.lever_arm
+    window.controller.change_settings(replace(without.settings, lever_arm=(x + 0.1, y, z)))
+    adjusted.rest()
+    assert window.scene.which == "prior"
+    for _ in range(2):
+        press(adjusted, Key.Key_Z, Control)
+        adjusted.rest()
+    assert adjusted.project.result is result
+    assert window.scene.which == "estimated"
+
+
 def test_reason_of_a_failed_first_estimate_stays_after_its_message(adjusted: Driver) -> None:
     window = adjusted.window
     without = replace(adjusted.project, result=None, cross_checks=None)
