@@ -294,7 +294,9 @@ def adjust_or_explain(
     except NotConverged as failure:
         reason = as_message(failure.reason)
         progress(0.9, gettext_lazy("Searching for the cause"))
-        for cause in find_failure_causes(observations, mounting, model, parameters=parameters):
+        for cause in find_failure_causes(
+            observations, mounting, model, parameters=parameters, progress=progress
+        ):
             reason = error(
                 "estimate.possible_cause", reason=reason, cause=cause,
                 subject=reason.subject or cause.subject,

@@ -9,7 +9,7 @@ from lispac.adjustment.diagnostics.failure_causes import find_failure_causes, fi
 from lispac.adjustment.diagnostics.possible_causes import VERY_STRONG_EVIDENCE
 from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.errors import NotConverged
+from lispac.errors import Cancelled, NotConverged
 from lispac.messages import note
 from tests.adjustment.test_observability import PRIOR as BOARDS_PRIOR
 from tests.adjustment.test_observability import survey as boards_survey
@@ -58,3 +58,14 @@ def test_a_correct_mounting_has_no_wrong_value() -> None:
     data = boards_survey()
     result = adjust(data, BOARDS_PRIOR, MODEL, diagnostics=False)
     assert find_wrong_value(data, BOARDS_PRIOR, MODEL, result) is None
+
+
+def test_the_search_for_a_wrong_value_can_be_cancelled() -> None:
+    data = boards_survey()
+    result = adjust(data, BOARDS_PRIOR, MODEL, diagnostics=False)
+
+    def cancel(_fraction: float, _step: object = "") -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        find_wrong_value(data, BOARDS_PRIOR, MODEL, result, progress=cancel)

@@ -21,6 +21,7 @@ from lispac.adjustment.result import AdjustmentResult, PossibleCause
 from lispac.adjustment.solve.solver import SolverSettings, estimate
 from lispac.errors import AdjustmentError
 from lispac.messages import Message, note
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.survey.georeferencing import Mounting
 from lispac.warning_causes import Cause
 
@@ -45,6 +46,7 @@ def find_failure_causes(
     model: StochasticModel,
     *,
     parameters: tuple[Parameter, ...] = (),
+    progress: Progress = no_progress,
 ) -> tuple[Message, ...]:
     """Find errors whose correction makes the adjustment converge and fit, the best fit first.
 
@@ -56,7 +58,7 @@ def find_failure_causes(
     """
     found: list[tuple[float, Message]] = []
     for code, some, also in _candidates(observations, parameters):
-        result = _estimate(some, mounting, model, (*parameters, *also))
+        result = _estimate(some, mounting, model, (*parameters, *also), progress)
         if result is not None and not result.is_model_rejected(REJECTION_LEVEL):
             message = _value_message(result, also[0].name) if also else note(code)
             found.append((result.variance_factor, message))
@@ -70,6 +72,7 @@ def find_wrong_value(
     result: AdjustmentResult,
     *,
     parameters: tuple[Parameter, ...] = (),
+    progress: Progress = no_progress,
 ) -> PossibleCause | None:
     """Find the value of the mounting whose error explains a result far from all others.
 
@@ -91,7 +94,7 @@ def find_wrong_value(
     found: list[tuple[float, Parameter, AdjustmentResult]] = []
     for _, _, also in _candidates(observations, parameters):
         if also:
-            freed = _estimate(observations, mounting, model, (*parameters, *also))
+            freed = _estimate(observations, mounting, model, (*parameters, *also), progress)
             if freed is not None:
                 found.append((freed.rms_after, also[0], freed))
     found.sort(key=lambda each: each[0])
@@ -118,12 +121,13 @@ def _estimate(
     mounting: Mounting,
     model: StochasticModel,
     parameters: tuple[Parameter, ...],
+    progress: Progress,
 ) -> AdjustmentResult | None:
     """Result with the correlated model; None if it does not converge or leaves a value open."""
     model = replace(model, pos_errors="correlated", loss="tukey")
     with suppress(AdjustmentError, np.linalg.LinAlgError):
         settings = SolverSettings(model, parameters=parameters, accept_single_orientation=True)
-        result = estimate(observations, mounting, settings)
+        result = estimate(observations, mounting, settings, sub_progress(progress, 0.9, 0.9))
         if all(each.value is not None for each in result.parameters):
             return result
     return None

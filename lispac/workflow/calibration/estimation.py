@@ -382,7 +382,7 @@ def adjust_selected(
     )
     observations = observations.without_targets(result.excluded_targets)
     if advise:
-        result = _with_advice(project, survey, result, observations)
+        result = _with_advice(project, survey, result, observations, progress)
     solved = project.with_result(result)
     return (
         _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
@@ -424,24 +424,28 @@ def complete_result(
     """Complete a result with the parts omitted for speed: the additional line and cross-checks.
 
     Used after `adjust_selected` without ``advise``. The result is the same except for the note on
-    an additional line.
+    an additional line and a wrong value of the mounting.
     """
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
     observations = observations.without_targets(project.result.excluded_targets)
-    result = _with_advice(project, survey, project.result, observations)
+    result = _with_advice(project, survey, project.result, observations, progress)
     advised = replace(project, result=result)
     return _with_cross_checks(advised, observations, progress) if cross_check else advised
 
 
 def _with_advice(
-    project: Project, survey: Survey, result: AdjustmentResult, observations: Observations
+    project: Project,
+    survey: Survey,
+    result: AdjustmentResult,
+    observations: Observations,
+    progress: Progress,
 ) -> AdjustmentResult:
     """Result with the additional line that would improve the precision most.
 
     If the residuals are implausibly large, it has the value of the mounting that is wrong.
     """
-    result = _with_wrong_value(project, survey, result)
+    result = _with_wrong_value(project, survey, result, progress)
     # The additional line is assessed with the sigmas of the complete adjustment.
     scaled = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability
@@ -452,7 +456,7 @@ def _with_advice(
 
 
 def _with_wrong_value(
-    project: Project, survey: Survey, result: AdjustmentResult
+    project: Project, survey: Survey, result: AdjustmentResult, progress: Progress
 ) -> AdjustmentResult:
     """Result with a wrong value of the mounting as the only cause, if it displaces the targets.
 
@@ -470,7 +474,7 @@ def _with_wrong_value(
     picked = observations_of(replace(project, result=None), survey, settings=thinned)
     cause = find_wrong_value(
         picked, project.mounting("prior"), settings.stochastic_model, result,
-        parameters=settings.parameters,
+        parameters=settings.parameters, progress=progress,
     )  # fmt: skip
     return result if cause is None else replace(result, causes=((cause,),))
 
