@@ -117,7 +117,7 @@ def _typesetter(
 
         made = datetime.fromisoformat(content.generated)
         try:
-            compiler = _fitting(compiler_with)
+            compiler = _compiler_filling_last_page(compiler_with)
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as failure:
             given = [options.logo, *pictures.values()]
@@ -125,7 +125,7 @@ def _typesetter(
             raise LispacError(error("report.not_typeset", reason=str(failure.message))) from failure
 
 
-def _fitting(compiler_with: Callable[[float], Any]) -> Any:
+def _compiler_filling_last_page(compiler_with: Callable[[float], Any]) -> Any:
     """Compiler with the largest gaps with which the last page is at least half full, if any."""
     for gap in SECTION_GAPS:
         compiler = compiler_with(gap)

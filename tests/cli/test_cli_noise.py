@@ -16,8 +16,8 @@ WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
 
 
 @pytest.fixture(scope="module")
-def raw(demo_project: Project) -> Path:
-    return demo_project.folder / "raw"
+def raw(denser_project: Project) -> Path:
+    return denser_project.folder / "raw"
 
 
 def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:
@@ -50,10 +50,10 @@ def test_noise_and_offsets_of_a_project(
     assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
     equal_axes = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
     np.testing.assert_allclose(angles(equal_axes), angles(axis), rtol=0, atol=1e-9)
-    # Pitch is determined by the ranges, whose given sigma is now twenty times larger.
-    beam = estimated("--lidar-beam-sigma", 0.08, 0.02)
+    # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
+    beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
     settings = projects.open_project(project).settings
-    assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.08, 0.02))
+    assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.06, 0.02))
     assert beam["sigma_deg"]["pitch"] > 3 * axis["sigma_deg"]["pitch"]
 
     # A rotation of the beams about the x axis of the scanner is a roll; the boresight absorbs it.

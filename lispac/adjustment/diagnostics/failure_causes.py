@@ -1,4 +1,4 @@
-"""Search for the error that prevents an adjustment from converging, or spoils its result.
+"""Search for the error that prevents an adjustment from converging or makes its result wrong.
 
 With a wrong sign of the attitude, a latency, a range offset or a wrong lever arm, the targets may
 differ so much from line to line that the adjustment does not converge, or converges far from the
@@ -74,7 +74,7 @@ def find_wrong_value(
     parameters: tuple[Parameter, ...] = (),
     progress: Progress = no_progress,
 ) -> PossibleCause | None:
-    """Find the value of the mounting whose error explains a result far from all others.
+    """Find the value of the mounting whose error explains implausible residuals.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def _estimate(
     parameters: tuple[Parameter, ...],
     progress: Progress,
 ) -> AdjustmentResult | None:
-    """Result with the correlated model; None if it does not converge or leaves a value open."""
+    """Result with the correlated model; None if it does not converge or a value is undetermined."""
     model = replace(model, pos_errors="correlated", loss="tukey")
     with suppress(AdjustmentError, np.linalg.LinAlgError):
         settings = SolverSettings(model, parameters=parameters, accept_single_orientation=True)
@@ -171,10 +171,10 @@ def _value_message(result: AdjustmentResult, name: str) -> Message:
             parameter=mounting_value_name(name),
             amount=amount_with_unit(name, abs(change)),
         ),
-        subject=_place_of(name),
+        subject=_cause_of_value(name),
     )
 
 
-def _place_of(name: str) -> Cause:
-    """Field of the lever arm, or the switch of another value of the mounting."""
+def _cause_of_value(name: str) -> Cause:
+    """Cause that is the field of the lever arm, or another value of the mounting."""
     return Cause.of_field("lever_arm") if name.startswith("lever_") else Cause.of_parameter(name)

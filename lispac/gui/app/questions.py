@@ -231,7 +231,7 @@ class Questions:
         start: Path,
         filters: Mapping[str, str],
         *,
-        decides_ending: bool = True,
+        keeps_other_endings: bool = True,
     ) -> tuple[Path, str] | None:
         """Ask for a file to write; None if cancelled.
 
@@ -241,7 +241,7 @@ class Questions:
         Parameters
         ----------
         filters : mapping of the text of each filter to its ending
-        decides_ending : bool
+        keeps_other_endings : bool
             Whether an ending of another filter is kept, instead of adding that of the chosen one.
 
         Returns
@@ -258,7 +258,7 @@ class Questions:
                 return None
             chosen = chosen if chosen in filters else next(iter(filters))
             typed = Path(name)
-            known = filters.values() if decides_ending else (filters[chosen],)
+            known = filters.values() if keeps_other_endings else (filters[chosen],)
             path = typed
             if typed.suffix.lower() not in known:
                 path = typed.with_name(typed.name + filters[chosen])

@@ -20,6 +20,6 @@ class ConventionDialogs(Questions):
             gettext("Save for this program"),
             start.with_name(start.name + formats[0].ending),
             {text: each.ending for text, each in by_filter.items()},
-            decides_ending=False,
+            keeps_other_endings=False,
         )
         return None if saved is None else (saved[0], by_filter[saved[1]])

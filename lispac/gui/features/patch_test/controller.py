@@ -125,7 +125,7 @@ class PatchTestController(QObject):
         panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
         panel.ticked_changed.connect(self._on_ticks_changed)
-        panel.opened.connect(lambda _on: self._draw_sketch())
+        panel.visibility_changed.connect(lambda _on: self._draw_sketch())
         panel.find_all_requested.connect(actions.guarded(self.find_all, panel))
         panel.save_requested.connect(actions.guarded(self.save_result, panel))
         panel.prior_requested.connect(self._reset_to_prior)

@@ -73,7 +73,7 @@ class PatchTestPanel(QWidget):
     find_all_requested = Signal()
     save_requested = Signal()
     prior_requested = Signal()
-    opened = Signal(bool)
+    visibility_changed = Signal(bool)
     """The panel was opened or closed; a minimised window is still open."""
 
     def __init__(self) -> None:
@@ -133,16 +133,16 @@ class PatchTestPanel(QWidget):
         self.update_enabled(Unavailable.NO_PROJECT, busy=False, has_result=False)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Emit `opened`."""
+        """Emit `visibility_changed` with True."""
         super().showEvent(event)
         if not event.spontaneous():
-            self.opened.emit(True)
+            self.visibility_changed.emit(True)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Emit `opened` with False."""
+        """Emit `visibility_changed` with False."""
         super().hideEvent(event)
         if not event.spontaneous():
-            self.opened.emit(False)
+            self.visibility_changed.emit(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange lists, angles and pictures for the size of the panel."""
