@@ -1,9 +1,11 @@
 """Support for window tests: scripted dialogues, and a driver that closes its window cleanly."""
 
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import (
     QCoreApplication,
@@ -12,9 +14,19 @@ from PySide6.QtCore import (
     QObject,
     QPoint,
     Qt,
+    QTimer,
     SignalInstance,
 )
-from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QFormLayout,
+    QLabel,
+    QMessageBox,
+    QTableView,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.docks import raise_panel
@@ -34,6 +46,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey
 
 WAIT_MS = 120_000
+DIALOG_POLL_MS = 20
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 Control = Qt.KeyboardModifier.ControlModifier
 
@@ -321,7 +334,48 @@ def in_front(window: QWidget) -> bool:
     return window.isActiveWindow()
 
 
+def use_next_dialog(use_dialog: Callable[[Any], object]) -> list[QDialog]:
+    """Call ``use_dialog`` with the next modal dialogue; errors, and no dialogue, fail the test.
+
+    A dialogue that is still open afterwards is rejected, so that no error leaves the test waiting
+    for it.
+
+    Returns
+    -------
+    list of QDialog
+        Filled with the dialogue when it appears.
+    """
+    dialogs: list[QDialog] = []
+    until = time.monotonic() + WAIT_MS / 1000
+
+    def look_for_dialog() -> None:
+        dialog = QApplication.activeModalWidget()
+        is_ready = isinstance(dialog, QDialog) and in_front(dialog)
+        if not is_ready and time.monotonic() < until:
+            QTimer.singleShot(DIALOG_POLL_MS, look_for_dialog)
+            return
+        try:
+            assert is_ready, f"no dialogue in front, but {dialog}"
+            dialogs.append(dialog)
+            use_dialog(dialog)
+        finally:
+            if isinstance(dialog, QDialog) and dialog.isVisible():
+                dialog.reject()
+
+    QTimer.singleShot(DIALOG_POLL_MS, look_for_dialog)
+    return dialogs
+
+
+def click_in_box(box: QMessageBox, text: str) -> None:
+    """Click the button with ``text`` in a message box."""
+    (button,) = (each for each in box.buttons() if each.text().replace("&", "") == text)
+    QTest.mouseClick(button, Left)
+
+
 def press(driver: Driver, key: Qt.Key, modifier=Qt.KeyboardModifier.NoModifier) -> None:
+    """Press a key in the main window, which gets the focus back if a dialogue was closed."""
+    if QApplication.activeModalWidget() is None:  # Qt ignores shortcuts of inactive windows
+        driver.bot.waitUntil(lambda: in_front(driver.window))
     driver.bot.keyClick(driver.window, key, modifier)
 
 

@@ -1,13 +1,13 @@
 """Tests of the export dialogue and of the exported files."""
 
 import dataclasses
+from functools import partial
 from pathlib import Path
 
 import laspy
 import numpy as np
 import pytest
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app import questions
@@ -25,7 +25,7 @@ from lispac.io.project.project_file import read_project
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest, export, output_paths
 from lispac.workflow.project.output_crs import utm_zone
-from tests.gui.support import Control, Demo, Driver, Key, Left, press
+from tests.gui.support import Control, Demo, Driver, Key, Left, click_in_box, press, use_next_dialog
 from tests.support.cloud_files import track
 from tests.support.message_codes import is_shown
 from tests.workflow.output.test_target_systems import ITRF, NAD83, on_map
@@ -284,20 +284,16 @@ def test_an_export_asks_before_it_replaces_files(
     dialog.folder.setText(str(tmp_path))
     paths = output_paths(dialog._project, dialog.request())
     paths[-1].write_bytes(b"of an earlier export")
-    answers = ["Cancel", "Replace"]
     asked: list[str] = []
 
-    def answer() -> None:
-        box = QApplication.activeModalWidget()
-        assert isinstance(box, QMessageBox)
+    def answer(text: str, box: QMessageBox) -> None:
         asked.append(box.informativeText())
-        [button] = [each for each in box.buttons() if each.text() == answers[len(asked) - 1]]
-        qtbot.mouseClick(button, Left)
+        click_in_box(box, text)
 
-    QTimer.singleShot(0, answer)
+    use_next_dialog(partial(answer, "Cancel"))
     qtbot.mouseClick(ok(dialog), Left)
     assert dialog.isVisible()
-    QTimer.singleShot(0, answer)
+    use_next_dialog(partial(answer, "Replace"))
     with qtbot.waitSignal(dialog.accepted):
         qtbot.mouseClick(ok(dialog), Left)
     assert asked == [str(paths[-1])] * 2

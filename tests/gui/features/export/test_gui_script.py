@@ -9,8 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
-from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
-from tests.gui.support import Control, Driver, Key, Left, press, seed
+from tests.gui.support import Control, Driver, Key, Left, press, seed, use_next_dialog
 from tests.support.script_runs import run, same_part
 
 DialogAction = Callable[[QWidget], None]
@@ -25,7 +24,7 @@ def shown_script(driver: Driver, use_dialog: DialogAction = lambda dialog: None)
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
         use_dialog(dialog)
 
-    use_next_dialog(driver, inspect_dialog)
+    use_next_dialog(inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()

@@ -32,8 +32,18 @@ from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.calibration import picking
 from lispac.workflow.planning.demo import demo_seeds
-from tests.gui.features.pick_targets.test_gui_seed_coordinates import find, use_next_dialog
-from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press, seed
+from tests.gui.features.pick_targets.test_gui_seed_coordinates import find
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    press,
+    seed,
+    use_next_dialog,
+)
 from tests.support.long_runs import others_long
 from tests.support.topocentric import east_north_up_by_proj, local_by_proj
 
@@ -193,7 +203,7 @@ def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
             shown.append([field.text() for field in dialog.fields])
             board.bot.mouseClick(find(dialog), Left)
 
-        use_next_dialog(board, use_dialog)
+        use_next_dialog(use_dialog)
         press(board, Key.Key_F3)
         board.rest()
     finally:

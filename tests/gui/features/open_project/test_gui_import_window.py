@@ -22,7 +22,7 @@ from lispac.gui.features.open_project.import_survey.timeline import round_ticks
 from lispac.gui.window.dialogs import Dialogs
 from lispac.workflow.project.projects import open_project
 from tests.gui.import_support import drop, raw
-from tests.gui.support import WAIT_MS, Demo, Driver, Left
+from tests.gui.support import WAIT_MS, Demo, Driver, Left, click_in_box, use_next_dialog
 
 Tab = Qt.Key.Key_Tab
 
@@ -35,16 +35,16 @@ def test_escape_asks_before_it_discards_files(filled: ImportDialog, qtbot: QtBot
     for name in (None, "Continue importing", "Close without importing"):
         questions: list[str] = []
 
-        def read_question(name: str | None = name, questions: list[str] = questions) -> None:
-            box = QApplication.activeModalWidget()
-            assert isinstance(box, QMessageBox)
+        def answer(
+            box: QMessageBox, name: str | None = name, questions: list[str] = questions
+        ) -> None:
             questions.append(box.text())
             if name is None:
                 QTest.keyClick(box, Qt.Key.Key_Escape)
             else:
-                qtbot.mouseClick(next(b for b in box.buttons() if b.text() == name), Left)
+                click_in_box(box, name)
 
-        QTimer.singleShot(100, read_question)
+        use_next_dialog(answer)
         QTest.keyClick(filled, Qt.Key.Key_Escape)
         assert len(questions) == 1
         assert filled.isVisible() == (name != "Close without importing")

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from PySide6.QtCore import QPoint, QRect, Qt, QTimer
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
@@ -19,27 +19,30 @@ from lispac.gui.features.open_project.import_survey.sign_check_dialog import Sig
 from lispac.gui.features.warnings.warnings_panel import ACTION_LINE, BUTTON_GAP_PX
 from lispac.messages import Action, warning
 from tests.gui.import_support import rest
-from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click, press, wait_until_idle
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Driver,
+    Key,
+    Left,
+    click,
+    press,
+    use_next_dialog,
+    wait_until_idle,
+)
 
 ACTION = Action("check_sign", {"name": "pitch"})
 UNCHECKED = warning("sbet.zero_rates", actions=[ACTION], file="t.sbet")
 
 
-def while_open(read: Callable[[SignCheckDialog], None]) -> None:
-    """Read the next dialogue of the signs once it is drawn, and close it with Escape."""
+def while_open(qtbot: QtBot, read: Callable[[SignCheckDialog], None]) -> None:
+    """Read the next dialogue of the signs once its figure is drawn, and close it."""
 
-    def poll() -> None:
-        dialog = QApplication.activeModalWidget()
-        if not isinstance(dialog, SignCheckDialog) or dialog.canvas.is_drawing:
-            QTimer.singleShot(50, poll)
-            return
-        try:
-            read(dialog)
-        finally:
-            if dialog.isVisible():
-                dialog.reject()
+    def read_drawn(dialog: SignCheckDialog) -> None:
+        qtbot.waitUntil(lambda: not dialog.canvas.is_drawing)
+        read(dialog)
 
-    poll()
+    use_next_dialog(read_drawn)
 
 
 def curves(dialog: SignCheckDialog) -> list[np.ndarray]:
@@ -56,7 +59,7 @@ def test_the_import_shows_the_attitude_and_then_the_option(
     filled.file_page.messages.show_messages([UNCHECKED], "")
     (button,) = filled.file_page.messages.buttons
     seen: list[list[np.ndarray]] = []
-    while_open(lambda dialog: seen.append(curves(dialog)))
+    while_open(qtbot, lambda dialog: seen.append(curves(dialog)))
     qtbot.mouseClick(button, Left)
     ((roll, pitch, _heading),) = seen
     attitude = np.degrees(filled.input_files.trajectory_content.attitude)
@@ -81,7 +84,7 @@ def test_a_message_shows_the_attitude_of_the_survey(opened: Driver) -> None:
         texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
         seen.append((curves(dialog), texts))
 
-    while_open(read)
+    while_open(opened.bot, read)
     button = opened.window.warnings.findChild(QPushButton, "message_check_sign")
     messages = opened.window.warnings.list
     text = messages.item(0).text().removesuffix(f"\n{ACTION_LINE}")
@@ -127,7 +130,7 @@ def test_a_reversed_curve_corrects_the_sign_in_the_project(adjusted: Driver) -> 
         seen.append(curves(dialog))
         adjusted.bot.mouseClick(dialog.change, Left)
 
-    while_open(reverse_roll)
+    while_open(adjusted.bot, reverse_roll)
     open_from_message(adjusted)
     wait_until_idle(adjusted)
     (roll, pitch, _heading), (turned, same, _) = seen
@@ -159,7 +162,7 @@ def test_signs_of_a_project_with_georeferenced_lines_cannot_be_changed(opened: D
         texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
         seen.append((dialog.findChild(QPushButton, "change_signs") is None, texts))
 
-    while_open(read)
+    while_open(opened.bot, read)
     open_from_message(opened)
     ((has_no_button, texts),) = seen
     assert has_no_button

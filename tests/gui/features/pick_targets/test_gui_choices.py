@@ -10,8 +10,17 @@ from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.messages import error, note
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
-from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
-from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
+from tests.gui.support import (
+    WAIT_MS,
+    Demo,
+    Driver,
+    Left,
+    click,
+    open_step,
+    seed,
+    type_into,
+    use_next_dialog,
+)
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:
@@ -62,7 +71,7 @@ def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    dialogs = use_next_dialog(picked, use_dialog)
+    dialogs = use_next_dialog(use_dialog)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
     assert dialogs

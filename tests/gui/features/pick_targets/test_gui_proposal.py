@@ -1,13 +1,11 @@
 """Tests of proposed targets, and of finding a target again, with the real dialogues."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import (
-    QApplication,
     QDialog,
     QDoubleSpinBox,
     QLabel,
@@ -27,7 +25,16 @@ from lispac.workflow.calibration.proposal_acceptance import (
 )
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.project.survey import Survey
-from tests.gui.support import Demo, Driver, Left, click, double_click, open_step, seed
+from tests.gui.support import (
+    Demo,
+    Driver,
+    Left,
+    click,
+    double_click,
+    open_step,
+    seed,
+    use_next_dialog,
+)
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
@@ -42,19 +49,6 @@ FOUND: list[Proposal] = []
 def proposal(demo: Demo) -> Proposal:
     """Proposed targets of the demo, if possible of a search in the window; it takes ten seconds."""
     return FOUND[0] if FOUND else propose_targets(demo.project, demo.survey)
-
-
-def use_next_dialog(driver: Driver, use_dialog: Callable[[QDialog], None]) -> None:
-    """Call ``use_dialog`` with the next modal dialogue."""
-
-    def inspect_window() -> None:
-        dialog = QApplication.activeModalWidget()
-        if dialog is None:
-            QTimer.singleShot(50, inspect_window)
-        else:
-            use_dialog(dialog)
-
-    QTimer.singleShot(50, inspect_window)
 
 
 def press(driver: Driver, dialog: QDialog, name: str) -> None:
@@ -308,7 +302,7 @@ def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    use_next_dialog(driver, use_dialog)
+    use_next_dialog(use_dialog)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project

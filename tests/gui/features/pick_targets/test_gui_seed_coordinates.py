@@ -1,14 +1,12 @@
 """Tests of the dialogue in which the coordinates of a seed are typed."""
 
 import re
-import time
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -24,7 +22,17 @@ from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.measured_points import PointReader
 from tests.gui.french_support import english
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, seed
+from tests.gui.support import (
+    WAIT_MS,
+    Demo,
+    Driver,
+    Key,
+    click,
+    open_step,
+    press,
+    seed,
+    use_next_dialog,
+)
 from tests.support.message_codes import is_shown
 
 TARGETS_STEP = 1
@@ -36,30 +44,6 @@ def as_shown(place: tuple[float, ...]) -> tuple[float, float, float]:
     """East, north, up of a place given as north, west, up."""
     north, west, up = place
     return -west, north, up
-
-
-def use_next_dialog(
-    driver: Driver, use_dialog: Callable[[SeedCoordinatesDialog], None]
-) -> list[SeedCoordinatesDialog]:
-    """Call ``use_dialog`` with the next modal dialogue; its errors fail the test."""
-    dialogs: list[SeedCoordinatesDialog] = []
-    until = time.monotonic() + WAIT_MS / 1000
-
-    def inspect_window() -> None:
-        dialog = QApplication.activeModalWidget()
-        if dialog is None:
-            if time.monotonic() < until:
-                QTimer.singleShot(20, inspect_window)
-            return
-        dialogs.append(dialog)
-        try:
-            use_dialog(dialog)
-        finally:
-            if dialog.isVisible():
-                driver.bot.keyClick(dialog, Key.Key_Escape)
-
-    QTimer.singleShot(20, inspect_window)
-    return dialogs
 
 
 def fill(driver: Driver, dialog: SeedCoordinatesDialog, name: str, text: str) -> None:
@@ -91,7 +75,7 @@ def test_coordinates_are_read_as_in_all_number_fields(opened: Driver) -> None:
         assert dialog.fields[2].property("wrong")
         assert not find(dialog).isEnabled()
 
-    use_next_dialog(opened, use_dialog)
+    use_next_dialog(use_dialog)
     press(opened, Key.Key_F3)
 
 
@@ -112,7 +96,7 @@ def test_the_dialogue_of_the_key_is_french_in_french(
             driver.bot.keyClicks(dialog.fields[0], "12 kg")
             found.append(english(dialog))
 
-        use_next_dialog(driver, use_dialog)
+        use_next_dialog(use_dialog)
         press(driver, Key.Key_F3)
         assert found == [set()]
         driver.leave()
@@ -134,7 +118,7 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    dialogs = use_next_dialog(opened, use_dialog)
+    dialogs = use_next_dialog(use_dialog)
     press(opened, Key.Key_F3)
     opened.rest()
     assert len(dialogs) == 1
@@ -160,7 +144,7 @@ def search_at(driver: Driver, place: tuple[float, ...]) -> None:
             driver.bot.keyClicks(field, f"{value:.3f}")
         driver.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    use_next_dialog(driver, use_dialog)
+    use_next_dialog(use_dialog)
     click(driver, driver.window.targets.type_seed)
     driver.rest()
 
@@ -237,7 +221,7 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    dialogs = use_next_dialog(picked, use_dialog)
+    dialogs = use_next_dialog(use_dialog)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
@@ -277,7 +261,7 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
         assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    use_next_dialog(opened, use_dialog)
+    use_next_dialog(use_dialog)
     click(opened, opened.window.targets.type_seed)
     opened.rest()
     candidate = opened.window.controller.candidate
@@ -344,7 +328,7 @@ def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> N
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    use_next_dialog(picked, use_dialog)
+    use_next_dialog(use_dialog)
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     candidate = picked.window.controller.candidate

@@ -21,9 +21,8 @@ from lispac.progress import Progress, Step
 from lispac.workflow.calibration import seed_lists
 from lispac.workflow.calibration.seed_lists import pick_seeds
 from lispac.workflow.planning.demo import demo_seeds
-from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.import_support import drop
-from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
+from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press, use_next_dialog
 from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
@@ -51,10 +50,10 @@ def use_both_dialogs(driver: Driver, before, after) -> None:
     """Answer the preview, then the table of results."""
 
     def first(dialog: QDialog) -> None:
-        use_next_dialog(driver, after)
+        use_next_dialog(after)
         before(dialog)
 
-    use_next_dialog(driver, first)
+    use_next_dialog(first)
 
 
 def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
@@ -126,7 +125,7 @@ def test_existing_names_are_not_ticked_and_columns_can_be_chosen(
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)
 
-    dialogs = use_next_dialog(picked, preview)
+    dialogs = use_next_dialog(preview)
     before = picked.project
     press(picked, Key.Key_F3, SHIFT)
     picked.rest()
@@ -171,7 +170,7 @@ def test_a_dropped_list_can_be_cancelled_during_detection(
         QTimer.singleShot(10, stop)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
-    dialogs = use_next_dialog(opened, preview)
+    dialogs = use_next_dialog(preview)
     drop(opened.window, [listed])
     opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
     opened.rest()

@@ -1,10 +1,11 @@
 """Tests of File > Settings: each setting is applied and stored."""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale, Qt, QTimer
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -20,7 +21,7 @@ from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
 from lispac.project import Settings
 from lispac.workflow.planning.sensors import read_library, store_sensor
 from lispac.workflow.project.projects import new_project
-from tests.gui.support import Driver, Key, Left, in_front, press
+from tests.gui.support import Driver, Key, Left, click_in_box, in_front, press, use_next_dialog
 from tests.support.message_codes import is_shown
 
 OTHER_PREFERENCES = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
@@ -148,13 +149,6 @@ def use_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> lis
     return opened
 
 
-def click_in_box(bot: QtBot, button: str) -> None:
-    """Press a button of the next message box."""
-    box = QApplication.activeModalWidget()
-    found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
-    bot.mouseClick(found, Left)
-
-
 def test_own_sensors_are_added_copied_edited_and_removed(
     page: SettingsDialog, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -189,10 +183,10 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.table.rowCount() == count + 2
 
     sensors.select("profiler-16")
-    QTimer.singleShot(200, lambda: click_in_box(qtbot, "Cancel"))
+    use_next_dialog(partial(click_in_box, text="Cancel"))
     qtbot.mouseClick(sensors.remove, Left)
     assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
-    QTimer.singleShot(200, lambda: click_in_box(qtbot, "Remove"))
+    use_next_dialog(partial(click_in_box, text="Remove"))
     qtbot.mouseClick(sensors.remove, Left)
     assert [s.name for s in read_library(folder).scanners if s.is_user_defined] == []
     assert sensors.table.rowCount() == count + 1
@@ -200,7 +194,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.current is not None
     # Return chooses the answer that loses nothing
     sensors.select("sbg-systems-apogee-user-defined")
-    QTimer.singleShot(200, lambda: qtbot.keyClick(QApplication.activeModalWidget(), Key.Key_Return))
+    use_next_dialog(lambda box: qtbot.keyClick(box, Key.Key_Return))
     qtbot.mouseClick(sensors.remove, Left)
     assert sensors.table.rowCount() == count + 1
 
@@ -324,7 +318,7 @@ def test_the_cache_is_shown_and_emptied_after_confirmation(
     assert page.cache.message_label.text() == ""
 
     for button, is_kept in (("Cancel", True), ("Clear cache", False)):
-        QTimer.singleShot(200, lambda button=button: click_in_box(qtbot, button))
+        use_next_dialog(partial(click_in_box, text=button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is is_kept
     assert page.cache.size.text() == "The cache is empty"

@@ -41,7 +41,6 @@ from lispac.targets.cross_section import common_normal
 from lispac.workflow.calibration import sighting_assessment
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.features.estimate.test_gui_diagnostics import turn_to
-from tests.gui.features.pick_targets.test_gui_seed_coordinates import use_next_dialog
 from tests.gui.support import (
     WAIT_MS,
     Demo,
@@ -54,6 +53,7 @@ from tests.gui.support import (
     open_step,
     show_panel,
     type_into,
+    use_next_dialog,
 )
 from tests.report.test_report import _page, _pdf_text
 from tests.support.long_runs import others_long
@@ -76,7 +76,7 @@ def discard_details(driver: Driver, dialog: QWidget) -> None:
         leave = next(b for b in box.buttons() if "without keeping" in b.text())
         driver.bot.mouseClick(leave, Left)
 
-    use_next_dialog(driver, agree)
+    use_next_dialog(agree)
     driver.bot.keyClick(dialog, Key.Key_Escape)
 
 
@@ -97,7 +97,7 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
 
     proposed = dialogs.proposed
     for button in (panel.report, panel.preview):
-        use_next_dialog(adjusted, cancel)
+        use_next_dialog(cancel)
         click(adjusted, button)
         adjusted.rest()
         assert dialogs.proposed is proposed, "the file is asked for after the details"
@@ -108,7 +108,7 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
         type_into(adjusted, field(dialog, "vessel"), "Nordlys")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(adjusted, fill_in)
+    use_next_dialog(fill_in)
     click(adjusted, panel.report)
     adjusted.rest()
     assert "Nordlys" in dialogs.path.read_text(encoding="utf-8")
@@ -128,7 +128,7 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
         type_into(adjusted, field(dialog, "scanner"), "Profiler 32")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(adjusted, fill_in_last)
+    use_next_dialog(fill_in_last)
     click(adjusted, panel.fill_in)
     assert adjusted.project.identity.missing == ()
     assert not panel.missing.isVisible()
@@ -148,7 +148,7 @@ def test_only_the_form_of_the_details_refers_to_its_asterisks(adjusted: Driver) 
         assert len([each for each in labels if each.endswith(" *")]) == len(REQUIRED_FIELDS)
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    use_next_dialog(adjusted, look)
+    use_next_dialog(look)
     click(adjusted, adjusted.window.report.fill_in)
 
 
@@ -174,7 +174,7 @@ def test_the_missing_details_are_counted_while_they_are_typed(adjusted: Driver) 
         assert banner.property("role") == "warning"
         discard_details(adjusted, dialog)
 
-    use_next_dialog(adjusted, fill_in)
+    use_next_dialog(fill_in)
     click(adjusted, adjusted.window.report.fill_in)
 
 
@@ -187,7 +187,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
         f"the {name}" for name in FIELD_NAMES
@@ -226,7 +226,7 @@ def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver)
         assert label.height() >= label.heightForWidth(label.width())
         discard_details(opened, dialog)
 
-    use_next_dialog(opened, use_dialog)
+    use_next_dialog(use_dialog)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
@@ -250,7 +250,7 @@ def test_the_dates_of_the_lines_are_offered_if_the_lines_have_dates(
             opened.bot.keyClick(dialog, Key.Key_Escape)
 
     open_step(opened, 0)
-    use_next_dialog(opened, use_dialog)
+    use_next_dialog(use_dialog)
     click(opened, opened.window.data.details)
     ((is_enabled, tip, text),) = seen
     assert is_enabled == bool(days)
@@ -400,7 +400,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
-    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(use_dialog)
     click(adjusted, panel.preview)
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
@@ -427,10 +427,10 @@ def test_a_preview_has_the_details_that_were_asked_for(
     def fill_in(dialog: QWidget) -> None:
         type_into(adjusted, field(dialog, "vessel"), "Nordlys")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
-        use_next_dialog(adjusted, lambda shown: adjusted.bot.keyClick(shown, Key.Key_Escape))
+        use_next_dialog(lambda shown: adjusted.bot.keyClick(shown, Key.Key_Escape))
 
     monkeypatch.setattr("lispac.workflow.output.export.preview_report", preview_report)
-    use_next_dialog(adjusted, fill_in)
+    use_next_dialog(fill_in)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     assert [each.identity.vessel for each in previewed] == ["Nordlys"]
@@ -446,7 +446,7 @@ def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: 
         assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(use_dialog)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
@@ -732,7 +732,7 @@ def test_details_of_a_company_are_proposed_and_typed_texts_are_kept(adjusted: Dr
         type_into(adjusted, field(dialog, "epoch"), "2010.0")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(use_dialog)
     click(adjusted, adjusted.window.report.details)
     identity = adjusted.project.identity
     assert (identity.surveyor, identity.scanner) == ("Ève Tremblay", "Profiler 32")
@@ -779,7 +779,7 @@ def test_needed_details_are_marked_and_sensors_are_offered(adjusted: Driver) -> 
         assert scanner.text() == titles[0]
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(adjusted, use_dialog)
+    use_next_dialog(use_dialog)
     click(adjusted, adjusted.window.report.details)
     assert adjusted.project.identity.scanner == titles[0]
 
@@ -829,7 +829,7 @@ def test_the_written_reports_agree_with_the_window(
             type_into(driver, field(dialog, name), text)
         driver.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    use_next_dialog(driver, use_dialog)
+    use_next_dialog(use_dialog)
     click(driver, panel.details)
     paths = {kind: tmp_path / f"report.{kind}" for kind in ("pdf", "html", "json")}
     for kind, path in paths.items():
