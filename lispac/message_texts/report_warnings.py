@@ -10,6 +10,12 @@ NOISE_DIFFERS_TEXT = N_(
     "the larger noise."
 )
 
+NOISE_DIFFERS_GIVEN_TEXT = N_(
+    "The residuals of {targets:names} are up to {factor:x.2} times as large as the given LiDAR "
+    "noise, with which those of the other targets agree. The standard deviations of the angles are "
+    "computed with the larger noise."
+)
+
 TEXTS: Mapping[str, Template] = {
     # -- calibration -------------------------------------------------------------------------
     "report.not_calibrated": N_(
@@ -43,6 +49,7 @@ TEXTS: Mapping[str, Template] = {
         N_("Correct the standard deviations, or look for outliers."),
     ),
     "report.noise_differs": NOISE_DIFFERS_TEXT,
+    "report.noise_differs_given": NOISE_DIFFERS_GIVEN_TEXT,
     "report.chi_square_high_classical": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
         "allow, so the standard deviations of the angles are too small. Correct the given standard "

@@ -19,7 +19,7 @@ from lispac.messages import Message, Value, note, sort_by_importance, warning
 from lispac.present.calibration.adjustment import (
     AdjustmentValues,
     is_lidar_noise_estimated,
-    noisier_targets,
+    targets_with_larger_noise,
 )
 from lispac.present.calibration.parameters import ParameterValues
 from lispac.present.checking.absolute import AbsoluteCheckValues
@@ -148,7 +148,6 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
 def _chi_square_warnings(adjustment: AdjustmentValues, independent: bool) -> Iterator[Message]:
     test = adjustment.chi_square
     factors = {target.target: target.noise_factor or 1.0 for target in adjustment.targets}
-    noisy = noisier_targets(factors)
     is_estimated = is_lidar_noise_estimated(adjustment.components)
     if test.outcome is None:
         yield warning("report.no_redundancy", subject=RESULT_CAUSE)
@@ -163,10 +162,10 @@ def _chi_square_warnings(adjustment: AdjustmentValues, independent: bool) -> Ite
         yield note("report.chi_square_high_assumed", subject=Cause.of_field("lidar_sigma"))
     elif independent:
         yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
-    elif is_estimated and noisy:
+    elif noisy := targets_with_larger_noise(adjustment):
         yield note(
-            "report.noise_differs", targets=noisy, factor=factors[noisy[0]],
-            subject=Cause.of_target(noisy[0]),
+            "report.noise_differs" if is_estimated else "report.noise_differs_given",
+            targets=noisy, factor=factors[noisy[0]], subject=Cause.of_target(noisy[0]),
         )  # fmt: skip
     elif any(factor > 1 for factor in factors.values()):
         yield note("report.chi_square_high_noise", subject=RESULT_CAUSE)

@@ -418,21 +418,28 @@ def test_noise_is_reported_only_where_it_was_found(project: Project, changed: Ch
 def test_noise_that_differs_between_targets_blames_no_given_sigma(
     project: Project, changed: Changed
 ) -> None:
-    """The LiDAR noise was estimated from all targets, and one target has more of it."""
+    """One target has more noise, and the others that which was given or estimated from all."""
     result = _result(project)
     failed = replace(result.chi_square, statistic=result.chi_square.upper * 1.01)
     first, *others = result.targets
     targets = (replace(first, noise=1.18), *(replace(each, noise=1.0) for each in others))
-    values = {"chi_square": failed, "targets": targets, "model": StochasticModel("correlated")}
-    for is_applied, code in ((True, "noise_differs"), (False, "chi_square_high_noise")):
-        components = (VarianceComponent("LiDAR", 0.73, 0.72, 0.74, applied=is_applied),)
-        content = changed(components=components, **values)  # type: ignore[arg-type]
+    explained = 1 + (1.18**2 - 1) * first.points / sum(each.points for each in result.targets)
+    codes = {"noise_differs", "noise_differs_given", "chi_square_high_noise"}
+    for is_applied, variance_factor, code in (
+        (True, 2.0, "noise_differs"),
+        (False, explained - 1e-6, "noise_differs_given"),
+        (False, explained + 1e-6, "chi_square_high_noise"),
+    ):
+        content = changed(
+            components=(VarianceComponent("LiDAR", 0.73, 0.72, 0.74, applied=is_applied),),
+            chi_square=failed, targets=targets, variance_factor=variance_factor,
+            model=StochasticModel("correlated"),
+        )  # fmt: skip
         (message,) = [
-            each for each in content.warnings
-            if each.code.removeprefix("report.") in {"noise_differs", "chi_square_high_noise"}
-        ]  # fmt: skip
+            each for each in content.warnings if each.code.removeprefix("report.") in codes
+        ]
         assert (message.code, message.level) == (f"report.{code}", Level.NOTE)
-        if is_applied:
+        if code != "chi_square_high_noise":
             assert message.params["targets"] == [first.target]
             assert message.params["factor"] == 1.18
 

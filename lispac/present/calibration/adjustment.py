@@ -20,6 +20,7 @@ from lispac.adjustment.result import (
     FitOutcome,
     Observability,
     PossibleCause,
+    TargetResidual,
     VarianceComponent,
 )
 from lispac.adjustment.solve.determinability import have_one_orientation
@@ -32,7 +33,7 @@ from lispac.language import (
     gettext_lazy,
     join_sentences,
 )
-from lispac.message_texts.report_warnings import NOISE_DIFFERS_TEXT
+from lispac.message_texts.report_warnings import NOISE_DIFFERS_GIVEN_TEXT, NOISE_DIFFERS_TEXT
 from lispac.messages import Message
 from lispac.present.angles import (
     Angles,
@@ -222,11 +223,12 @@ def large_residuals_text(result: AdjustmentResult) -> LazyText:
         return gettext_lazy(TOO_LARGE_ASSUMED_TEXT)
     if not result.model.correlated:
         return gettext_lazy(TOO_LARGE_CLASSICAL_TEXT)
-    if is_lidar_noise_estimated(result.components) and (
-        noisy := noisier_targets(result.noise_factors)
-    ):
-        factor = result.noise_factors[noisy[0]]
-        return gettext_lazy(NOISE_DIFFERS_TEXT, targets=noisy, factor=factor)
+    if noisy := targets_with_larger_noise(result):
+        is_estimated = is_lidar_noise_estimated(result.components)
+        return gettext_lazy(
+            NOISE_DIFFERS_TEXT if is_estimated else NOISE_DIFFERS_GIVEN_TEXT,
+            targets=noisy, factor=result.noise_factors[noisy[0]],
+        )  # fmt: skip
     is_raised = any(target.noise > 1 for target in result.targets)
     return gettext_lazy(TOO_LARGE_NOISE_TEXT if is_raised else TOO_LARGE_TEXT)
 
@@ -352,6 +354,26 @@ class AdjustmentValues:
     def are_sightings_tested(self) -> bool:
         """Whether sightings were tested against each other."""
         return self.critical_w is not None and any(each.is_tested for each in self.sightings)
+
+
+def targets_with_larger_noise(result: AdjustmentResult | AdjustmentValues) -> list[str]:
+    """Targets whose noise explains residuals larger than predicted, the noisiest first.
+
+    The other targets must agree with the LiDAR noise used. They do so if it was estimated from all
+    targets; a given noise must explain the variance factor with the noise factors of the targets.
+    """
+    factors = {
+        each.target: (each.noise if isinstance(each, TargetResidual) else each.noise_factor) or 1.0
+        for each in result.targets
+    }
+    noisy = noisier_targets(factors)
+    if is_lidar_noise_estimated(result.components):
+        return noisy
+    if len(noisy) == len(factors) or result.variance_factor is None:
+        return []
+    squares = sum(each.points * factors[each.target] ** 2 for each in result.targets)
+    points = sum(each.points for each in result.targets)
+    return noisy if result.variance_factor * points <= squares else []
 
 
 def adjustment_values(

@@ -15,10 +15,9 @@ from lispac.present.calibration.adjustment import (
     agreement_template,
     agrees_by_construction,
     has_passed,
-    is_lidar_noise_estimated,
     large_residuals_text,
-    noisier_targets,
     small_residuals_template,
+    targets_with_larger_noise,
 )
 from lispac.present.calibration.adjustment_fit import TEST_STATISTIC_FORMAT
 from lispac.present.calibration.cross_checks import agreement_text, cross_check_values
@@ -118,7 +117,7 @@ def chi_square_text(result: AdjustmentResult) -> str:
         interval = N_("{value}, below {lower} to {upper}: residuals smaller than expected")
     elif result.unestimated_sigmas:
         title, colour = gettext("assumed values too small"), theme.MUTED
-    elif is_lidar_noise_estimated(result.components) and noisier_targets(result.noise_factors):
+    elif targets_with_larger_noise(result):
         title, colour = gettext("noise differs between targets"), theme.MUTED
     else:
         colour = theme.WARNING if result.are_sigmas_too_small else theme.MUTED
