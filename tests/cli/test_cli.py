@@ -13,6 +13,7 @@ import pytest
 
 from lispac import scripting, workflow
 from lispac.cli.main import main
+from lispac.cli.output.report import NO_PICTURES_TEXT
 from lispac.messages import error, note
 from lispac.project import Project
 from tests.documents.schemas import followed_output
@@ -140,6 +141,7 @@ def test_all_commands_from_raw_files_to_the_report(
         code, _, err = run(capsys, "report", project, "--output", tmp_path / f"report{ending}")
         assert code == 0, err
         assert (tmp_path / f"report{ending}").stat().st_size > 1000
+        assert (NO_PICTURES_TEXT in err) == (ending != ".json")
     french = tmp_path / "rapport.html"
     assert run(capsys, "report", project, "--output", french, "--language", "fr")[0] == 0
     assert "ÉTALONNÉ" in french.read_text(encoding="utf-8")

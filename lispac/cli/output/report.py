@@ -1,10 +1,16 @@
 """``lispac report``: calibration report as PDF, HTML, JSON or CSV tables."""
 
+import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from lispac.cli.console import ConsoleProgress, UsageError
 from lispac.language import LANGUAGES
+
+NO_PICTURES_TEXT = (
+    "reports of the command line have no pictures of the 3D view. Export the report in the window "
+    "to include them."
+)
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -78,3 +84,6 @@ def run(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
         write_report(project, survey, arguments.output, options=options, progress=progress)
     print(arguments.output)
+    sys.stdout.flush()  # print the file before the note on stderr
+    if arguments.output.suffix.lower() in (".pdf", ".html"):
+        print(f"note: {NO_PICTURES_TEXT}", file=sys.stderr)

@@ -244,6 +244,7 @@ class MainWindow(QMainWindow):
             lambda: self.recovery_copies.problem,
         )  # fmt: skip
         self._stops.callback(self.warning_list.stop)
+        self.warning_list.shown.connect(panels.validate.show_messages)
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)

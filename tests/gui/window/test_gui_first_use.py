@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractButton
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.features.estimate.results_panel import MIN_WIDTH_PX
-from lispac.gui.features.inspect.section_figure import draw_section
+from lispac.gui.features.inspect.section_figure import draw_section, move_title_inside
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import ADJUST, REPORT, TARGETS
 from lispac.language import gettext
@@ -187,6 +187,24 @@ def test_cuts_of_a_flat_plane_have_one_range(adjusted: Driver) -> None:
         assert before.get_xlim() == after.get_xlim()
         assert before.get_ylim() == after.get_ylim()
         assert before.get_xlabel(), "also in a low panel"
+        figure.canvas.draw()
+        for axes in (before, after):
+            title = axes.xaxis.label.get_window_extent()
+            assert axes.get_window_extent().contains(*title.get_points().mean(axis=0))
+
+
+def test_the_axis_title_in_a_low_section_covers_no_line() -> None:
+    figure = Figure(figsize=(4.0, 1.5))
+    axes = figure.add_subplot()
+    axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+    axes.set_xlabel("Across (m)")
+    upright = np.linspace(0.0, 1.0, 50)
+    for x, side in ((0.9, "left"), (0.1, "right")):
+        for line in axes.lines:
+            line.remove()
+        axes.plot(np.full(50, x), upright)
+        move_title_inside(axes)
+        assert axes.xaxis.label.get_horizontalalignment() == side
 
 
 def test_the_signs_of_the_angles_are_visible_without_scrolling(

@@ -341,6 +341,7 @@ def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path
     QTest.keyClick(panel.plot, Qt.Key.Key_Up)
     assert [axes.get_xlabel() for axes in panel.canvas.figure.axes] == ["Height (m)", "Range (m)"]
 
+    click(picked, picked.window.validate.comparison.head)
     picked.window.validate.kind.setFocus()
     QTest.keyClick(picked.window.validate.kind, Qt.Key.Key_Down)
     assert picked.window.validate.neighbours.value() == 60

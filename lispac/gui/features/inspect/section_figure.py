@@ -46,6 +46,8 @@ picture: five times the size of a point."""
 TICK_INCHES = 0.55, 0.22
 """Approximate space for a number of the horizontal and of the vertical axis."""
 OUTSIDE_TEXT = N_("{count:n} of {all:n} lines are out of the picture")
+TITLE_CORNER = 0.35, 0.2
+"""Approximate width and height of the title of an axis in a low plot, as shares of the plot."""
 INCHES_PER_CHARACTER = 0.6 * FONT_SIZE / 72.0
 """Approximate width of a character of a title."""
 ENLARGED_TITLE = N_("{title}, enlarged {factor:n} times (m)")
@@ -112,7 +114,7 @@ def draw_section(
         size = FONT_SIZE if labelled else SMALL_SIZE
         axes.set_xlabel(across, fontsize=size, color=theme.TEXT)
         if not labelled:
-            _move_title_inside(axes)
+            move_title_inside(axes)
         if number == 1 or not is_shared:
             axes.set_ylabel(
                 fill(upward, title_length, break_long_words=False) if labelled else upward,
@@ -343,11 +345,29 @@ def _slot_width(figure: Figure, count: int, lines: Sequence[str]) -> float:
     return max(float(figure.get_figwidth()) - legend, 0.1) / count
 
 
-def _move_title_inside(axes: Axes) -> None:
-    """Move the title of the horizontal axis into the lower right corner of a low plot."""
-    axes.xaxis.set_label_coords(0.99, 0.05, transform=axes.transAxes)
+def move_title_inside(axes: Axes) -> None:
+    """Move the title of the horizontal axis into the corner of a low plot with fewest points.
+
+    The upper left corner may contain the number of lines that are out of the picture.
+    """
+    points = np.concatenate([np.empty((0, 2)), *(each.get_xydata() for each in axes.lines)])
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    x, y = (points[:, 0] - left) / (right - left), (points[:, 1] - low) / (high - low)
+    width, height = TITLE_CORNER
+
+    def count(at_right: bool, at_top: bool) -> int:
+        near_side = x > 1 - width if at_right else x < width
+        near_end = y > 1 - height if at_top else y < height
+        return int(np.count_nonzero(near_side & near_end))
+
+    corners = ((True, False), (False, False), (True, True))
+    at_right, at_top = min(corners, key=lambda corner: count(*corner))
+    axes.xaxis.set_label_coords(
+        0.99 if at_right else 0.01, 0.95 if at_top else 0.05, transform=axes.transAxes
+    )
     axes.xaxis.label.set(
-        horizontalalignment="right", verticalalignment="bottom", in_layout=False,
+        horizontalalignment="right" if at_right else "left",
+        verticalalignment="top" if at_top else "bottom", in_layout=False,
         bbox={"facecolor": theme.PAPER, "alpha": 0.8, "edgecolor": "none", "pad": 1.0},
     )  # fmt: skip
 

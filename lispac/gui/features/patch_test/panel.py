@@ -178,7 +178,7 @@ class PatchTestPanel(QWidget):
             columns.addWidget(self._pictures, *((0, 1) if is_wide else (1, 0, 1, 3)))
         for column, stretch in enumerate((is_narrow, is_wide, not is_wide and not is_narrow)):
             columns.setColumnStretch(column, int(stretch))
-        for row, stretch in enumerate((1, 0, 3) if is_narrow else (3, 0 if is_wide else 2, 0)):
+        for row, stretch in enumerate((2, 0, 3) if is_narrow else (3, 0 if is_wide else 2, 0)):
             columns.setRowStretch(row, stretch)
         self.angles.setMaximumWidth(MAX_ANGLES_WIDTH_PX if is_wide else QWIDGETSIZE_MAX)
         # The tips of the pairs explain the symbols too

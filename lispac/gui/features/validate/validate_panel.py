@@ -1,16 +1,21 @@
 """Step 4: comparison of the lines on validation planes, and acceptance criteria."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.unavailable import Unavailable, first_reason, reason_text
+from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.acceptance_form import AcceptanceForm
 from lispac.gui.features.validate.acceptance_outcome import AcceptanceOutcome
 from lispac.gui.project.status import VALIDATE, ProjectState
+from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.gui.widgets.number_input import first_input_error
 from lispac.gui.widgets.tab_order import set_tab_order
 from lispac.language import N_, gettext
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.local_models import (
@@ -46,8 +51,7 @@ class ValidatePanel(QWidget):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "The lines are compared with each other, cloud to cloud, on planes that "
-                    "are not used in the adjustment."
+                    "The lines are compared, cloud to cloud, on planes not used in the adjustment."
                 ),
                 "hint", wrap=True,
             )
@@ -70,21 +74,24 @@ class ValidatePanel(QWidget):
             ),
         )  # fmt: skip
         self.neighbours.setValue(DEFAULT_MODEL.neighbours)
-        form = QFormLayout()
+        model = QWidget()
+        form = QFormLayout(model)
+        form.setContentsMargins(0, 0, 0, 0)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
         form.addRow(gettext("Surface model"), self.kind)
         form.addRow(gettext("Points per fit"), self.neighbours)
-        layout.addLayout(form)
+        self.comparison = FoldableGroup(gettext("Comparison"), "fold_comparison", model)
         self.kind.currentIndexChanged.connect(self._on_kind_chosen)
-        self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
+        self.neighbours.valueChanged.connect(lambda _value: self._emit_model())
         self.run = widgets.button(
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
             tip=gettext("Compare the lines on all validation planes, before and after (F10)"),
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
+        layout.addWidget(self.comparison)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
             gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
@@ -115,6 +122,10 @@ class ValidatePanel(QWidget):
         self.outcome = AcceptanceOutcome()
         self.outcome.cause_requested.connect(self.cause_requested)
         layout.addWidget(self.outcome)
+        self.messages = widgets.label("", wrap=True, name="validate_messages")
+        self.messages.hide()
+        layout.addWidget(self.messages)
+        self._show_model()
 
     @property
     def model(self) -> LocalModel:
@@ -126,10 +137,27 @@ class ValidatePanel(QWidget):
         self.model_difference.setText(text)
         self.model_difference.setVisible(bool(text))
 
+    def show_messages(self, messages: Sequence[Message]) -> None:
+        """Show the warnings and notes on the comparison among those of the project."""
+        texts = [message_text(each) for each in messages if each.code.startswith("validation.")]
+        self.messages.setText("\n\n".join(texts))
+        self.messages.setVisible(bool(texts))
+
     def _on_kind_chosen(self) -> None:
         kind = SURFACE_MODELS[self.kind.currentIndex()][0]
         self._fill_neighbours(kind, DEFAULT_NEIGHBOURS[kind])
+        self._emit_model()
+
+    def _emit_model(self) -> None:
+        self._show_model()
         self.model_changed.emit(self.model)
+
+    def _show_model(self) -> None:
+        """Show the model in the heading, since its fields are folded."""
+        model = gettext(SURFACE_MODELS[self.kind.currentIndex()][1])
+        if self.neighbours.isEnabled():
+            model = gettext("{model}, {count:n} points", model=model, count=self.model.neighbours)
+        self.comparison.set_summary(model)
 
     def _fill_neighbours(self, kind: Kind, number: int) -> None:
         self.neighbours.blockSignals(True)
@@ -149,6 +177,7 @@ class ValidatePanel(QWidget):
             self.kind.setCurrentIndex([kind for kind, _ in SURFACE_MODELS].index(model.kind))
             self.kind.blockSignals(False)
             self._fill_neighbours(model.kind, model.neighbours)
+            self._show_model()
             # A radius given on the command line has no field; it is kept until a new choice.
             self.model_changed.emit(model)
 

@@ -32,8 +32,8 @@ class WarningList(QObject):
     storage_problem : function that returns why no recovery copy is written, or None
     """
 
-    shown = Signal()
-    """The list is up to date."""
+    shown = Signal(object)
+    """The list is up to date; its messages."""
     _collected = Signal(object)
 
     def __init__(
@@ -98,6 +98,7 @@ class WarningList(QObject):
             self._shown_request = self._requested
             self._panel.show_nothing()
             self._button.show_warnings(None)
+            self.shown.emit(())
             return
         if self._document.awaits_result:
             self._panel.show_waiting()  # the former list is kept until then
@@ -142,4 +143,4 @@ class WarningList(QObject):
             self._shown_request = requested
             self._panel.show_warnings(found, is_complete=is_complete)
             self._button.show_warnings(found, is_complete=is_complete)
-            self.shown.emit()
+            self.shown.emit(found)

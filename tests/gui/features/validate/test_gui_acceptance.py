@@ -24,6 +24,7 @@ from lispac.gui.features.validate.planes_table import P95, RMS
 from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.language import gettext
+from lispac.messages import note
 from lispac.present.checking.acceptance import AcceptanceValues
 from lispac.present.checking.validation import ValidationPlane
 from lispac.project import Project
@@ -42,7 +43,10 @@ from tests.gui.support import (
     type_into,
 )
 from tests.support.long_runs import LONG, others_long
+from tests.support.message_codes import is_shown
 from tests.support.view_scenes import array_of
+
+PEAKS = {"target": "V1", "smaller": 0.01, "larger": 0.05}
 
 
 @pytest.fixture
@@ -52,6 +56,18 @@ def judged(driver: Driver, demo: Demo, validated: Project) -> Driver:
     driver.rest()
     open_step(driver, VALIDATE)
     return driver
+
+
+def test_step_4_shows_the_messages_on_the_comparison(judged: Driver) -> None:
+    step, peaks = judged.window.validate, note("validation.peaks_on_plane", **PEAKS)
+    several = note("validation.several_peaks_unknown", items=(peaks,))
+    judged.window.warning_list.shown.emit((note("report.simulated"), several))
+    assert step.messages.isVisible()
+    assert is_shown("validation.several_peaks_unknown", step.messages.text())
+    assert not is_shown("report.simulated", step.messages.text())
+    judged.window.warning_list.update()
+    judged.bot.waitUntil(lambda: judged.window.warning_list.is_current)
+    assert not is_shown("validation.several_peaks_unknown", step.messages.text())
 
 
 def state_of(driver: Driver) -> str:

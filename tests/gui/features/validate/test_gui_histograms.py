@@ -37,6 +37,7 @@ from tests.gui.support import (
     Demo,
     Driver,
     Key,
+    click,
     finish_layouts,
     open_step,
     press,
@@ -87,6 +88,7 @@ def test_another_number_of_points_says_that_the_comparison_is_of_the_former(
     used = driver.project.validation[0].model.neighbours
     notes = (step.model_difference, panel.model_difference)
     assert [each.isVisible() for each in notes] == [False, False]
+    click(driver, step.comparison.head)
     type_into(driver, step.neighbours, "60")
     driver.bot.keyClick(step.neighbours, Key.Key_Return)
     driver.rest()
