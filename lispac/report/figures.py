@@ -69,6 +69,8 @@ MAX_LABEL_LENGTH = 24
 
 WIDE_FIGURE = 5.2
 """Smallest width of a figure whose legend has several columns, inches; a window may be narrower."""
+PLAN_MARGIN = 0.05
+"""Space around the site, as a share of its extent."""
 
 MAX_TITLE_SHARE = 0.95
 """Largest share of the width of the figure that a title in one line fills."""
@@ -147,8 +149,12 @@ def site_figure(
     labels: list[Label] = []
     drawn: list[Track] = []
     for k, (name, points) in enumerate(tracks.items()):
-        track = _draw_track(axes, name, np.asarray(points, dtype=float), line_colour(k))
-        if track is not None:
+        places = np.asarray(points, dtype=float) * [1.0, -1.0]
+        track = _draw_track(axes, places[:, ::-1], line_colour(k))
+        if track is None:
+            north, east = places[0].tolist()
+            labels.append(_label(name, (east, north), INK_COLOUR))
+        else:
             drawn.append(track)
             labels.append(_label(name, track.points[0], INK_COLOUR, track.offset))
     for seeds, marker, colour, title in (
@@ -158,12 +164,17 @@ def site_figure(
         _draw_seeds(axes, seeds, marker, colour, title)
         labels += [_label(name, (-seed[1], seed[0]), colour) for name, seed in seeds.items()]
     draw_labels(axes, labels, drawn)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.margins(0.12)  # space for the names
-    style_axes(axes, gettext("East (m)"), gettext("North (m)"))
     if tracks or targets or validation:
+        # Space for names and arrows; margins would be reduced for the equal scale of both axes
+        low, high = axes.dataLim.get_points()
+        space = PLAN_MARGIN * (high - low)
+        axes.update_datalim([low - space, high + space])
+    axes.set_aspect("equal", adjustable="datalim")
+    style_axes(axes, gettext("East (m)"), gettext("North (m)"))
+    if targets or validation:  # the lines have their names beside them
         figure.legend(
-            loc="outside right upper",
+            loc="outside lower center",
+            ncols=2,
             fontsize=SMALL_TEXT_SIZE,
             frameon=False,
             labelcolor=INK_COLOUR,
@@ -534,17 +545,19 @@ def _before_after_bars(
     return figure
 
 
-def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...]) -> Track | None:
-    """Draw a track beside its true place, on the starboard side; None without a direction."""
-    north, east = points[:, 0], -points[:, 1]
+def _draw_track(axes: Axes, points: Array, colour: tuple[float, ...]) -> Track | None:
+    """Draw a track beside its true place, on the starboard side; None without a direction.
+
+    Parameters
+    ----------
+    points : east and north, shape (k, 2), metres
+    """
+    east, north = points.T
     course = np.array([east[-1] - east[0], north[-1] - north[0]])
     course /= max(float(np.hypot(*course)), 1e-9)
     starboard = TRACK_OFFSET_PT * np.array([course[1], -course[0]])
-    axes.update_datalim(np.column_stack([east, north]))
-    axes.plot(
-        east, north, color=colour, linewidth=1.6, label=short_name(name),
-        transform=_moved(axes, starboard),
-    )  # fmt: skip
+    axes.update_datalim(points)
+    axes.plot(east, north, color=colour, linewidth=1.6, transform=_moved(axes, starboard))
     if len(points) < 2:
         return None
     # The arrow ends beyond the track, so that it covers no part of a line in opposite direction.
@@ -555,7 +568,7 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: tuple[float, ...])
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.6, "mutation_scale": 9},
     )  # fmt: skip
     offset, arrow = ((float(each[0]), float(each[1])) for each in (starboard, tip))
-    return Track(np.column_stack([east, north]), offset, arrow)
+    return Track(points, offset, arrow)
 
 
 def _label(

@@ -49,17 +49,21 @@ def test_labels_of_many_values_are_slanted(count: int, rotation: float) -> None:
     assert len(axes.texts) == count**2
 
 
-def test_an_empty_site_plan_has_no_legend() -> None:
+def test_the_legend_of_a_site_plan_explains_the_marks_only() -> None:
+    """The lines have their names beside them."""
     assert site_figure({}, {}, {}).legends == []
-    (legend,) = site_figure({"L1": [[0.0, 0.0], [5.0, 0.0]]}, {}, {}).legends
-    assert [text.get_text() for text in legend.get_texts()] == ["L1"]
+    tracks = {"L1": [[0.0, 0.0], [5.0, 0.0]]}
+    assert site_figure(tracks, {}, {}).legends == []
+    (legend,) = site_figure(tracks, {"T1": (1.0, 2.0, 3.0)}, {}).legends
+    assert [text.get_text() for text in legend.get_texts()] == ["target"]
 
 
 def test_a_line_of_one_position_has_no_direction() -> None:
-    """It is in the legend but has no arrow."""
+    """It has its name but no arrow."""
     (one,) = site_figure({"L1": [[1.0, 2.0]]}, {}, {}).axes
     (two,) = site_figure({"L1": [[1.0, 2.0], [4.0, 2.0]]}, {}, {}).axes
     assert len(one.lines) == len(two.lines) == 1
+    assert "L1" in {text.get_text() for text in one.texts}
     assert len(one.texts) < len(two.texts)
 
 
