@@ -310,7 +310,9 @@ class AdjustmentValues:
     steep. ``correlation`` is the correlation matrix of the three angles, ``correlation_all`` that
     of all ``estimated`` values.
     ``points`` are those used, after averaging or thinning the ``picked_points`` of the targets; the
-    latter is None if the number is unknown.
+    latter is None if the number is unknown. ``excluded_outliers`` are points excluded before the
+    averaging; the outliers of targets and sightings are points used, with test values above
+    ``critical_w``.
     ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
     targets are planes with the same normal.
     """
