@@ -89,7 +89,7 @@ class OpenProject:
     def survey(self) -> Survey:
         """Trajectory and lines, read on first access and after a change of data settings."""
         if self._survey is None or self._key != data_key(self.project):
-            self._survey = load_survey(self.project, progress=self._progress)
+            self._survey = load_survey(self.project, former=self._survey, progress=self._progress)
             self._key = data_key(self.project)
         return self._survey
 

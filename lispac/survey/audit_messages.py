@@ -14,7 +14,7 @@ from lispac.survey.line_audit import (
     shared_point_fraction,
 )
 from lispac.survey.time_base import DAY, HOUR, WEEK
-from lispac.survey.trajectory import LocalTrajectory
+from lispac.survey.trajectory import LocalTrajectory, interpolate
 from lispac.warning_causes import Cause
 
 MAX_FAR_POINT_SHARE = 0.001
@@ -280,8 +280,11 @@ def _several_lines_messages(
 
 def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
     """Whether the vessel turned between two times, shape (2,), seconds."""
-    inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
-    heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
+    inside = slice(
+        np.searchsorted(trajectory.time, ends[0], side="right"),
+        np.searchsorted(trajectory.time, ends[1]),
+    )
+    heading = interpolate(ends, trajectory.time, trajectory.attitude[:, 2:])[:, 0]
     turned = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
     headings_between = trajectory.attitude[inside, 2]
     return bool(
@@ -296,9 +299,9 @@ def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]
     This is the case during pauses of a line of which only points on certain objects were exported.
     The trajectory may have no states in between.
     """
-    position = np.stack([np.interp(ends, trajectory.time, axis) for axis in trajectory.position.T])
+    position = interpolate(ends, trajectory.time, trajectory.position)
     speed = np.linalg.norm(trajectory.rate_at(ends)[:, :3], axis=1).mean()
-    distance = float(np.linalg.norm(position[:, 1] - position[:, 0]))
+    distance = float(np.linalg.norm(position[1] - position[0]))
     return distance > MIN_CONTINUED_DISTANCE_RATIO * speed * float(ends[1] - ends[0])
 
 

@@ -179,7 +179,7 @@ class PointScreen:
         self._fill = np.array([0, 0, int(self.far_copies)])
         self._latest = np.full(1, -np.inf)
         self._tail = np.zeros((0, 4), np.uint64)
-        self._sketch: dict[int, int] = {}
+        self._hashes, self._hash_counts = np.zeros(0, np.uint64), np.zeros(0, np.int64)
         self._threshold = np.uint64(np.iinfo(np.uint64).max)
         self._last = np.full(1, np.nan)
         self._gaps = np.zeros(kernels.GAP_BINS, np.int64)
@@ -243,7 +243,7 @@ class PointScreen:
     def result(self) -> LineAudit:
         """Audit of all chunks so far."""
         counts = [int(count) for count in self._counts]
-        times = sum(self._sketch.values())
+        times = int(self._hash_counts.sum())
         return LineAudit(
             read=self._read,
             not_finite=counts[kernels.NOT_FINITE],
@@ -265,8 +265,8 @@ class PointScreen:
             spans=time_spans(self._seconds),
             mean_range=self._range_sum / max(self._range_count, 1),
             # Halved, because readers of JSON may convert larger integers to floating point.
-            sketch=[value >> 1 for value in sorted(self._sketch)[:SKETCH_HASHES]],
-            repeated=1.0 - len(self._sketch) / times if times else 0.0,
+            sketch=(self._hashes[:SKETCH_HASHES] >> np.uint64(1)).tolist(),
+            repeated=1.0 - len(self._hashes) / times if times else 0.0,
         )
 
     def _time_step(self) -> float:
@@ -323,15 +323,17 @@ class PointScreen:
         self._tail = np.column_stack([bits[0][last], bits[1][last]])
         self._counts[kernels.DUPLICATE] += found
         self._counts[kernels.KEPT] -= found
-        values, times = _smallest_hashes(sampled[:count])
-        for value, repeats in zip(
-            values[:SKETCH_HASHES].tolist(), times[:SKETCH_HASHES].tolist(), strict=True
-        ):
-            self._sketch[value] = self._sketch.get(value, 0) + repeats
-        if len(self._sketch) >= SKETCH_HASHES:
-            kept = sorted(self._sketch)[:SKETCH_HASHES]
-            self._sketch = {value: self._sketch[value] for value in kept}
-            self._threshold = np.uint64(kept[-1])
+        self._add_hashes(*_smallest_hashes(sampled[:count]))
+
+    def _add_hashes(self, hashes: NDArray[np.uint64], counts: NDArray[np.int64]) -> None:
+        """Add hashes of a chunk, ascending, to the sketch, and their counts, both of shape (n,)."""
+        together = np.concatenate([self._hashes, hashes[:SKETCH_HASHES]])
+        distinct, places = np.unique(together, return_inverse=True)
+        sums = np.zeros(len(distinct), np.int64)
+        np.add.at(sums, places, np.concatenate([self._hash_counts, counts[:SKETCH_HASHES]]))
+        self._hashes, self._hash_counts = distinct[:SKETCH_HASHES], sums[:SKETCH_HASHES]
+        if len(self._hashes) == SKETCH_HASHES:
+            self._threshold = self._hashes[-1]
 
     def _update_audit(self, time: Array, extra: Mapping[str, NDArray[Any]], used: Mask) -> None:
         first = used

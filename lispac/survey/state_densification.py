@@ -7,12 +7,14 @@ states, so close together that linear interpolation between them is sufficient. 
 then use linear interpolation.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Places = NDArray[np.int64] | slice
 
 MAX_INTERPOLATION_ERROR = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
 """Largest error of linear interpolation between the inserted states, metres and radians."""
@@ -53,7 +55,7 @@ class DenseStates:
 
 
 def insert_states(
-    time: Array, states: Array, derivatives: Array, longest_gap: float
+    time: Array, states: Array, find_derivatives: Callable[[], Array], longest_gap: float
 ) -> DenseStates:
     """Insert states if linear interpolation has errors above `MAX_INTERPOLATION_ERROR`.
 
@@ -66,8 +68,10 @@ def insert_states(
     time : ndarray of shape (n,), seconds
     states : ndarray of shape (n, 6), metres and radians
         Angles without jumps by 2 pi.
-    derivatives : ndarray of shape (n, 6), metres and radians a second
-        Zeros for components without derivatives.
+    find_derivatives : callable
+        Function that returns the derivatives of the states, shape (n, 6), metres and radians a
+        second, with zeros for components without derivatives. It is called only if linear
+        interpolation is too coarse.
     longest_gap : float, seconds
         Longest interval between two states over which positions are interpolated.
     """
@@ -76,18 +80,22 @@ def insert_states(
     inner = np.flatnonzero(bridged[1:] & bridged[:-1]) + 1
     if len(inner) < MIN_TEST_STATES:
         return DenseStates(time, states)
+    before, at, after = _neighbours(inner, len(time))
     # Prediction of each inner state from its neighbours, over twice the interval.
-    span = time[inner + 1] - time[inner - 1]
-    u = ((time[inner] - time[inner - 1]) / span)[:, None]
-    ends = states[inner - 1], states[inner + 1]
-    slopes = derivatives[inner - 1], derivatives[inner + 1]
-    straight = states[inner] - (ends[0] + u * (ends[1] - ends[0]))
-    error_cubic = states[inner] - hermite_cubic(u, span[:, None], ends, slopes)
-    error_straight = np.abs(straight).mean(axis=0)
-    used = np.abs(error_cubic).mean(axis=0) < MAX_ERROR_RATIO * error_straight
+    span = time[after] - time[before]
+    u = ((time[at] - time[before]) / span)[:, None]
+    ends = states[before], states[after]
+    straight = states[at] - (ends[0] + u * (ends[1] - ends[0]))
+    error_straight = np.abs(straight)
     # For a parabola, the error over one interval is a quarter of that over two.
-    needed = np.quantile(np.abs(straight), ERROR_QUANTILE, axis=0) / 4
+    needed = np.quantile(error_straight, ERROR_QUANTILE, axis=0) / 4
     coarse = needed > MAX_INTERPOLATION_ERROR
+    if not coarse.any():
+        return DenseStates(time, states)
+    derivatives = find_derivatives()
+    slopes = derivatives[before], derivatives[after]
+    error_cubic = states[at] - hermite_cubic(u, span[:, None], ends, slopes)
+    used = np.abs(error_cubic).mean(axis=0) < MAX_ERROR_RATIO * error_straight.mean(axis=0)
     unused = tuple(np.flatnonzero(coarse & ~used & derivatives.any(axis=0)).tolist())
     parts = int(np.ceil(np.sqrt(np.max(needed / MAX_INTERPOLATION_ERROR, where=used, initial=0.0))))
     parts = min(parts, MAX_PARTS)
@@ -95,8 +103,15 @@ def insert_states(
         return DenseStates(time, states, unused=unused)
     # For a polynomial of fourth degree, a sixteenth; the omitted states give the error.
     cubic_errors = np.zeros_like(states)
-    cubic_errors[inner] = error_cubic / 16 * used
+    cubic_errors[at] = error_cubic / 16 * used
     return _insert_parts(time, states, derivatives, bridged, used, cubic_errors, parts, unused)
+
+
+def _neighbours(inner: NDArray[np.int64], count: int) -> tuple[Places, Places, Places]:
+    """Places of the states before inner ones, of these and of those after, of ``count`` states."""
+    if len(inner) == count - 2:  # slices are several times faster than the same indices
+        return slice(None, -2), slice(1, -1), slice(2, None)
+    return inner - 1, inner, inner + 1
 
 
 def _insert_parts(

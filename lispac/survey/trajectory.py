@@ -185,7 +185,7 @@ class TrajectoryAccuracy:
         ----------
         time : ndarray of shape (n,), seconds
         """
-        return _interpolate(time, self.time, self.position), _interpolate(
+        return interpolate(time, self.time, self.position), interpolate(
             time, self.time, self.attitude
         )
 
@@ -260,20 +260,12 @@ class LocalTrajectory:
         attitude = np.unwrap(attitude, axis=0)
         if trajectory.velocity is None and trajectory.attitude_rate is None:
             return cls(frame, trajectory.time, position, attitude, longest_gap, trajectory.messages)
-        derivatives = np.zeros((len(position), 6))
-        if trajectory.velocity is not None:
-            velocity = trajectory.velocity[:, :, None]
-            derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
-        if trajectory.attitude_rate is not None:
-            ahead = rotation_matrix(
-                *(trajectory.attitude + RATE_CONVERSION_STEP_S * trajectory.attitude_rate).T
-            )
-            turned = rotation_angles(rotation_local_level @ ahead) - attitude
-            derivatives[:, 3:] = (
-                np.remainder(turned + np.pi, 2 * np.pi) - np.pi
-            ) / RATE_CONVERSION_STEP_S
+
+        def find_derivatives() -> Array:
+            return _derivatives(trajectory, rotation_local_level, attitude)
+
         states = np.hstack([position, attitude])
-        dense = insert_states(trajectory.time, states, derivatives, longest_gap)
+        dense = insert_states(trajectory.time, states, find_derivatives, longest_gap)
         messages = trajectory.messages
         if dense.unused:
             names = tuple(STATE_COMPONENTS[k] for k in dense.unused)
@@ -346,7 +338,7 @@ class LocalTrajectory:
         ``time`` has to lie inside the trajectory, as for `at`.
         """
         states = np.hstack([self.position, self.attitude])
-        return _interpolate(time, self.time, np.gradient(states, self.time, axis=0))
+        return interpolate(time, self.time, np.gradient(states, self.time, axis=0))
 
     def at(self, time: Array) -> Poses:
         """Linear interpolation to ``time`` (thesis B.1).
@@ -363,12 +355,54 @@ class LocalTrajectory:
         if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
             raise InputError(outside_trajectory_message(time, self.time))
         return Poses(
-            _interpolate(time, self.time, self.position),
-            _interpolate(time, self.time, self.attitude),
+            interpolate(time, self.time, self.position),
+            interpolate(time, self.time, self.attitude),
         )
 
 
-def _interpolate(time: Array, known_time: Array, values: Array) -> Array:
+def _derivatives(trajectory: Trajectory, rotation_local_level: Array, attitude: Array) -> Array:
+    """Derivatives of position and attitude in a local frame, shape (n, 6), by time.
+
+    Parameters
+    ----------
+    rotation_local_level : ndarray of shape (n, 3, 3)
+    attitude : ndarray of shape (n, 3), radians
+        Attitude in the local frame.
+
+    Returns
+    -------
+    ndarray of shape (n, 6), metres and radians a second
+        Zeros for what the trajectory does not contain.
+    """
+    derivatives = np.zeros((len(attitude), 6))
+    if trajectory.velocity is not None:
+        velocity = trajectory.velocity[:, :, None]
+        derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
+    if trajectory.attitude_rate is not None:
+        ahead = rotation_matrix(
+            *(trajectory.attitude + RATE_CONVERSION_STEP_S * trajectory.attitude_rate).T
+        )
+        turned = rotation_angles(rotation_local_level @ ahead) - attitude
+        derivatives[:, 3:] = (
+            np.remainder(turned + np.pi, 2 * np.pi) - np.pi
+        ) / RATE_CONVERSION_STEP_S
+    return derivatives
+
+
+def interpolate(time: Array, known_time: Array, values: Array) -> Array:
+    """Linear interpolation of columns, shape (n, k), with the end values outside.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+    known_time : ndarray of shape (m,), seconds, increasing
+    values : ndarray of shape (m, k)
+        Values at the known times.
+    """
+    if len(time) and len(known_time) > 2:  # of long trajectories, most times need a small part
+        first, last = np.searchsorted(known_time, [np.min(time), np.max(time)])
+        part = slice(max(int(first) - 1, 0), int(last) + 2)
+        known_time, values = known_time[part], values[part]
     return np.stack([np.interp(time, known_time, column) for column in values.T], axis=-1)
 
 

@@ -18,7 +18,9 @@ _surveys: OrderedDict[bytes, Survey] = OrderedDict()
 _lock = Lock()
 
 
-def load_once(project: Project, *, progress: Progress = no_progress) -> Survey:
+def load_once(
+    project: Project, *, former: Survey | None = None, progress: Progress = no_progress
+) -> Survey:
     """Survey of a project, read only if no project with copies of the same files was read before.
 
     Copies have the size and the time of the original. Projects with imported lines, and surveys
@@ -30,7 +32,7 @@ def load_once(project: Project, *, progress: Progress = no_progress) -> Survey:
     if known is not None:
         progress(1.0)
         return known
-    survey = load_survey(project, progress=progress)
+    survey = load_survey(project, former=former, progress=progress)
     if key is not None and str(project.folder) not in repr((survey.notes, survey.messages)):
         with _lock:
             _surveys[key] = survey

@@ -349,3 +349,16 @@ def test_a_file_that_is_lost_during_detection_is_reported(
 
 def raise_io_error(*_: object, **__: object) -> np.ndarray:
     raise OSError(5, "Input/output error")
+
+
+def test_messages_of_a_file_are_those_of_its_preview(shared_data: Path, tmp_path: Path) -> None:
+    """They are returned without the preview, which takes as long as the reading."""
+    exchanged = tmp_path / "exchanged.sbet"
+    records = np.fromfile(shared_data / "harbour" / "trajectory.sbet").reshape(-1, 17)[:2000]
+    write_records(exchanged, records[:, [0, 2, 1, *range(3, 17)]])
+    for format, path in (
+        (SBET, shared_data / "harbour" / "trajectory.sbet"),
+        (SBET, exchanged),
+        (format_of("smrmsg"), shared_data / "harbour" / "smrmsg.out"),
+    ):
+        assert format.messages(path, {}) == format.preview(path, {}).messages

@@ -67,7 +67,7 @@ def test_the_reported_rate_is_that_of_the_file() -> None:
         np.hstack(states(time)),
         (np.hstack(states(time + tick)) - np.hstack(states(time - tick))) / (2 * tick),
     )
-    dense = insert_states(time, own, rates, longest_gap=1.0)
+    dense = insert_states(time, own, lambda: rates, longest_gap=1.0)
     assert dense.parts > 1
     track = LocalTrajectory(
         FRAME, dense.time, dense.states[:, :3], dense.states[:, 3:],

@@ -322,6 +322,7 @@ class Controller(QObject):
             return
         self._discard_candidate()
         self._discard_queued_seeds()  # their positions are those of the former lines
+        former = self._document.survey
 
         def done(survey: Survey) -> None:
             if self._document.project is not None:
@@ -329,7 +330,7 @@ class Controller(QObject):
 
         self._runner.run(
             gettext("Georeferencing the lines"),
-            lambda progress: load_survey(project, progress=progress),
+            lambda progress: load_survey(project, former=former, progress=progress),
             done,
             key=GEOREFERENCING_KEY,
         )

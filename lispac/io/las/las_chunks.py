@@ -285,8 +285,8 @@ def point_count(path: Path) -> int:
     InputError
         If the file is damaged.
     """
-    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
-        return int(reader.header.point_count)
+    with report_damage(path, "LAS or LAZ"):
+        return require_sound_header(path).stored
 
 
 def opened_las(path: Path, *, timed: bool = True) -> "laspy.LasReader":

@@ -106,8 +106,8 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     records = read_records(path, 17, "SBET", byte_order=byte_order)
     if len(records) < 2:
         raise InputError(error("sbet.one_record", file=str(path)))
-    time, latitude, longitude, height = records[:, :4].T
-    roll, pitch, heading, wander = records[:, 7:11].T
+    time, latitude, longitude, height = np.ascontiguousarray(records[:, :4].T)
+    roll, pitch, heading, wander = np.ascontiguousarray(records[:, 7:11].T)
     time, starts = unroll_times(time)
     assumptions = APPLANIX_ASSUMPTIONS if options is None else options.assumptions()
     if starts:
@@ -152,8 +152,8 @@ def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
     x, y, z = velocity.T
     if axes.startswith("wander"):
         right = -y if axes == "wander-nwu" else y
-        north = x * np.cos(wander) + right * np.sin(wander)
-        east = right * np.cos(wander) - x * np.sin(wander)
+        sin, cos = np.sin(wander), np.cos(wander)
+        north, east = x * cos + right * sin, right * cos - x * sin
         return np.stack([north, east, z if axes.endswith("u") else -z], axis=1)
     named = {"n": 1.0, "s": -1.0, "e": 1.0, "w": -1.0, "u": 1.0, "d": -1.0}
     place = {"n": 0, "e": 1, "w": 1, "u": 2, "d": 2}
@@ -180,18 +180,18 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
          1.0]
     )  # fmt: skip
     angles = factor * records[:, 7:10]
-    found = attitude_rates(angles * signs, factor * rates)
-    # The rates may instead be about the axes forward, port, up.
-    other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
-    numerical_rates = np.gradient(
-        np.unwrap(angles[:MAX_STATES_COMPARED], axis=0), records[:MAX_STATES_COMPARED, 0], axis=0
-    )
-    differences = [
-        np.abs(each[:MAX_STATES_COMPARED] - numerical_rates * signs).sum()
-        for each in (found, other)
-    ]
-    best = found if differences[0] <= differences[1] else other
-    return velocity, best * [1.0, -1.0, 1.0]  # pitch bow down
+    compared = slice(0, MAX_STATES_COMPARED)
+    numerical_rates = np.gradient(np.unwrap(angles[compared], axis=0), records[compared, 0], axis=0)
+
+    def rates_about(axes: list[float], part: slice) -> Array:
+        return attitude_rates(angles[part] * signs, factor * rates[part] * axes)
+
+    def residual(axes: list[float]) -> float:
+        return float(np.abs(rates_about(axes, compared) - numerical_rates * signs).sum())
+
+    # Axes forward, starboard, down; the rates may instead be about forward, port, up.
+    axes = min(([1.0, 1.0, 1.0], [1.0, -1.0, -1.0]), key=residual)
+    return velocity, rates_about(axes, slice(None)) * [1.0, -1.0, 1.0]  # pitch bow down
 
 
 def _with_velocity(
@@ -207,15 +207,16 @@ def _with_velocity(
     )
     velocity_of_positions = np.diff(place, axis=0) / np.diff(trajectory.time[compared])[:, None]
 
-    def local(key: str) -> Array:
-        return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
+    def local(key: str, part: slice) -> Array:
+        turned = velocity_in_axes(key, velocity[part], wander[part])
+        return turned * [1.0, -1.0, 1.0]  # north, west, up
 
     def residual(key: str) -> float:
-        own = local(key)[compared]
+        own = local(key, compared)
         return float(np.abs(0.5 * (own[1:] + own[:-1]) - velocity_of_positions).sum())
 
     best = min(keys, key=residual) if len(keys) > 1 else keys[0]
-    return replace(trajectory, velocity=local(best))
+    return replace(trajectory, velocity=local(best, slice(None)))
 
 
 def _require_on_earth(

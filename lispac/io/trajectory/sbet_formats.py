@@ -435,6 +435,7 @@ SBET_FORMAT = trajectory_format(
     _sniff_sbet,
     _preview_sbet,
     _read_sbet,
+    has_messages=False,
 )
 
 SMRMSG_FORMAT = trajectory_format(
@@ -446,4 +447,5 @@ SMRMSG_FORMAT = trajectory_format(
     _sniff_smrmsg,
     _preview_smrmsg,
     _read_smrmsg,
+    has_messages=False,
 )

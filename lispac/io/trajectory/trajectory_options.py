@@ -49,8 +49,12 @@ def trajectory_format(
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
     *,
     has_time_base: bool = False,
+    has_messages: bool = True,
 ) -> FileFormat:
-    """Make a format that refuses unknown options before it examines or reads a file."""
+    """Make a format that refuses unknown options before it examines or reads a file.
+
+    ``has_messages`` is False if no preview of the format has messages.
+    """
 
     def preview_checked(path: Path, choice: Choice) -> FilePreview:
         """Make the preview of a file after a check of the options."""
@@ -63,6 +67,7 @@ def trajectory_format(
 
     made = FileFormat(
         name, key, kind, endings, options, sniff, preview_checked, read_checked,
+        read_messages=None if has_messages else lambda _path, _choice: (),
         has_time_base=has_time_base,
     )  # fmt: skip
     return made

@@ -157,7 +157,7 @@ class LinePoints:
             self._latency = made.latency
             assumptions += self.recovery.assumptions
         self._assumptions = assumptions
-        self._screen = self._new_screen()
+        self._screen: PointScreen
         self._covered: list[TrajectoryCoverage] = []
         self._times: list[Array] = []
         self._samples: list[LineSample] = []
@@ -173,7 +173,9 @@ class LinePoints:
         DistantDuplicates
             At the end, if distant copies of points were found and are not excluded.
         """
-        self._screen = self._new_screen()
+        self._screen = PointScreen(
+            self._selection, ranged=self.recovery is None, far_copies=self._far_copies
+        )
         self._covered, self._times, self._samples, self._without_pose = [], [], [], 0
         read = used = 0
         for chunk in read_chunks(self._format.read(self.line.path, self._choice)):
@@ -193,7 +195,7 @@ class LinePoints:
 
     @property
     def audit(self) -> LineAudit:
-        """Audit of the points read so far."""
+        """Audit of the points read so far; valid after the first of `pieces`."""
         return self._screen.result()
 
     @property
@@ -224,11 +226,6 @@ class LinePoints:
         return (*self._assumptions, *excluded, *(() if advice is None else (advice,)))
 
     # -- parts -------------------------------------------------------------------------------
-
-    def _new_screen(self) -> PointScreen:
-        return PointScreen(
-            self._selection, ranged=self.recovery is None, far_copies=self._far_copies
-        )
 
     def _usable_piece(self, chunk: PointChunk, index: NDArray[np.int64], read: int) -> PointPiece:
         """Usable points of a chunk, in the LiDAR frame and the trajectory's time base."""

@@ -23,6 +23,7 @@ from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.line_audit import LineAudit
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import parse_largest_range
+from lispac.survey.scan import Scan
 from lispac.survey.store.layout import has_import
 from lispac.survey.store.stored_line import MAX_ROUNDING_SHARE, StoredLine
 from lispac.survey.time_quality import accuracy_coverage_warning
@@ -59,6 +60,61 @@ TEXT_BYTES_PER_POINT = 40
 
 
 @dataclass(frozen=True, eq=False)
+class LineFile:
+    """Points of a line in memory, as read from its file.
+
+    Attributes
+    ----------
+    key : tuple
+        Values that the reading depends on, besides the trajectory.
+    """
+
+    key: tuple[object, ...]
+    scan: Scan
+    findings: LineFindings
+
+
+@dataclass(frozen=True, eq=False)
+class SurveyFiles:
+    """What was read from the files of a survey, except from its imported lines.
+
+    Attributes
+    ----------
+    key : tuple
+        Values that the trajectory depends on.
+    trajectory : LocalTrajectory
+    assumptions : tuple of Message
+        Assumptions of the reader of the trajectory.
+    lines : mapping of str to LineFile
+        Lines in memory, by name.
+    """
+
+    key: tuple[object, ...]
+    trajectory: LocalTrajectory
+    assumptions: tuple[Message, ...]
+    lines: Mapping[str, LineFile] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, project: Project, former: "SurveyFiles | None") -> "SurveyFiles":
+        """Files of a project: the former ones if the trajectory is the same; else only that.
+
+        Raises
+        ------
+        InputError
+            If the trajectory cannot be read.
+        """
+        key = _trajectory_key(project)
+        if former is not None and former.key == key:
+            return former
+        return cls(key, *local_trajectory(project))
+
+    def line(self, name: str, key: tuple[object, ...]) -> LineFile | None:
+        """Line that was read with the same key; None if there is none."""
+        found = self.lines.get(name)
+        return found if found is not None and found.key == key else None
+
+
+@dataclass(frozen=True, eq=False)
 class Survey:
     """The data of a project: large lines on disk, small ones in memory.
 
@@ -73,6 +129,8 @@ class Survey:
         Warnings and notes about the content of the files.
     excluded : mapping of str to int
         Number of points in the file of each line that are not used; only lines with such points.
+    files : SurveyFiles or None
+        What `load_survey` can use again after an edit of the project.
     """
 
     trajectory: LocalTrajectory
@@ -83,6 +141,7 @@ class Survey:
     notes: tuple[Message, ...]
     messages: tuple[Message, ...] = ()
     excluded: Mapping[str, int] = field(default_factory=dict)
+    files: SurveyFiles | None = None
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -158,12 +217,20 @@ def data_key(project: Project) -> tuple[object, ...]:
     )
 
 
-def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey:
+def load_survey(
+    project: Project, *, former: Survey | None = None, progress: Progress = no_progress
+) -> Survey:
     """Read all files to which the project refers.
 
     Imported lines are opened from their store. A line is imported again if its import was
     interrupted, or if its file or the settings and data of the import have changed. Lines with
     large files are imported.
+
+    Parameters
+    ----------
+    former : Survey, optional
+        Survey of the project before an edit. A file is not read again unless it, or the settings
+        on which its reading depends, have changed.
 
     Raises
     ------
@@ -174,9 +241,10 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     """
     require_files(project)
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
-    trajectory, assumed = local_trajectory(project)
+    files = SurveyFiles.of(project, None if former is None else former.files)
+    trajectory, line_files = files.trajectory, {}
     accuracy, of_accuracy = trajectory_accuracy(project, trajectory)
-    read = (*project.reading_warnings, *_with_shift_notes(project, assumed), *of_accuracy)
+    read = (*project.reading_warnings, *_with_shift_notes(project, files.assumptions), *of_accuracy)
     messages = (*_file_messages(project), *trajectory.messages)
     messages += _accuracy_messages(project, accuracy)
     audits: dict[str, LineAudit] = {}
@@ -187,7 +255,12 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         step = sub_progress(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        scan, cloud, of_line, found = _open_line(project, line, trajectory, step)
+        key = _line_key(project, line)
+        scan, cloud, of_line, found = _open_line(
+            project, line, trajectory, files.line(line.name, key), step
+        )
+        if isinstance(scan, Scan) and found is not None:
+            line_files[line.name] = LineFile(key, scan, found)
         read += of_line
         if found is None:
             messages += (_not_checked_note(line.name),)
@@ -220,7 +293,38 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     return Survey(
         trajectory, accuracy, scans, clouds, heading, notes, messages + warnings,
         {name: count for name, count in unused.items() if count > 0},
+        replace(files, lines=line_files),
     )  # fmt: skip
+
+
+def _trajectory_key(project: Project) -> tuple[object, ...]:
+    """Key of all that the trajectory in the local frame depends on."""
+    settings = project.settings
+    return (
+        project.trajectory, _file_state(project.trajectory), project.trajectory_reading,
+        settings.origin_deg_m, settings.longest_gap,
+    )  # fmt: skip
+
+
+def _line_key(project: Project, line: LineSource) -> tuple[object, ...]:
+    """Key of all that the points of a line depend on, besides the trajectory."""
+    settings = project.settings
+    key = (line, _file_state(line.path), settings.latency)
+    if not line.reading.format:  # in the scanner frame
+        return key
+    return (
+        *key, settings.lever_arm, settings.boresight_deg, settings.range_offset,
+        settings.scan_angle_offset_deg,
+    )  # fmt: skip
+
+
+def _file_state(path: Path) -> tuple[int, ...]:
+    """Numbers that change when a file is written; none for a missing file."""
+    try:
+        state = path.stat()
+    except OSError:
+        return ()
+    return state.st_dev, state.st_ino, state.st_size, state.st_mtime_ns, state.st_ctime_ns
 
 
 def file_cause(project: Project, about: Message) -> Cause:
@@ -323,9 +427,15 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
 
 
 def _open_line(
-    project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
+    project: Project,
+    line: LineSource,
+    trajectory: LocalTrajectory,
+    known: LineFile | None,
+    progress: Progress,
 ) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
     """Open a line from its store or file; returns it, its cloud, notes on its reading, and audit.
+
+    The file is not read if its content is ``known``.
 
     Raises
     ------
@@ -349,8 +459,11 @@ def _open_line(
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, notes, found
-    progress(0.0, gettext_lazy("Reading {file}", file=line.path.name))
-    scan, found = read_line(line, trajectory, mounting)
+    if known is None:
+        progress(0.0, gettext_lazy("Reading {file}", file=line.path.name))
+        scan, found = read_line(line, trajectory, mounting)
+    else:
+        scan, found = known.scan, known.findings
     progress(0.7, gettext_lazy("Georeferencing {line}", line=line.name))
     placed = CloudInMemory.of(scan, trajectory, mounting)
     return scan, placed, scan.assumptions, found
