@@ -24,10 +24,11 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # no bytecode in the checkout
-import environment  # noqa: E402
-import system_packages  # noqa: E402
-from environment import SetupError, say, script  # noqa: E402
+if __name__ == "__main__":  # no bytecode in the checkout; tests import this module and keep theirs
+    sys.dont_write_bytecode = True
+import environment
+import system_packages
+from environment import SetupError, say, script
 
 OLDEST_PYTHON = (3, 11)
 NEWEST_PYTHON = (3, 14)  # newest version for which the locked dependencies have wheels

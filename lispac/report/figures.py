@@ -6,7 +6,7 @@ in the global settings of matplotlib, so that several threads can draw at the sa
 
 import pickle
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from io import BytesIO
 from itertools import pairwise
 from math import ceil, floor, log10
@@ -323,16 +323,21 @@ def svg_pictures(
     Creating a report consists mainly of drawing. The last figures are therefore cached: all formats
     of a report use the same figures, and the next report uses those whose values did not change.
     """
-    return render_pictures(draw, pickle.dumps(values), current_language())
+    if isinstance(draw, partial):  # two partial functions of one function are never equal
+        function, arguments = draw.func, ((*draw.args, *values), draw.keywords)
+    else:
+        function, arguments = draw, (values, {})
+    return render_pictures(function, pickle.dumps(arguments), current_language())
 
 
 @lru_cache(maxsize=64)  # enough for the figures of a few reports, which take some megabytes
 def render_pictures(
-    draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
+    draw: Callable[..., Figure | Sequence[Figure]], arguments: bytes, language: str
 ) -> tuple[bytes, ...]:
-    """Figures that ``draw`` creates from pickled values, as SVG in the given language; cached."""
+    """Figures that ``draw`` creates from pickled arguments, as SVG in a language; cached."""
     with in_language(language), degree_signs():
-        made = draw(*pickle.loads(values))
+        positional, keywords = pickle.loads(arguments)
+        made = draw(*positional, **keywords)
         figures = [made] if isinstance(made, Figure) else made
         return tuple(map(svg_of, figures))
 

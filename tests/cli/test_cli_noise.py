@@ -20,8 +20,14 @@ def raw(denser_project: Project) -> Path:
     return denser_project.folder / "raw"
 
 
-def picked(capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object) -> Path:
-    made = [word for word in new_words(folder, raw) if word not in ("--lidar-sigma", 0.0017)]
+def picked(
+    capsys: pytest.CaptureFixture[str], raw: Path, folder: Path, *words: object, lines: int = 6
+) -> Path:
+    """Folder of a new project with the first lines of the survey and two picked targets."""
+    paths = sorted(raw.glob("*.laz"))[:lines]
+    assert len(paths) == lines
+    made = [word for word in new_words(folder, raw, *paths)
+            if word not in ("--lidar-sigma", 0.0017)]  # fmt: skip
     run_json(capsys, *made, *words)
     seeds = folder.with_name("seeds.txt")
     seeds.write_text("".join(f"{name} {x} {y} {z}\n" for name, (x, y, z) in SEEDS.items()))
@@ -37,7 +43,7 @@ def test_noise_and_offsets_of_a_project(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
     project = picked(capsys, raw, tmp_path / "quay", "--lidar-sigma-xyz", 0.003, 0.004, 0.005,
-                     "--longest-gap", 2.5)  # fmt: skip
+                     "--longest-gap", 2.5, lines=4)  # fmt: skip
     sensor_settings = projects.open_project(project).settings
     assert sensor_settings.lidar_sigma_xyz == (0.003, 0.004, 0.005)
     assert sensor_settings.longest_gap == 2.5
@@ -173,7 +179,7 @@ def test_assumed_noise_is_estimated_unless_refused(
 def test_the_scanner_of_an_estimate_is_named_in_the_report(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
-    project = picked(capsys, raw, tmp_path / "quay")
+    project = picked(capsys, raw, tmp_path / "quay", lines=4)
     assert projects.open_project(project).identity.scanner == ""
     words = ("estimate", project, *WITHOUT_DIAGNOSTICS, "--scanner", "zf-9012")
     run_json(capsys, *words)

@@ -52,11 +52,10 @@ def twin(project: Project) -> Path:
     return folder
 
 
-def few_lines(project: Project) -> Path:
-    """Reduce a project to three lines without targets; return its folder."""
-    few = replace(
-        project, lines=project.lines[:3], targets=(), result=None, cross_checks=None, validation=()
-    )
+def few_lines(project: Project, count: int = 3) -> Path:
+    """Reduce a project to some lines without targets; return its folder."""
+    lines = project.lines[:count]
+    few = replace(project, lines=lines, targets=(), result=None, cross_checks=None, validation=())
     save_project(few)
     return few.folder
 
@@ -81,7 +80,7 @@ WORDS: dict[str, Words] = {
     "check": lambda p, f: (p.folder, "--reference", check_points(f), "--reference-sigma", 0.02),
     "compare": lambda p, f: (p.folder, twin(p)),
     "compare methods": lambda p, f: (p.folder,),
-    "targetless": lambda p, f: (few_lines(p),),
+    "targetless": lambda p, f: (few_lines(p, 2),),
     "history": lambda p, f: (p.folder,),
     "budget": lambda p, f: (p.folder,),
     "georeference": lambda p, f: (

@@ -9,8 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from multiprocessing import active_children
 from pathlib import Path
@@ -37,6 +36,12 @@ from lispac.workflow.planning.plan_checks import result_heading
 from lispac.workflow.planning.process_pool import chunk_size, process_pool_mapper
 from tests.cli.test_cli import run, run_json, run_refused
 from tests.studies.prediction_study import PLAN
+from tests.support.cluster_tasks import (
+    Slow,
+    kill_process_always,
+    kill_process_once,
+    raise_correctable_error,
+)
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
@@ -109,27 +114,6 @@ def test_at_the_command_line(
     assert "predicted" in out
 
 
-def kill_process_once(marker: Path, number: int) -> int:
-    """Square of a number; the first call with 7 kills its process."""
-    if number == 7:
-        with suppress(FileExistsError):
-            os.close(os.open(marker, os.O_CREAT | os.O_EXCL))
-            os.kill(os.getpid(), signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
-    return number**2
-
-
-def kill_process_always(number: int) -> int:
-    """Square of a number; each call with 7 ends its process."""
-    if number == 7:
-        os._exit(1)
-    return number**2
-
-
-def raise_correctable_error(number: int) -> int:
-    """Raise an error that the user can correct."""
-    raise LispacError(f"number {number} is too large")
-
-
 def test_a_lost_worker_loses_no_result(cluster: distributed.LocalCluster, tmp_path: Path) -> None:
     marker = tmp_path / "killed"
     with cluster_mapper(cluster.scheduler_address) as mapper:
@@ -183,18 +167,6 @@ def test_an_error_in_a_worker_is_raised_unchanged(cluster: distributed.LocalClus
     ):
         with where as mapper, pytest.raises(LispacError, match=r"^number 3 is too large$"):
             list(mapper(raise_correctable_error, [3]))
-
-
-@dataclass
-class Slow:
-    """A slow task that creates a file for each call."""
-
-    folder: Path
-
-    def __call__(self, number: int) -> int:
-        (self.folder / str(number)).touch()
-        time.sleep(0.2)
-        return number
 
 
 def stopped_at_once(results: Iterable[int]) -> None:

@@ -2,6 +2,7 @@
 
 import ast
 import json
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -38,6 +39,12 @@ def test_other_python_is_refused_in_one_line(version: tuple[int, int]) -> None:
 def test_an_old_python_can_read_the_script_that_refuses_it(module: object) -> None:
     source = Path(module.__file__).read_text(encoding="utf-8")
     ast.parse(source, feature_version=(3, 7))
+
+
+def test_tests_that_import_the_script_keep_their_bytecode(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    runpy.run_path(bootstrap.__file__)
+    assert not sys.dont_write_bytecode
 
 
 # Installed state and required state

@@ -55,7 +55,9 @@ def run(sources: Path, folder: Path) -> str:
         command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going"]
         command += ["-c", str(HERE), "-d", scratch, str(sources), str(folder.resolve())]
         # Without compilation, the compiled functions have their Python signatures and docstrings.
-        variables = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+        variables = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+        if sys.pycache_prefix is None:  # no bytecode beside the sources
+            variables["PYTHONDONTWRITEBYTECODE"] = "1"
         done = subprocess.run(
             command, capture_output=True, text=True, check=False, env=variables, cwd=CHECKOUT
         )

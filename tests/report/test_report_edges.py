@@ -1,9 +1,12 @@
 """Tests of figures and sections of the report with little or no content."""
 
+import re
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from lispac.design.monte_carlo import MonteCarloResult
 from lispac.project import Project
@@ -71,6 +74,32 @@ def test_a_picture_shows_the_figure_as_drawn() -> None:
     names, matrix = ("roll", "pitch", "yaw"), np.eye(3)
     (picture,) = svg_pictures(correlation_figure_of, names, matrix)
     assert picture == svg_of(correlation_figure_of(names, matrix))
+
+
+def test_a_figure_with_options_is_drawn_once() -> None:
+    sizes: list[tuple[float, float]] = []
+
+    def draw(title: str, *, size: tuple[float, float]) -> Figure:
+        sizes.append(size)
+        return Figure(size)
+
+    for size in ((2.0, 1.0), (2.0, 1.0), (3.0, 1.0)):
+        svg_pictures(partial(draw, size=size), "title")
+    assert sizes == [(2.0, 1.0), (3.0, 1.0)]
+
+
+def test_rectangles_in_place_of_figures_have_their_size(request: pytest.FixtureRequest) -> None:
+    draw = partial(correlation_figure_of, ("roll", "pitch", "yaw"), np.eye(3))
+    (figure,) = svg_pictures(draw)
+    request.getfixturevalue("rectangles")
+    (rectangle,) = svg_pictures(draw)
+    assert len(rectangle) < 300 < len(figure)
+    for name in ("width", "height"):
+        size, expected = (
+            float(re.findall(rf'\b{name}="([0-9.]+)pt"', svg.decode())[0])
+            for svg in (rectangle, figure)
+        )
+        assert size == pytest.approx(expected, abs=0.01)
 
 
 def test_errors_of_surveys_are_drawn_over_what_was_predicted() -> None:

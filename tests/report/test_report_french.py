@@ -73,19 +73,24 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     return sample_project(tmp_path_factory.mktemp("french") / "harbour 2025")
 
 
-FIGURE_COUNTS: dict[tuple[Callable[..., Figure | Sequence[Figure]], bytes], int] = {}
-"""Number of figures that a function draws from some values, given by the digest of the values."""
+FIGURE_COUNTS: dict[bytes, int] = {}
+"""Number of figures that a function draws from some values, by the digest of both."""
 
 
 def _empty_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], *values: object
 ) -> tuple[bytes, ...]:
     """An empty picture for each figure; drawing takes most of the time of a report."""
-    key = draw, hashlib.sha256(pickle.dumps(values)).digest()
+    key = hashlib.sha256(pickle.dumps((draw, values))).digest()
     if key not in FIGURE_COUNTS:
         made = draw(*values)
         FIGURE_COUNTS[key] = 1 if isinstance(made, Figure) else len(made)
     return (b"",) * FIGURE_COUNTS[key]
+
+
+@pytest.fixture
+def without_figures(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(figures, "svg_pictures", _empty_pictures)
 
 
 def _english_texts(content: ReportContent) -> tuple[str, ...]:
@@ -229,6 +234,7 @@ def test_error_budgets_are_in_french(project: Project, known: dict[str, Any]) ->
     assert _english_texts(replace(content_of_sample(project), budget=budget)) == ()
 
 
+@pytest.mark.usefixtures("without_figures")
 def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(
@@ -248,6 +254,7 @@ def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     assert signature.fields[:2] == ("Hydrographe", "Lieu et date")
 
 
+@pytest.mark.usefixtures("without_figures")
 def test_french_report_counts_texts_without_translation(project: Project) -> None:
     content = content_of_sample(project)
     document = report_document(content, {}, FRENCH)
@@ -259,6 +266,7 @@ def test_french_report_counts_texts_without_translation(project: Project) -> Non
     )
 
 
+@pytest.mark.usefixtures("without_figures")
 def test_numbers_and_names_equal_those_of_the_english_report(project: Project) -> None:
     content = content_of_sample(project)
     english, french = (
@@ -321,6 +329,7 @@ def test_messages_have_true_minus_signs_and_unchanged_names() -> None:
     assert text == "After, L1 -3 (\u221250.0 mm ± 7.7 mm) is off by \u22122 mm: 2025-06-04."
 
 
+@pytest.mark.usefixtures("without_figures")
 def test_names_that_are_english_words_are_not_translated(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
     document = report_document(content_of_sample(project), {}, FRENCH)
@@ -349,6 +358,7 @@ def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -
     assert after.count(name) == before.count(name)
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_pdf_html_and_tables_are_french(project: Project, tmp_path: Path) -> None:
     content = content_of_sample(project)
     write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)

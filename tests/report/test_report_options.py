@@ -156,6 +156,7 @@ def test_an_invalid_logo_is_named(
     assert not output.exists()
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_letterhead_and_texts_are_in_pdf_and_html(
     project: Project, template: Path, tmp_path: Path
 ) -> None:
@@ -174,6 +175,7 @@ def test_letterhead_and_texts_are_in_pdf_and_html(
     assert page.sources[0].startswith("data:image/svg+xml;base64,")
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize(
     ("blank", "language", "page"),
     [
@@ -217,6 +219,7 @@ def test_page_one_has_the_signature(
         assert "Valid until an instrument is moved." in pages[at]
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
     content = sample_content(project)
     boxes = {}
@@ -234,6 +237,7 @@ def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
     assert letter[2:] == (612, 792)
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize(
     ("finished", "line_count", "page"),
     others_long(
@@ -294,6 +298,7 @@ def test_values_in_the_applanix_convention(project: Project) -> None:
     assert found.check_first is None
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize(
     "key", others_long(["applanix", "riprocess", "qinsy", "hypack", "pdal"], 2)
 )

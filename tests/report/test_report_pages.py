@@ -78,6 +78,7 @@ def _document(lines: int) -> Document:
     )  # fmt: skip
 
 
+@pytest.mark.usefixtures("usual_gaps")
 def test_headings_and_introductions_stay_with_what_follows(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -126,6 +127,7 @@ def _written_pages(
     return _pdf_text(path).split("\f")
 
 
+@pytest.mark.usefixtures("usual_gaps")
 def test_a_section_does_not_begin_without_its_table_and_a_short_list_is_not_divided(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -149,6 +151,7 @@ def test_a_section_does_not_begin_without_its_table_and_a_short_list_is_not_divi
     assert ends >= {(1, 1), (1, 2), (2, 2)}  # page breaks occurred at both places
 
 
+@pytest.mark.usefixtures("usual_gaps")
 def test_the_distance_between_tables_does_not_depend_on_their_lengths(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -166,6 +169,7 @@ def test_the_distance_between_tables_does_not_depend_on_their_lengths(
     assert distances[0] == pytest.approx(distances[1], abs=0.5)
 
 
+@pytest.mark.usefixtures("usual_gaps")
 def test_a_table_of_many_rows_is_on_one_page(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -176,6 +180,7 @@ def test_a_table_of_many_rows_is_on_one_page(
     assert "Cells row 47" in pages[begun]
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("page", others_long(["a4", "letter"]))
 @pytest.mark.parametrize("size", [(1400, 1000), (1000, 1000), (500, 900)])
 def test_pictures_before_and_after_are_on_one_page(
@@ -269,6 +274,7 @@ def test_the_full_report_has_well_filled_pages_with_their_numbers(
         assert f"{section} {title}" in " ".join(pages[int(number) - 1].split())
 
 
+@pytest.mark.usefixtures("rectangles")
 @pytest.mark.parametrize("planes", others_long([5, 2, 3, 4, 6]))
 @pytest.mark.parametrize("language", others_long(LANGUAGES, lambda language: language == "fr"))
 @pytest.mark.parametrize(
@@ -328,6 +334,7 @@ def test_a_long_introduction_leaves_no_page_less_than_half_full(
         assert min(_filled_shares(made.pages[1:-1], page)) >= 0.5, lines
 
 
+@pytest.mark.usefixtures("rectangles")
 @pytest.mark.parametrize("planes", others_long([4, 2, 3, 5, 6]))
 @pytest.mark.parametrize("page", others_long(PAGE_SIZES))
 @pytest.mark.parametrize("first", others_long([0, 6]))
@@ -351,19 +358,16 @@ def test_figures_of_planes_leave_no_page_less_than_half_full_wherever_they_begin
         assert min(_filled_shares(made.pages, page)) >= 0.5, lines
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_figures_of_planes_do_not_overlap_the_list_above_them(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     content, below_list = _survey_content(project, 6), 0
     document = pdf.report_document(content, {}, FULL_REPORT)
+    (validation,) = (each for each in document.sections if each.title == "Validation")
     for lines in (0, 8, 16, 24):
-        sections = tuple(
-            replace(section, blocks=(*(Paragraph("above"),) * lines, *section.blocks))
-            if section.title == "Validation"
-            else section
-            for section in document.sections
-        )
-        moved = replace(document, sections=sections)
+        blocks = (*(Paragraph("above"),) * lines, *validation.blocks)
+        moved = replace(document, sections=(replace(validation, blocks=blocks),))
         monkeypatch.setattr(pdf, "report_document", lambda *_, moved=moved: moved)
         write_pdf(content, tmp_path / "r.pdf", {}, FULL_REPORT)
         words = re.findall(
@@ -378,6 +382,7 @@ def test_figures_of_planes_do_not_overlap_the_list_above_them(
     assert below_list
 
 
+@pytest.mark.usefixtures("rectangles")
 def test_the_short_report_names_the_colours_of_the_lines(
     project: Project, views: dict[str | LazyText, Path]
 ) -> None:
@@ -404,6 +409,7 @@ def test_the_short_report_names_the_colours_of_the_lines(
         assert ('class="swatch"' in text) == bool(pictures)
 
 
+@pytest.mark.usefixtures("rectangles")
 def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project: Project) -> None:
     content = _survey_content(project, planes=40)
     warnings = tuple(warning("report.file_missing", files=(f"L{k}.las",)) for k in range(6))
@@ -426,6 +432,7 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     assert len(made.pages) <= 4
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_the_short_report_is_signed_below_the_verdict_and_has_the_system(
     project: Project, tmp_path: Path
 ) -> None:
@@ -476,6 +483,7 @@ def _signed_page(content: ReportContent, path: Path, options: ReportOptions) -> 
     return number
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("warnings", others_long([3, 0]))
 @pytest.mark.parametrize("notes", others_long([8, 1, 2, 3, 4, 5, 6, 7]))
 @pytest.mark.parametrize(
@@ -494,6 +502,7 @@ def test_the_short_report_is_signed_on_page_one_below_the_angles(
     assert _signed_page(content, tmp_path / "r.pdf", options) == 1
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("page", others_long(PAGE_SIZES))
 @pytest.mark.parametrize("planes", others_long([40, 5, 12]))
 def test_after_many_warnings_the_signatures_are_with_the_angles_and_the_verdict(
@@ -541,6 +550,7 @@ def test_the_report_has_no_columns_on_spheres_without_spheres(project: Project) 
     assert "Shape" in titles(replace(content, planes=(ball, *content.planes[1:])))
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_degrees_are_written_in_one_way_in_print(project: Project, tmp_path: Path) -> None:
     for extent in EXTENTS:
         write_pdf(_survey_content(project), tmp_path / "r.pdf", {}, ReportOptions(extent=extent))
@@ -549,6 +559,7 @@ def test_degrees_are_written_in_one_way_in_print(project: Project, tmp_path: Pat
         assert not re.search(r"\bdeg\b", text)
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("extent", others_long(EXTENTS, lambda extent: extent == "short"))
 def test_lines_of_a_note_are_nearer_to_each_other_than_to_the_next_note(
     project: Project, tmp_path: Path, extent: Extent
@@ -637,6 +648,7 @@ def test_a_company_in_the_letterhead_is_not_asked_for_again(project: Project) ->
         assert ("Company" in dict(document.identity.rows)) == (not company)
 
 
+@pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_date_is_in_one_line_beside_a_short_or_below_a_long_title(
     project: Project, tmp_path: Path, language: str

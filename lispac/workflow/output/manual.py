@@ -103,9 +103,9 @@ def build_manual(
 
 def _run_command(command: list[str], progress: Progress) -> None:
     # Sphinx stops if the user's locale is not installed; the pages do not depend on it.
-    variables = {
-        **os.environ, "PYTHONDONTWRITEBYTECODE": "1", "LC_ALL": "C", "PYTHONUTF8": "1"
-    }  # fmt: skip
+    variables = {**os.environ, "LC_ALL": "C", "PYTHONUTF8": "1"}
+    if sys.pycache_prefix is None:  # with a separate folder for bytecode, none is left in sources
+        variables["PYTHONDONTWRITEBYTECODE"] = "1"
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
         # The languages are built one after the other; the output is read when the program has ended
         with subprocess.Popen(
