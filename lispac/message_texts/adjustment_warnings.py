@@ -89,6 +89,10 @@ TEXTS: Mapping[str, Template] = {
         "The adjustment assumes uncorrelated POS errors (classical), which makes the standard "
         "deviations of the angles several times too small. Choose correlated POS errors."
     ),
+    "adjustment.estimated_lever_arm_differs": N_(
+        "The estimated {parameter} is {change} than the given value (± {sigma}). The angles are "
+        "valid only with the estimated value, so correct the given one, or measure it again."
+    ),
     "adjustment.large_sigma": N_(
         "Standard deviations are large (1 sigma): {angles:names}. Add targets with other "
         "orientations, or lines in other directions."

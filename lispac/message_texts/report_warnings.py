@@ -150,21 +150,21 @@ TEXTS: Mapping[str, Template] = {
         "{limit:mm.1|offset} mm. Check the trajectory during this line."
     ),
     "validation.offset_not_smaller": N_(
-        "The two lines with the largest offset are not closer to each other than before on "
-        "{items:names}. No line is shifted significantly there (largest test value "
+        "The two lines with the largest offset after the calibration are not closer to each other "
+        "than before on {items:names}. No line is shifted significantly there (largest test value "
         "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
         "explain the offsets."
     ),
     "validation.offset_not_smaller_shifted": N_(
-        "The two lines with the largest offset are not closer to each other than before on "
-        "{items:names}. Lines are shifted significantly there (largest test value "
+        "The two lines with the largest offset after the calibration are not closer to each other "
+        "than before on {items:names}. Lines are shifted significantly there (largest test value "
         "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
         "do not explain the offsets."
     ),
     "validation.offset_not_smaller_unknown": Advised(
         N_(
-            "The two lines with the largest offset are not closer to each other than before on "
-            "{items:names}."
+            "The two lines with the largest offset after the calibration are not closer to each "
+            "other than before on {items:names}."
         ),
         N_("Validate again to compare the offset with the uncertainties of POS and boresight."),
     ),
@@ -206,8 +206,8 @@ TEXTS: Mapping[str, Template] = {
         "{limit:mm.1|rms} mm."
     ),
     "acceptance.p95": N_(
-        "Acceptance criterion not met: on validation plane {target} 5 % of the distances between "
-        "the lines after the calibration are larger than {p95:mm.1|limit} mm, the limit is "
+        "Acceptance criterion not met: on validation plane {target}, 5 % of the distances "
+        "between the lines after the calibration are larger than {p95:mm.1|limit} mm, the limit is "
         "{limit:mm.1|p95} mm."
     ),
     "acceptance.offset": N_(

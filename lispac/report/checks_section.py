@@ -1,8 +1,9 @@
 """The sections on reliability, cross-checks and alternative methods: whether the data agree."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
+from lispac.alternative_methods import Method
 from lispac.language import N_, gettext
 from lispac.present.calibration.control import (
     CONTROL_COMPARISON_TABLE,
@@ -74,11 +75,12 @@ CONTROL_TEXT = N_(
     "the point that its residual shows. w: error of the point according to all other observations "
     "except contradicting control, divided by its standard deviation."
 )
-METHODS_TEXT = N_(
-    "Other methods applied to the same lines: adjustment with the validation planes as targets "
-    "(natural planes), adjustment with surfaces detected automatically in the scene (targetless), "
-    "alignment of the lines on common objects (patch test). None of them uses the targets."
-)
+METHODS_TEXT = N_("Other methods were applied to the same lines. None of them uses the targets.")
+METHOD_DESCRIPTIONS: Mapping[Method, str] = {
+    "natural planes": N_("Natural planes: adjustment with the validation planes as targets."),
+    "targetless": N_("Targetless: adjustment with surfaces detected automatically in the scene."),
+    "patch test": N_("Patch test: alignment of the lines on common objects."),
+}
 
 
 def reliability_blocks(content: ReportContent) -> list[Block]:
@@ -216,8 +218,13 @@ def method_blocks(content: ReportContent) -> list[Block]:
         for each in found
         for message in each.messages
     ]
+    described = [
+        gettext(text)
+        for method, text in METHOD_DESCRIPTIONS.items()
+        if any(each.method == method for each in found)
+    ]
     blocks: list[Block] = [
-        Paragraph(gettext(METHODS_TEXT)),
+        Paragraph(" ".join([gettext(METHODS_TEXT), *described])),
         report_table(METHOD_RESULTS_TABLE, found),
         report_table(*method_differences(found)),
         Bullets(tuple(map(sentence_text, content.method_messages))),

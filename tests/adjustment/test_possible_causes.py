@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment.diagnostics.cause_warnings import warnings_about_causes
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
@@ -14,7 +15,7 @@ from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import note, warning
+from lispac.messages import Level, note, warning
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
     add_errors,
@@ -24,6 +25,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from lispac.value_conversion import decode_value, encode_value
+from lispac.warning_causes import Cause
 from tests.support.long_runs import others_long
 
 TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -181,6 +183,36 @@ def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
     print(f"{kind}: {dict(counts)}")
     assert counts["wrong"] <= 1
     assert counts["listed"] >= (20 if kind in WRONG_MOUNTINGS else 12)
+
+
+def test_advice_on_targets_is_omitted_if_a_wrong_value_causes_most_of_the_residuals() -> None:
+    data, _ = survey("lever_y", 1)
+    result = adjust(data, PRIOR, MODEL)
+    assert result.causes is not None
+    ((cause,),) = result.causes
+    others = [warning("adjustment.large_sigma"), note("adjustment.sigmas_raised")]
+    for share, is_omitted in ((1.0, True), (0.3, False)):
+        some = replace(result, causes=((replace(cause, effect=share * result.rms_after),),))
+        codes = {each.code for each in warnings_about_causes(some, None, others)}
+        assert "adjustment.contradicted_lever_y" in codes
+        assert "adjustment.sigmas_raised" in codes
+        assert ("adjustment.large_sigma" not in codes) == is_omitted
+
+
+@pytest.mark.parametrize(("kind", "is_far"), [("lever_z", True), ("latency", False)])
+def test_an_estimated_lever_arm_far_from_the_given_one_is_a_warning(
+    kind: str, is_far: bool
+) -> None:
+    """Its sign may have been typed wrong; the angles are of no use with the given value."""
+    data, _ = survey(kind, 0)
+    freed = (Parameter("lever_z"), Parameter("latency"))
+    result = adjust(data, PRIOR, MODEL, parameters=freed)
+    found = [
+        each for each in result_warnings(result, None)
+        if each.code == "adjustment.estimated_lever_arm_differs"
+    ]  # fmt: skip
+    assert [each.level for each in found] == [Level.WARNING] * is_far
+    assert [each.subject for each in found] == [Cause.of_parameter("lever_z")] * is_far
 
 
 @pytest.mark.parametrize(

@@ -107,23 +107,29 @@ def test_harbour(
 
 
 @pytest.mark.long
-def test_a_lever_arm_of_the_harbour_that_is_a_metre_wrong_is_named(
-    capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
+@pytest.mark.parametrize(("axis", "change"), [(0, 1.0), (2, -4.838)])
+def test_a_lever_arm_of_the_harbour_that_is_metres_wrong_is_named(
+    capsys: pytest.CaptureFixture[str],
+    shared_data: Path,
+    tmp_path: Path,
+    axis: int,
+    change: float,
 ) -> None:
-    """The points that are selected again are partly those of other surfaces."""
+    """The points that are selected again are partly those of other surfaces; Z has another sign."""
     data, project = shared_data / "harbour", tmp_path / "harbour"
     make(capsys, data, project, "--trajectory-accuracy", data / "smrmsg.out")
     run_json(capsys, "propose", project, "--accept")
     opened = open_project(project)
-    x, y, z = opened.settings.lever_arm
-    wrong = opened.with_settings(replace(opened.settings, lever_arm=(x + 1.0, y, z)))
+    lever_arm = np.array(opened.settings.lever_arm)
+    lever_arm[axis] += change
+    wrong = opened.with_settings(replace(opened.settings, lever_arm=tuple(lever_arm.tolist())))
     survey = load_survey(wrong)
     result = estimate(wrong, survey, cross_check=False).result
     assert result is not None
     assert result.causes
     [cause] = result.causes[0]
-    assert cause.kind == "lever_x"
-    assert cause.size[0] == pytest.approx(-1.0, abs=0.02)
+    assert cause.kind == f"lever_{'xyz'[axis]}"
+    assert cause.size[0] == pytest.approx(-change, abs=0.02)
     right = estimate(opened, load_survey(opened), cross_check=False).result
     assert right is not None
     corrected = np.degrees(result.boresight + cause.angle_change)

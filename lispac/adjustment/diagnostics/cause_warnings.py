@@ -39,6 +39,11 @@ EFFECT_PARAMETERS = ("effect", "shift", "misfit")
 """Names of message parameters with the displacement of points, metres."""
 FORM_ERROR_CODES = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
 """Codes of the notes that sightings deviate from the shape of their target."""
+CONSEQUENCE_CODES = (
+    "adjustment.large_sigma", "adjustment.sighting_disagrees", "adjustment.target_cut",
+)  # fmt: skip
+"""Codes of messages that recommend other points or targets. A wrong value of the mounting that
+causes most of the residuals causes them too."""
 MIN_EFFECT_RATIO = 0.5
 """Smallest ratio of the effect of a known error to that of a candidate which it explains."""
 
@@ -112,8 +117,12 @@ def warnings_about_causes(
             )
         ]
     jumped = _line_jump_warnings(result, causes)
-    if any(len(group) == 1 and group[0].kind in OPTIONAL_NAMES for group in causes):
-        others = [each for each in others if each.code not in FORM_ERROR_CODES]
+    wrong = [group[0] for group in causes if len(group) == 1 and group[0].kind in OPTIONAL_NAMES]
+    if wrong:
+        follows: tuple[str, ...] = FORM_ERROR_CODES
+        if wrong[0].effect >= MIN_EFFECT_RATIO * result.rms_after:
+            follows += CONSEQUENCE_CODES
+        others = [each for each in others if each.code not in follows]
     if known is None:
         return (*found, *jumped, *others)
     # These warnings attribute residuals to the targets or the LiDAR; the known error explains them.

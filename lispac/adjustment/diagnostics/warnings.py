@@ -46,6 +46,9 @@ MAX_DIFFERENCE_SIGMAS = 3.0
 """Largest difference between the result without a part and that of all data, in sigmas, that
 leads to a note instead of a warning if it is significant."""
 
+MAX_LEVER_ARM_ERROR_M = 0.1
+"""Error of a component of the lever arm, metres, that is too large for a measuring error."""
+
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
 
@@ -125,6 +128,27 @@ def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
         )  # fmt: skip
     else:
         yield warning("adjustment.large_sigma", angles=large, subject=RESULT_CAUSE)
+
+
+def _changed_lever_arm_warnings(
+    result: AdjustmentResult, _: CrossChecks | None
+) -> Iterator[Message]:
+    """Warn that an estimated lever arm differs from the given one by more than it is measured."""
+    for each in result.parameters:
+        if not each.name.startswith("lever_") or each.value is None or each.sigma is None:
+            continue
+        change = each.value - each.prior
+        if abs(change) > max(MAX_LEVER_ARM_ERROR_M, MAX_DIFFERENCE_SIGMAS * each.sigma):
+            yield warning(
+                "adjustment.estimated_lever_arm_differs",
+                parameter=mounting_value_name(each.name),
+                change=note(
+                    "change.larger" if change > 0 else "change.smaller",
+                    amount=amount_with_unit(each.name, abs(change)),
+                ),
+                sigma=amount_with_unit(each.name, each.sigma),
+                subject=Cause.of_parameter(each.name),
+            )
 
 
 def _one_orientation_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -451,6 +475,7 @@ def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
 WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
     _uncorrelated_warning,
     _large_sigma_warnings,
+    _changed_lever_arm_warnings,
     _one_orientation_warning,
     _correlation_notes,
     _control_warnings,

@@ -13,7 +13,6 @@ from lispac.adjustment.diagnostics.sign_check import is_sign_assumed, sign_agree
 from lispac.adjustment.least_squares import adjust, adjust_or_explain
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
-from lispac.adjustment.model.parameters import OPTIONAL_NAMES
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, EstimateWithoutControl
@@ -464,9 +463,8 @@ def _with_wrong_value(
     in which the error is not visible; the picked points still show it.
     """
     is_plausible = result.surface < MAX_FORM_ERROR_M and result.rms_after < MAX_RMS_M
-    is_named = any(group[0].kind in OPTIONAL_NAMES for group in result.causes or ())
     settings = project.settings
-    if is_plausible or is_named or settings.pos_errors != "correlated":
+    if is_plausible or settings.pos_errors != "correlated":
         return result
     thinned = replace(
         settings, pos_errors="independent", subsample=max(settings.subsample, SELECTION_SPACING)
