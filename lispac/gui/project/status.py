@@ -202,11 +202,19 @@ def _data_status(project: Project, survey: Survey | None) -> StepStatus:
             sentence,
             gettext("The files have warnings; see the panel Messages (F12)."),
         )
+    if wrong := [each for each in all_warnings(project) if _is_about_given_value(each)]:
+        return StepStatus("warning", sentence, message_text(wrong[0]))
     return StepStatus(
         "done",
         sentence,
         gettext("Check the lever arm and its signs, then continue with the targets."),
     )
+
+
+def _is_about_given_value(message: Message) -> bool:
+    """Whether a warning is about a given value of the mounting, which step 1 shows."""
+    cause = message.subject
+    return message.is_serious and cause is not None and cause.kind == "parameter"
 
 
 def _waiting_status() -> StepStatus:

@@ -28,6 +28,7 @@ from lispac.progress import PointProgress, Progress
 from lispac.project import Project
 from lispac.workflow.calibration import edits
 from tests.gui.support import Demo, finish_layouts
+from tests.support.message_codes import is_shown
 
 
 @pytest.fixture
@@ -263,6 +264,18 @@ def test_steps_show_their_status_and_advice(demo: Demo):
     assert "fewer than two lines" in status.step_statuses(on_one_line, demo.survey)[1].advice
 
 
+def test_the_data_are_not_done_while_the_lines_contradict_the_lever_arm(
+    demo: Demo, estimated: Project
+):
+    assert status.step_statuses(estimated, demo.survey)[0].state == "done"
+    one = np.ones(1)
+    cause = PossibleCause("lever_x", "", "", one, 0.01 * one, np.ones(3), 0.5, 1e4)
+    result = replace(estimated.result, causes=((cause,),))
+    data = status.step_statuses(replace(estimated, result=result), demo.survey)[0]
+    assert data.state == "warning"
+    assert is_shown("adjustment.contradicted_lever_x", data.advice)
+
+
 def test_many_points_are_counted_in_millions():
     assert status.point_count(1_344_882) == "1.3 M points"
     assert status.point_count(447_043) == "447,043 points"
@@ -356,14 +369,14 @@ def test_no_time_left_is_shown_before_it_is_dependable(qtbot: QtBot) -> None:
     bar = TaskStatusBar()
     qtbot.addWidget(bar)
     task = Task("Import", lambda progress: None, lambda value: None)
-    for elapsed, fraction, is_shown in (
+    for elapsed, fraction, is_visible in (
         (0.0, 0.0, False), (1.0, 0.1, False), (6.0, 0.01, False), (8.0, 0.4, False),
         (20.0, 0.6, False), (42.0, 0.9, True), (80.0, 0.91, False),
     ):  # fmt: skip
         task.started = time.monotonic() - elapsed
         task.report(fraction)
         bar.show_task(task)
-        assert ("left" in bar.text.text()) == is_shown, elapsed
+        assert ("left" in bar.text.text()) == is_visible, elapsed
     task.report(0.2)
     assert task.fraction == 0.91
     task.started -= 40  # without a report
