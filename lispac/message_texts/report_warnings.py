@@ -5,15 +5,15 @@ from collections.abc import Mapping
 from lispac.language import N_, Advised, Plural, Template
 
 NOISE_DIFFERS_TEXT = N_(
-    "The residuals of {targets:names} are up to {factor:x.2} times as large as the LiDAR noise "
-    "that was estimated from all targets. The standard deviations of the angles are computed with "
-    "the larger noise."
+    "The chi-square test failed because the residuals of {targets:names} are up to {factor:x.2} "
+    "times as large as the LiDAR noise that was estimated from all targets. The standard "
+    "deviations of the angles are computed with the larger noise."
 )
 
 NOISE_DIFFERS_GIVEN_TEXT = N_(
-    "The residuals of {targets:names} are up to {factor:x.2} times as large as the given LiDAR "
-    "noise, with which those of the other targets agree. The standard deviations of the angles are "
-    "computed with the larger noise."
+    "The chi-square test failed because the residuals of {targets:names} are up to {factor:x.2} "
+    "times as large as the given LiDAR noise, with which those of the other targets agree. The "
+    "standard deviations of the angles are computed with the larger noise."
 )
 
 TEXTS: Mapping[str, Template] = {

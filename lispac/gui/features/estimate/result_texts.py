@@ -118,7 +118,7 @@ def chi_square_text(result: AdjustmentResult) -> str:
     elif result.unestimated_sigmas:
         title, colour = gettext("assumed values too small"), theme.MUTED
     elif targets_with_larger_noise(result):
-        title, colour = gettext("noise differs between targets"), theme.MUTED
+        title, colour = gettext("failed, noise differs between targets"), theme.MUTED
     else:
         colour = theme.WARNING if result.are_sigmas_too_small else theme.MUTED
         title = gettext("failed")
