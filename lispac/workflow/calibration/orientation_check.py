@@ -36,32 +36,49 @@ def have_targets_single_orientation(project: Project, survey: Survey) -> bool:
         return False
     if any(target.shape == "sphere" for target in used):
         return False
-    normals = []
-    for target in used:
-        sighting = max(target.used_sightings, key=lambda each: len(each.indices))
-        cloud: Cloud | None = survey.clouds.get(sighting.line)
-        if cloud is None:
-            return False
-        try:
-            normals.append(fit_plane(_sample(cloud, sighting)).normal)
-        except PlaneNotFound:
-            return False  # the quality of the sighting reports this
-    return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))
+    normals = [_normal(target, survey) for target in used]
+    known = [each for each in normals if each is not None]
+    if len(known) < len(normals):
+        return False  # the quality of the sighting reports this
+    return have_one_orientation(np.array(known), np.zeros(len(known), dtype=bool))
+
+
+def _normal(target: Target, survey: Survey) -> NDArray[np.float64] | None:
+    """Normal of the sighting with the most points, shape (3,); None if it is not known."""
+    sighting = max(target.used_sightings, key=lambda each: len(each.indices), default=None)
+    cloud = None if sighting is None else survey.clouds.get(sighting.line)
+    if sighting is None or cloud is None:
+        return None
+    try:
+        return fit_plane(_sample(cloud, sighting)).normal
+    except PlaneNotFound:
+        return None
 
 
 def validation_planes_on_targets(project: Project, survey: Survey) -> Iterator[Message]:
     """Notes on validation planes that lie in the plane of a target.
 
     Such a plane has other points than the target, but checks the angles in the same orientation.
+    There is no note on it if another validation plane checks them in another orientation.
     """
     compared = [t for t in project.targets_of_role("validation") if t.used]
     planes = [t for t in project.targets_of_role("target") if t.used and t.shape == "plane"]
-    for plane in compared:
-        names = tuple(each.name for each in planes if _lie_in_one_plane(plane, each, survey))
-        if names:
+    same = [
+        (plane, [each.name for each in planes if _lie_in_one_plane(plane, each, survey)])
+        for plane in compared
+    ]
+    others = [_normal(plane, survey) for plane, names in same if not names]
+    for plane, names in same:
+        normal = _normal(plane, survey) if names else None
+        is_checked = normal is not None and any(
+            other is not None
+            and not have_one_orientation(np.array([normal, other]), np.zeros(2, dtype=bool))
+            for other in others
+        )
+        if names and not is_checked:
             yield note(
                 "targets.validation_in_plane",
-                plane=plane.name, targets=names, subject=Cause.of_target(plane.name),
+                plane=plane.name, targets=tuple(names), subject=Cause.of_target(plane.name),
             )  # fmt: skip
 
 

@@ -114,3 +114,8 @@ def test_a_validation_plane_on_the_surface_of_a_target_is_named(
     assert not list(validation_planes_on_targets(both.with_target(swapped), survey))
     unused = replace(half, used=False)
     assert not list(validation_planes_on_targets(both.with_target(unused), survey))
+    # A plane beside the targets: V1 has the orientation of T1, T2 leans
+    for name, is_named in (("V1", True), ("T2", False)):
+        beside = replace(project.target(name), name="V8", role="validation")
+        more = replace(project, targets=(half, other_half, beside))
+        assert bool(list(validation_planes_on_targets(more, survey))) == is_named
