@@ -58,6 +58,12 @@ def _wide(project: Project) -> Project:
     return replace(project, result=replace(project.result, covariance_all=covariance))
 
 
+def _lever_arm_changed(project: Project) -> Project:
+    assert project.result is not None
+    lever_z = ParameterEstimate("lever_z", -2.419, None, 2.419, 0.01)
+    return replace(project, result=replace(project.result, parameters=(lever_z,)))
+
+
 def _unseen(project: Project) -> Project:
     turned = ParameterEstimate(
         "scan_angle_offset", 0.0, 0.01, reason=note("parameter.kept_uncertain")
@@ -296,6 +302,8 @@ CASES = [
     ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),
+    ("estimated_lever_arm_differs", True, _lever_arm_changed, "lever arm Z is larger by 4.8380 m "
+     "than the given value (+/- 0.0100 m)"),
     ("one_facing", True, _facing(2), "All targets are nearly parallel"),
     ("one_target", True, _facing(1), "T1 is the only target"),
 ]  # fmt: skip
