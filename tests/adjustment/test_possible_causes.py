@@ -197,6 +197,16 @@ def test_advice_on_targets_is_omitted_if_a_wrong_value_causes_most_of_the_residu
         assert "adjustment.contradicted_lever_y" in codes
         assert "adjustment.sigmas_raised" in codes
         assert ("adjustment.large_sigma" not in codes) == is_omitted
+    assert result.observability is not None
+    # With too few lines the cause is not located, so that the warning has to stay
+    unchecked = (UncontrolledObservations("line", line=data.lines[0]),)
+    few = replace(
+        result, observability=replace(result.observability, unchecked=unchecked),
+        causes=((replace(cause, effect=result.rms_after),),),
+    )  # fmt: skip
+    assert "adjustment.large_sigma" in {
+        each.code for each in warnings_about_causes(few, None, others)
+    }
 
 
 @pytest.mark.parametrize(("kind", "is_far"), [("lever_z", True), ("latency", False)])

@@ -120,7 +120,8 @@ def warnings_about_causes(
     wrong = [group[0] for group in causes if len(group) == 1 and group[0].kind in OPTIONAL_NAMES]
     if wrong:
         follows: tuple[str, ...] = FORM_ERROR_CODES
-        if wrong[0].effect >= MIN_EFFECT_RATIO * result.rms_after:
+        is_named = any(each.code.startswith("adjustment.contradicted_") for each in found)
+        if is_named and wrong[0].effect >= MIN_EFFECT_RATIO * result.rms_after:
             follows += CONSEQUENCE_CODES
         others = [each for each in others if each.code not in follows]
     if known is None:
