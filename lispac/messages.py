@@ -94,7 +94,7 @@ IMPORTANT_NOTES = (
 )  # fmt: skip
 """Beginnings of the codes of notes that precede all others, the most important first."""
 ROUTINE_NOTES = (
-    "report.sightings", "project.doubtful_sighting", "report.not_found",
+    "project.import_note", "report.sightings", "project.doubtful_sighting", "report.not_found",
     "project.not_found_on_line", "adjustment.signs_agree", "report.simulated",
 )  # fmt: skip
 """Beginnings of the codes of notes that follow all others, the least important last."""
@@ -128,6 +128,11 @@ def shortened_list(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
     """First items of a list, with a note on the number of the others."""
     rest = len(items) - MAX_LISTED_ITEMS
     return (*items[:MAX_LISTED_ITEMS], note("item.more", count=rest)) if rest > 0 else tuple(items)
+
+
+def is_routine(message: Message) -> bool:
+    """Whether a message is a note for the record, which follows all others."""
+    return _importance_rank(message) > 0
 
 
 def plain_params(message: Message | Action) -> dict[str, Any]:

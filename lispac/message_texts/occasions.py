@@ -11,6 +11,7 @@ from lispac.language import N_
 OCCASIONS: Mapping[str, str] = {
     "absolute": N_("The lines are compared with a surveyed reference"),
     "acceptance": N_("The calibration is judged by its acceptance criteria"),
+    "acceptance_failure": N_("Acceptance criterion that is not met, in another message"),
     "acceptance_field": N_("Acceptance criterion, in another message"),
     "acceptance_value": N_("Value with an acceptance criterion, in another message"),
     "accuracy": N_("A file of trajectory accuracies is read"),

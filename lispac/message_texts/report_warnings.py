@@ -151,15 +151,15 @@ TEXTS: Mapping[str, Template] = {
     ),
     "validation.offset_not_smaller": N_(
         "The two lines with the largest offset after the calibration are not closer to each other "
-        "than before on {items:names}. No line is shifted significantly there (largest test value "
-        "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
-        "explain the offsets."
+        "than before on {items:names}. No line is shifted significantly there (the largest shift "
+        "is {ratio:x.1|limit} σ, the limit for all planes together {limit:x.1|ratio} σ): the "
+        "uncertainties of POS and boresight explain the offsets."
     ),
     "validation.offset_not_smaller_shifted": N_(
         "The two lines with the largest offset after the calibration are not closer to each other "
-        "than before on {items:names}. Lines are shifted significantly there (largest test value "
-        "w = {ratio:x.1|limit}, limit {limit:x.1|ratio}): the uncertainties of POS and boresight "
-        "do not explain the offsets."
+        "than before on {items:names}. Lines are shifted significantly there (the largest shift is "
+        "{ratio:x.1|limit} σ, the limit for all planes together {limit:x.1|ratio} σ): the "
+        "uncertainties of POS and boresight do not explain the offsets."
     ),
     "validation.offset_not_smaller_unknown": Advised(
         N_(
@@ -168,6 +168,8 @@ TEXTS: Mapping[str, Template] = {
         ),
         N_("Validate again to compare the offset with the uncertainties of POS and boresight."),
     ),
+    "validation.shifts_on_plane": N_("{target} ({lines:names})"),
+    "validation.shift_of_line": N_("{line} {shift:mm.1+} mm"),
     "validation.offset_on_plane": N_(
         "{target} ({lines}: {before:mm.1} mm before, {after:mm.1} mm after)"
     ),
@@ -175,7 +177,7 @@ TEXTS: Mapping[str, Template] = {
     "validation.several_peaks": N_(
         "The distances have several peaks on {items:names}, because the offsets of the pairs of "
         "lines differ by more than their scatter. The uncertainties of POS and boresight explain "
-        "the shifts of the lines there (limit {limit:x.1} σ)."
+        "the shifts of the lines there (limit for all planes together {limit:x.1} σ)."
     ),
     "validation.several_peaks_unknown": Advised(
         N_(
@@ -196,24 +198,20 @@ TEXTS: Mapping[str, Template] = {
         "plane is one surface, and the trajectory for a jump."
     ),
     # -- acceptance --------------------------------------------------------------------------
-    "acceptance.angle_sigma": N_(
-        "Acceptance criterion not met: the standard deviation of {angle} is {sigma:deg.4|limit}°, "
-        "the limit is {limit:deg.4|sigma}°. Add targets or lines."
+    "acceptance.not_met": N_("Acceptance criteria not met: {criteria:names}."),
+    "acceptance_failure.angle": N_(
+        "standard deviation of {angle} ({value:deg.4|limit}°, limit {limit:deg.4|value}°)"
     ),
-    "acceptance.rms": N_(
-        "Acceptance criterion not met: on validation plane {target} the RMS of the distances "
-        "between the lines after the calibration is {rms:mm.1|limit} mm, the limit is "
-        "{limit:mm.1|rms} mm."
+    "acceptance_failure.rms": N_(
+        "RMS on {planes:names} (up to {value:mm.1|limit} mm, limit {limit:mm.1|value} mm)"
     ),
-    "acceptance.p95": N_(
-        "Acceptance criterion not met: on validation plane {target}, 5 % of the distances "
-        "between the lines after the calibration are larger than {p95:mm.1|limit} mm, the limit is "
-        "{limit:mm.1|p95} mm."
+    "acceptance_failure.p95": N_(
+        "95 % of the distances on {planes:names} (up to {value:mm.1|limit} mm, limit "
+        "{limit:mm.1|value} mm)"
     ),
-    "acceptance.offset": N_(
-        "Acceptance criterion not met: on validation plane {target} the offset between {line} and "
-        "{other} after the calibration is {offset:mm.1|limit} mm, the limit is {limit:mm.1|offset} "
-        "mm."
+    "acceptance_failure.offset": N_(
+        "offset of two lines on {planes:names} (up to {value:mm.1|limit} mm, limit "
+        "{limit:mm.1|value} mm)"
     ),
     "acceptance.cause_geometry": Advised(
         N_(
@@ -224,9 +222,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.cause_pos": Advised(
         N_(
-            "Probable cause on {planes:names}: errors of POS and boresight, because no line is "
-            "shifted significantly there (largest test value w = {ratio:x.1|limit}, for "
-            "{lines:names} on {plane}; limit {limit:x.1|ratio})."
+            "Probable cause: errors of POS and boresight, which explain the shifts of the lines "
+            "from the others (positive towards the vessel; the largest is {ratio:x.1|limit} σ, "
+            "the limit for all planes together {limit:x.1|ratio} σ): {planes:names}."
         ),
         N_(
             "Process the trajectory again with a more accurate solution, or check the given POS "

@@ -32,6 +32,7 @@ from lispac.report.validation_warnings import (
     larger_distances_messages,
     offset_notes,
     peak_notes,
+    planes_with_pos_errors,
     surface_model_warnings,
 )
 from lispac.validation.absolute_messages import NamedMean, list_items_with_means
@@ -67,6 +68,10 @@ def report_warnings(
     has_small_residuals_explained = any(
         each.code in SMALL_RESIDUAL_CODES | LARGE_RESIDUAL_CODES for each in warnings_found
     )
+    others = list(content.validation)
+    if content.calibrated:  # the warnings on the acceptance give the shifts on the other planes
+        explained = planes_with_pos_errors(content.acceptance, content.validation)
+        others = [plane for plane in content.validation if plane not in explained]
     return sort_by_importance(
         [
             *_calibration_warnings(content),
@@ -86,8 +91,8 @@ def report_warnings(
                 else ()
             ),
             *distribution_warnings(content.validation),
-            *offset_notes(content.validation),
-            *peak_notes(content.validation),
+            *offset_notes(content.validation, others),
+            *peak_notes(content.validation, others),
             *surface_model_warnings(content.validation),
             *absolute_check_warnings(content.absolute),
             *_method_warnings(content),

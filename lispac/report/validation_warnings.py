@@ -14,9 +14,13 @@ from lispac.present.calibration.cross_checks import (
     halves_difference_deg,
     halves_sigma_deg,
 )
-from lispac.present.checking.acceptance import AcceptanceCheckValues, AcceptanceValues
+from lispac.present.checking.acceptance import (
+    AcceptanceValues,
+    CriterionResult,
+    criterion_results,
+)
 from lispac.present.checking.validation import LineShiftValues, ValidationPlane
-from lispac.warning_causes import RESULT_CAUSE, Cause
+from lispac.warning_causes import Cause
 
 VALIDATE_STEP, TARGETS_STEP = Cause.of_step("Validate"), Cause.of_step("Targets")
 MAX_OFFSET_SHARE = 0.5
@@ -42,15 +46,15 @@ the halves, in their standard deviations (Bonferroni)."""
 def acceptance_warnings(
     values: AcceptanceValues, planes: Sequence[ValidationPlane], checks: CrossCheckValues | None
 ) -> Iterator[Message]:
-    """Warnings about criteria that are not met, their causes, and notes on what is not judged.
+    """Warning about the criteria that are not met, their causes, and notes on what is not judged.
 
     Parameters
     ----------
     checks : cross-checks of the result; None if there are none
     """
-    for check in values.checks:
-        if check.verdict == "fail":
-            yield _failure(check)
+    items = tuple(map(_failed_criterion, criterion_results(values, "fail")))
+    if items:
+        yield warning("acceptance.not_met", criteria=items, subject=VALIDATE_STEP)
     yield from _cause_notes(values, planes)
     yield from acceptance_notes(values, checks)
 
@@ -127,40 +131,64 @@ def _cause_notes(values: AcceptanceValues, planes: Sequence[ValidationPlane]) ->
     if angles:
         names = tuple(mounting_value_name(each.quantity) for each in angles)
         yield note("acceptance.cause_geometry", angles=names, subject=TARGETS_STEP)
-    explained = {each.params["target"] for each in distribution_warnings(planes)}
-    failed = _failed_planes(values) - explained
-    others = []
-    for plane in planes:
+    unexplained = _failed_planes(values) - _planes_with_distribution_warnings(planes)
+    failed = [plane for plane in planes if plane.name in unexplained]
+    for plane in failed:
         offset = _largest_pooled_offset(plane)
-        if plane.name not in failed:
-            continue
-        if offset is None or not _is_scatter(plane, offset, values):
-            others.append(plane)
-            continue
-        yield note(
-            "acceptance.cause_scatter",
-            target=plane.name, rms=plane.after.rms_m, offset=offset,
-            subject=Cause.of_target(plane.name),
-        )  # fmt: skip
-    known = [plane for plane in others if plane.shifts]
-    if known:
-        where, shift = max(
-            ((plane.name, each) for plane in known for each in plane.shifts),
-            key=lambda found: _significance(found[1]),
-        )
+        if offset is not None and _has_scatter(plane, values):
+            yield note(
+                "acceptance.cause_scatter",
+                target=plane.name, rms=plane.after.rms_m, offset=offset,
+                subject=Cause.of_target(plane.name),
+            )  # fmt: skip
+    if known := planes_with_pos_errors(values, planes):
         yield note(
             "acceptance.cause_pos",
-            planes=tuple(plane.name for plane in known),
-            plane=where, lines=shift.lines, ratio=_significance(shift), limit=shift_limit(planes),
-            subject=Cause.of_field("position_sigma"),
+            planes=tuple(map(_shifts_on_plane, known)),
+            ratio=max(_significance(each) for plane in known for each in plane.shifts),
+            limit=shift_limit(planes), subject=Cause.of_field("position_sigma"),
         )  # fmt: skip
-    unknown = tuple(plane.name for plane in others if not plane.shifts)
+    unknown = tuple(
+        plane.name for plane in failed if not (plane.shifts or _has_scatter(plane, values))
+    )
     if unknown:
         yield note("acceptance.cause_unknown", planes=unknown, subject=VALIDATE_STEP)
 
 
-def _is_scatter(plane: ValidationPlane, offset: float, values: AcceptanceValues) -> bool:
+def planes_with_pos_errors(
+    values: AcceptanceValues, planes: Sequence[ValidationPlane]
+) -> list[ValidationPlane]:
+    """Planes with a failed criterion whose shifts the errors of POS and boresight explain."""
+    unexplained = _failed_planes(values) - _planes_with_distribution_warnings(planes)
+    return [
+        plane
+        for plane in planes
+        if plane.name in unexplained and plane.shifts and not _has_scatter(plane, values)
+    ]
+
+
+def _planes_with_distribution_warnings(planes: Sequence[ValidationPlane]) -> set[str]:
+    return {str(each.params["target"]) for each in distribution_warnings(planes)}
+
+
+def _shifts_on_plane(plane: ValidationPlane) -> Message:
+    """Plane with the shifts of the two lines whose offset is the largest."""
+    pair = plane.largest_offset
+    lines = () if pair is None else (pair.line_a, pair.line_b)
+    shifts = {each.lines[0]: each.offset_m for each in plane.shifts if len(each.lines) == 1}
+    items = tuple(
+        note("validation.shift_of_line", line=line, shift=shifts[line])
+        for line in lines
+        if line in shifts
+    )
+    return note("validation.shifts_on_plane", target=plane.name, lines=items)
+
+
+def _has_scatter(plane: ValidationPlane, values: AcceptanceValues) -> bool:
     """Whether RMS and 95 % fail because of the scatter of the points, not of offsets of lines."""
+    offset = _largest_pooled_offset(plane)
+    if offset is None:
+        return False
     quantities = {
         each.quantity
         for each in values.checks
@@ -179,28 +207,18 @@ def _largest_pooled_offset(plane: ValidationPlane) -> float | None:
     return max(offsets, default=None)
 
 
-def _failure(check: AcceptanceCheckValues) -> Message:
-    assert check.value is not None
-    if check.unit == "deg":
-        return warning(
-            "acceptance.angle_sigma",
-            angle=mounting_value_name(check.quantity), sigma=radians(check.value),
-            limit=radians(check.limit), subject=RESULT_CAUSE,
+def _failed_criterion(result: CriterionResult) -> Message:
+    """Criterion that is not met, with its largest value and all planes on which it fails."""
+    assert result.value is not None
+    if result.unit == "deg":
+        return note(
+            "acceptance_failure.angle",
+            angle=mounting_value_name(result.quantity), value=radians(result.value),
+            limit=radians(result.limit),
         )  # fmt: skip
-    where = Cause.of_target(check.plane)
-    if check.quantity == "rms":
-        return warning(
-            "acceptance.rms", target=check.plane, rms=check.value, limit=check.limit, subject=where
-        )
-    if check.quantity == "p95":
-        return warning(
-            "acceptance.p95", target=check.plane, p95=check.value, limit=check.limit, subject=where
-        )
-    line, other = check.lines
-    return warning(
-        "acceptance.offset",
-        target=check.plane, line=line, other=other, offset=check.value, limit=check.limit,
-        subject=where,
+    return note(
+        f"acceptance_failure.{result.quantity}",
+        planes=result.planes, value=result.value, limit=result.limit,
     )  # fmt: skip
 
 
@@ -230,13 +248,19 @@ def distribution_warnings(planes: Sequence[ValidationPlane]) -> Iterator[Message
                 )  # fmt: skip
 
 
-def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+def offset_notes(
+    planes: Sequence[ValidationPlane], noted: Sequence[ValidationPlane] | None = None
+) -> Iterator[Message]:
     """Note on planes on which the lines with the largest offset are not closer than before.
 
     The note says whether POS and boresight explain the shifts of the lines on these planes.
+
+    Parameters
+    ----------
+    noted : planes that may be in the note; None for all
     """
     found = []
-    for plane in planes:
+    for plane in planes if noted is None else noted:
         before, after = plane.former_offset_m, plane.largest_offset_m
         if before is not None and after is not None and after > MIN_OFFSET_M and after >= before:
             found.append((plane, before, after))
@@ -264,16 +288,22 @@ def offset_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
     )  # fmt: skip
 
 
-def peak_notes(planes: Sequence[ValidationPlane]) -> Iterator[Message]:
+def peak_notes(
+    planes: Sequence[ValidationPlane], noted: Sequence[ValidationPlane] | None = None
+) -> Iterator[Message]:
     """Note on planes whose pooled distances have several peaks because the offsets of pairs differ.
 
     The distances of all pairs are pooled without their signs. Planes with a warning about their
     distribution are omitted, because it names the lines.
+
+    Parameters
+    ----------
+    noted : planes that may be in the note; None for all
     """
-    warned = {each.params["target"] for each in distribution_warnings(planes)}
+    warned = _planes_with_distribution_warnings(planes)
     found = [
         (plane, peaks)
-        for plane in planes
+        for plane in (planes if noted is None else noted)
         if plane.name not in warned and (peaks := _separate_peaks(plane)) is not None
     ]
     if not found:

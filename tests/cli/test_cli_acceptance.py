@@ -72,8 +72,10 @@ def test_validate_prints_the_verdict_and_its_warnings(
     write_project(denser_copy.with_acceptance(NO_CRITERIA.changed(rms=0.005)))
     found = run_json(capsys, "validate", denser_copy.folder)
     assert found["acceptance"]["verdict"] == "fail"
-    warnings = [each for each in found["warnings"] if each["code"] == "acceptance.rms"]
-    assert len(warnings) == len(found["validation"])
+    (message,) = [each for each in found["warnings"] if each["code"] == "acceptance.not_met"]
+    (failure,) = message["params"]["criteria"]
+    assert failure["code"] == "acceptance_failure.rms"
+    assert failure["params"]["planes"] == [each["name"] for each in found["validation"]]
     # The demonstration survey has no errors beyond its given accuracies.
     assert not any(each["code"].startswith("validation.") for each in found["warnings"])
     for plane in found["validation"]:

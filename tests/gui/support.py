@@ -91,6 +91,7 @@ class ScriptedDialogs(Dialogs):
         self.safety: list[str] = []
         """Asked about unsaved work and other windows; tests in other processes share the demo."""
         self.recovers, self.opens_twice, self.overwrites, self.stops = False, True, True, True
+        self.removes_targets = True
         self.requests: list[str] = []
         self.proposed = Path()
         self.opened: list[Path] = []
@@ -209,6 +210,10 @@ class ScriptedDialogs(Dialogs):
     def ask_to_overwrite(self, name: str) -> bool:
         self.safety.append(f"overwrite {name}")
         return self.overwrites
+
+    def ask_to_remove_targets(self, count: int) -> bool:
+        self.requests.append(f"remove {count} targets")
+        return self.removes_targets
 
     def ask_about_candidate(self, name: str, *, is_search: bool = False) -> CandidateChoice:
         self.requests.append(name)

@@ -229,8 +229,8 @@ def made_from_parts(code: str) -> bool:
     """Whether a code is composed at run time, for example ``recovery.lever_arm_x``."""
     return code.startswith(
         (
-            "acceptance_field.", "acceptance_value.", "amount.", "audit.", "change.",
-            "identity_field.", "quantity.", "recovery.", "adjustment.contradicted_",
+            "acceptance_failure.", "acceptance_field.", "acceptance_value.", "amount.", "audit.",
+            "change.", "identity_field.", "quantity.", "recovery.", "adjustment.contradicted_",
         )
     )  # fmt: skip
 

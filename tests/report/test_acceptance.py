@@ -1,8 +1,10 @@
 """Tests of the judgement by acceptance criteria, and of its presentation in reports."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import LANGUAGES, ShownUnit, in_language, use_units
 from lispac.message_texts import message_text
-from lispac.messages import Level, note, warning
+from lispac.messages import Level, note
 from lispac.present.calibration.adjustment_fit import chi_square_facts
 from lispac.present.checking.acceptance import (
     LIMIT_COLUMN,
@@ -136,9 +138,9 @@ def test_each_plane_is_judged_by_its_95_percent(project: Project) -> None:
     assert verdict(project, p95=1.001 * worst.after.p95) == "pass"
     failed = project.with_acceptance(AcceptanceCriteria(p95=0.999 * worst.after.p95))
     assert failed.judgement.verdict_on(worst.name) == "fail"
-    found = [each for each in sample_content(failed).warnings if each.code == "acceptance.p95"]
-    assert [each.params["target"] for each in found] == [worst.name]
-    assert found[0].params["p95"] == worst.after.p95
+    found = failed_criteria(sample_content(failed))["acceptance_failure.p95"]
+    assert found["planes"] == (worst.name,)
+    assert found["value"] == worst.after.p95
     without = failed.with_validation((), {"V9": note("project.single_target")})
     assert without.judgement.verdict == "not judged"
 
@@ -231,7 +233,7 @@ def test_the_probable_cause_of_a_failure_depends_on_the_shifts_of_the_lines(
     plane = project.validation[0]
     limit = {"rms": 0.5 * plane.after.rms, "offset": 1e-5}
     lines = tuple(dict.fromkeys(name for p in plane.pairs for name in (p.line_a, p.line_b)))
-    within = LineShift(lines[:1], lines[1:], 0.01, 0.01)
+    within = LineShift(lines[:1], lines[1:], 0.01, 0.004)
     beyond = LineShift(lines[:1], lines[1:], 0.1, 0.01)
     opposite = replace(beyond, lines=lines[:2], others=lines[2:], reciprocal=True)
     assert causes_of(project, (within,), rms=1.0) == {}
@@ -241,8 +243,11 @@ def test_the_probable_cause_of_a_failure_depends_on_the_shifts_of_the_lines(
     judged = replace(project, validation=(replace(plane, shifts=(within,)),))
     values = AcceptanceValues.of(judged.with_acceptance(AcceptanceCriteria(**limit)).judgement)
     (cause,) = probable_causes(values, [ValidationPlane.of(judged.validation[0])])
-    assert cause.params["plane"] == plane.name
-    assert cause.params["lines"] == lines[:1]
+    (shifts,) = cause.params["planes"]
+    assert shifts.params["target"] == plane.name
+    (shift,) = shifts.params["lines"]
+    assert shift.params == {"line": lines[0], "shift": 0.01}
+    assert cause.params["ratio"] == 2.5
     assert causes_of(project, (within, beyond), **limit) == {
         "validation.line_shifted": Cause.of_line(lines[0])
     }
@@ -272,6 +277,12 @@ def test_an_rms_without_offsets_is_caused_by_the_scatter_of_the_points(project: 
 # -- report ----------------------------------------------------------------------------------------
 
 
+def failed_criteria(content: ReportContent) -> dict[str, Mapping[str, Any]]:
+    """Parameters of each criterion in the warning about those that are not met, by their codes."""
+    (message,) = [each for each in content.warnings if each.code == "acceptance.not_met"]
+    return {each.code: each.params for each in message.params["criteria"]}
+
+
 def content_with(project: Project, **criteria: object) -> ReportContent:
     return sample_content(project.with_acceptance(NO_CRITERIA.changed(**criteria)))
 
@@ -279,14 +290,15 @@ def content_with(project: Project, **criteria: object) -> ReportContent:
 def test_a_report_fails_with_the_criterion_the_value_and_the_limit(project: Project) -> None:
     rms = max(plane.after.rms for plane in project.validation)
     content = content_with(project, rms=rms / 2, yaw_sigma_deg=0.02, source="Contract 4.2")
-    codes = {each.code: each for each in content.warnings}
-    assert codes["acceptance.angle_sigma"].params["sigma"] == pytest.approx(
-        np.radians(SIGMA_DEG[2])
-    )
-    assert codes["acceptance.angle_sigma"].params["limit"] == pytest.approx(np.radians(0.02))
-    assert codes["acceptance.rms"].is_serious
-    failed = [each for each in content.warnings if each.code == "acceptance.rms"]
-    assert max(each.params["rms"] for each in failed) == rms
+    found = failed_criteria(content)
+    assert set(found) == {"acceptance_failure.angle", "acceptance_failure.rms"}
+    assert found["acceptance_failure.angle"]["value"] == pytest.approx(np.radians(SIGMA_DEG[2]))
+    assert found["acceptance_failure.angle"]["limit"] == pytest.approx(np.radians(0.02))
+    failing = {plane.name for plane in project.validation if plane.after.rms > rms / 2}
+    assert set(found["acceptance_failure.rms"]["planes"]) == failing
+    assert found["acceptance_failure.rms"]["value"] == rms
+    (message,) = [each for each in content.warnings if each.code == "acceptance.not_met"]
+    assert message.is_serious
     document = undrawn_document(content, {}, FULL_REPORT)
     assert document.status == "bad"
     french = undrawn_document(content, {}, ReportOptions(language="fr", extent="full"))
@@ -305,6 +317,9 @@ def test_warnings_and_table_give_a_value_with_the_same_decimals(project: Project
     texts = [message_text(each).replace(" deg", "°") for each in content.warnings
              if each.code.startswith("acceptance.")]  # fmt: skip
     for check in failed:
+        # The warning gives the largest value of each criterion
+        if check.value != max(x.value for x in failed if x.quantity == check.quantity):
+            continue
         numbers = [
             cell_text(column, check).replace("\u00a0", " ").replace(" deg", "°")
             for column in (MEASURED_COLUMN, LIMIT_COLUMN)
@@ -455,9 +470,7 @@ def test_a_failed_value_is_never_written_like_its_limit(project: Project, langua
 
 
 def test_a_value_beyond_its_limit_differs_in_the_units_of_the_window(project: Project) -> None:
-    message = warning(
-        "acceptance.rms", target="V1", rms=0.03048004, limit=0.03048, subject=Cause.of_target("V1")
-    )
+    message = note("acceptance_failure.rms", planes=("V1",), value=0.03048004, limit=0.03048)
     use_units({"mm": ShownUnit("ft", 1 / 304.8, finer=2)})
     try:
         assert "0.1000001" in message_text(message)

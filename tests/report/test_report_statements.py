@@ -91,7 +91,7 @@ def test_a_low_factor_with_an_estimated_lidar_noise_is_not_blamed_on_given_sigma
     assert "report.chi_square_low" not in codes
     assert changed.result is not None
     values = adjustment_values(changed.result)
-    assert TOO_SMALL_ESTIMATED_TEXT.statement in str(values.chi_square.text)
+    assert TOO_SMALL_ESTIMATED_TEXT in str(values.chi_square.text)
     without = adjustment_values(_conservative(project).result)  # type: ignore[arg-type]
     (named,), (plain,) = (
         [fact.text for fact in fit_facts(each) if fact.name == "Variance factor"]

@@ -266,6 +266,26 @@ class Questions:
                 return path, chosen
             start = path
 
+    def ask_to_remove_targets(self, count: int) -> bool:
+        """Ask whether to remove the targets of the demo project for the tour."""
+        return self._may_leave(
+            self.parent,
+            "remove_targets_dialog",
+            gettext(
+                Plural(
+                    "The demo project contains {count:n} target or validation plane.",
+                    "The demo project contains {count:n} targets and validation planes.",
+                ),
+                count=count,
+            ),
+            gettext(
+                "The tour starts without them. Undo (Ctrl+Z) restores them, and the saved project "
+                "changes only when you save it."
+            ),
+            stay=gettext("Keep them"),
+            leave=gettext("Start the tour"),
+        )
+
     def ask_to_stop(self, task: str) -> bool:
         """Ask whether to close the program although a task is running."""
         return self._may_leave(

@@ -15,7 +15,7 @@ from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import have_targets_single_orientation
 from lispac.workflow.project.survey import Survey
 
-StepState = Literal["empty", "todo", "done", "warning"]
+StepState = Literal["empty", "todo", "done", "warning", "failed"]
 
 STEP_NAMES = (N_("Data"), N_("Targets"), N_("Adjustment"), N_("Validation"), N_("Report"))
 STEP_KEYS = ("Data", "Targets", "Adjust", "Validate", "Report")
@@ -389,10 +389,8 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
     advice = [gettext("The histograms below show the distances between the lines.")]
     state: StepState
     if judgement.verdict == "fail":
-        state, sentence = "warning", gettext("acceptance criteria not met")
-        advice = [
-            gettext("The calibration is not accepted. The reasons and probable causes are below.")
-        ]
+        state, sentence = "failed", gettext("acceptance criteria not met")
+        advice = [gettext("The calibration is not accepted. Probable causes are below.")]
     elif judgement.verdict == "pass":
         verdict = calibration_verdict_text(AcceptanceValues.of(judgement))
         state, sentence = "done", gettext("acceptance: {verdict}", verdict=verdict)
@@ -415,7 +413,7 @@ def _compared_status(project: Project, reason: Reason) -> StepStatus:
             advice.append(
                 gettext("Enter acceptance criteria, so that the calibration can be judged.")
             )
-    if not_compared or (better < total and judgement.verdict != "pass"):
+    if state != "failed" and (not_compared or (better < total and judgement.verdict != "pass")):
         state = "warning"
     if not_compared and judgement.verdict == "not judged":  # shorter, so that it is not cut off
         sentence = gettext(
@@ -479,7 +477,7 @@ def _report_status(
         return _exported_status(report, reason, is_failed=is_failed)
     if is_failed:
         return StepStatus(
-            "warning", gettext("not accepted, ready to export"), _not_accepted_text(), reason
+            "failed", gettext("not accepted, ready to export"), _not_accepted_text(), reason
         )
     if project.validation:
         return StepStatus(
@@ -503,7 +501,7 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
     file, date = report.path.name, local_datetime(report.exported)
     if report.is_current and report.has_other_options:
         return StepStatus(
-            "warning" if is_failed else "todo",
+            "failed" if is_failed else "todo",
             gettext("not accepted, report options changed")
             if is_failed
             else gettext("report options changed"),
@@ -516,7 +514,7 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
         )  # fmt: skip
     if report.is_current and is_failed:
         return StepStatus(
-            "warning",
+            "failed",
             gettext("not accepted, exported: {file}", file=file),
             _not_accepted_text(),
             reason,
@@ -532,7 +530,7 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
             reason=reason,
         )
     return StepStatus(
-        "warning" if is_failed else "todo",
+        "failed" if is_failed else "todo",
         gettext("not accepted, report out of date")
         if is_failed
         else gettext("report out of date"),
@@ -547,8 +545,8 @@ def _exported_status(report: ExportedReport, reason: Reason, *, is_failed: bool)
 
 def _not_accepted_text() -> str:
     return gettext(
-        "The acceptance criteria are not met, and the report says so. Step 4 gives the reasons and "
-        "probable causes."
+        "The acceptance criteria are not met, and the report says so. Step 4 gives the probable "
+        "causes."
     )
 
 

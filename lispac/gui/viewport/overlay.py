@@ -23,12 +23,13 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.geometry.frames import east_north_up
 from lispac.gui.appearance import theme, units
-from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
+from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME, Colour
 from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, gettext
 from lispac.picked_targets import Role
+from lispac.present.line_colours import LINE_COLOURS
 
 EMPTY_TITLE = N_("No lines are shown")
 EMPTY_HINT = N_("The lines appear here when they have been read")
@@ -54,6 +55,10 @@ MARGIN_PX = 14.0
 """Distance of axes, scale bar, legend and help from the edges."""
 SCALE_PX = 110.0
 """Smallest length of the colour scale of the legend."""
+LEGEND_LINES = len(LINE_COLOURS)
+"""Largest number of lines in the legend; the colours of later ones repeat."""
+LEGEND_ROW_PX, LEGEND_NAME_PX = 17.0, 140.0
+"""Height of a line in the legend, and largest width of its name."""
 DOT_PX = 7.0
 """Radius of the dot of a marker with its rings, pixels."""
 LABEL_RINGS = 6
@@ -126,6 +131,8 @@ class Overlay(QWidget):
         """Pictures under the overlay; an empty view shows a hint."""
         self.markers: Sequence[Marker] = ()
         self.shading: PointColouring | None = None
+        self.lines: Mapping[str, Colour] = {}
+        """Colours of the lines that are drawn in them."""
         self.hint = ""
         """Text on the action of the mouse, shown instead of the usual help."""
         self.seed_role: Role = "target"
@@ -189,6 +196,11 @@ class Overlay(QWidget):
             painter.restore()
         if self.shading is not None:
             self._paint_legend(painter, self.shading)
+        elif self._legend_lines():
+            painter.save()
+            painter.scale(scale, scale)
+            self._paint_line_legend(painter)
+            painter.restore()
 
     def _paint_picture(
         self, painter: QPainter, picture: OverlaidPicture, size: ViewportSize
@@ -337,8 +349,47 @@ class Overlay(QWidget):
         base = size.height - MARGIN_PX
         axes = QRectF(MARGIN_PX, base - 86.0, 86.0, 86.0)
         scale = QRectF(size.width - MARGIN_PX - 170.0, base - 34.0, 170.0, 38.0)
-        legend = [] if self.shading is None else [self.legend_rect(self.shading)]
+        legend = []
+        if self.shading is not None:
+            legend = [self.legend_rect(self.shading)]
+        elif self._legend_lines():
+            legend = [self.line_legend_rect()]
         return [axes, scale, *legend]
+
+    def _legend_lines(self) -> list[str]:
+        """Names of the lines in the legend; none if there is only one line."""
+        return list(self.lines)[:LEGEND_LINES] if len(self.lines) > 1 else []
+
+    def line_legend_rect(self) -> QRectF:
+        """Rectangle of the legend of the lines."""
+        metrics = QFontMetricsF(_scaled_font(self.font(), 0.9))
+        names = self._legend_lines()
+        rows = len(names) + (len(self.lines) > len(names))
+        width = min(max(map(metrics.horizontalAdvance, names)), LEGEND_NAME_PX)
+        return QRectF(MARGIN_PX, MARGIN_PX, width + 36.0, rows * LEGEND_ROW_PX + 8.0)
+
+    def _paint_line_legend(self, painter: QPainter) -> None:
+        """Paint the names of the lines in one column, each beside its colour."""
+        font = _scaled_font(self.font(), 0.9)
+        painter.setFont(font)
+        metrics = QFontMetricsF(font)
+        box, names = self.line_legend_rect(), self._legend_lines()
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.colour("paper", 0.88))
+        painter.drawRoundedRect(box, 8.0, 8.0)
+        left_aligned = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        row = QRectF(box.left() + 26.0, box.top() + 4.0, box.width() - 32.0, LEGEND_ROW_PX)
+        for name in names:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(*self.lines[name]))
+            painter.drawRect(QRectF(box.left() + 10.0, row.center().y() - 4.0, 9.0, 9.0))
+            painter.setPen(QColor(theme.TEXT))
+            text = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, row.width())
+            painter.drawText(row, left_aligned, text)
+            row.translate(0.0, LEGEND_ROW_PX)
+        if len(self.lines) > len(names):
+            painter.setPen(QColor(theme.TEXT))
+            painter.drawText(row, left_aligned, f"+ {len(self.lines) - len(names)}")
 
     def legend_rect(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""

@@ -173,6 +173,7 @@ class VtkViewport:
         """
         first = not self._layer.clouds
         self._overlay.shading = shading
+        self._overlay.lines = {line: colours[line] for line in clouds if line in colours}
         self._layer.set_lines(clouds, colours, shading)
         for pane in self._panes[1:]:
             if pane.view is not None and pane.view.clouds is None:
@@ -423,7 +424,7 @@ class VtkViewport:
         self._hidden.clear()
         self._main.sightings.selected = None
         self._overlay.markers = ()
-        self._overlay.shading = None
+        self._overlay.shading, self._overlay.lines = None, {}
         self._layer.set_lines({}, {})
         self.show_highlights([])
         self._draw_clouds()

@@ -262,7 +262,7 @@ class MainWindow(QMainWindow):
         self.notifications = DesktopNotifications(self, runner)
         self.tour = Tour(
             document, scene, viewport, control, self.central_widget.card,
-            self.lifecycle.may_leave, panels.workflow.open,
+            self.lifecycle.may_leave, dialogs.ask_to_remove_targets, panels.workflow.open,
             lambda colouring: self.actions_[COLOUR_ACTIONS[colouring]].trigger(),
         )  # fmt: skip
         self.tools.point_readout.may_show_tooltip = lambda: (

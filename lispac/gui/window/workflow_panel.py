@@ -38,6 +38,7 @@ _STATE_STYLES: dict[StepState, tuple[str, str, str]] = {
     "todo": ("circle-slice-4", "accent", N_("to do")),
     "done": ("check-circle", "done", N_("done")),
     "warning": ("alert-circle", "warning", N_("check this step")),
+    "failed": ("close-circle", "error", N_("failed")),
 }
 """Icon, colour and text of each state."""
 

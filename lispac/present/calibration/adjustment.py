@@ -134,16 +134,13 @@ _TOO_SMALL_STATEMENT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict, so the "
     "tests detect errors less well."
 )
-TOO_SMALL_TEXT = Advised(_TOO_SMALL_STATEMENT, N_("Nothing has to be changed."))
+TOO_SMALL_TEXT = _TOO_SMALL_STATEMENT
 TOO_SMALL_NOISE_TEXT = Advised(
     _TOO_SMALL_STATEMENT, N_("Use the LiDAR noise of the residuals and estimate again.")
 )
-TOO_SMALL_ESTIMATED_TEXT = Advised(
-    N_(
-        "Conservative: the LiDAR noise was estimated from all targets and then increased for "
-        "targets with a noise factor above 1. The residuals are therefore smaller than predicted."
-    ),
-    N_("Nothing has to be changed."),
+TOO_SMALL_ESTIMATED_TEXT = N_(
+    "Conservative: the LiDAR noise was estimated from all targets and then increased for targets "
+    "with a noise factor above 1. The residuals are therefore smaller than predicted."
 )
 TOO_SMALL_RAISED_TEXT = N_(
     "Conservative: the residuals are smaller than the standard deviations used predict. The sigmas "

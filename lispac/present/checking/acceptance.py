@@ -121,6 +121,49 @@ class AcceptanceValues:
         )
 
 
+@dataclass(frozen=True)
+class CriterionResult:
+    """Largest value judged by one criterion, in ``unit``.
+
+    Attributes
+    ----------
+    planes : tuple of str
+        Validation planes on which the criterion is not met; if it is met, that with the largest
+        value; empty for an angle.
+    """
+
+    quantity: Quantity
+    unit: Literal["deg", "m"]
+    value: float | None
+    limit: float
+    verdict: Verdict
+    planes: tuple[str, ...]
+
+
+def criterion_results(
+    values: AcceptanceValues, verdict: Verdict | None = None
+) -> list[CriterionResult]:
+    """Largest value of each criterion that is given.
+
+    Parameters
+    ----------
+    verdict : verdict of the wanted criteria; None for all
+    """
+    found: dict[Quantity, list[AcceptanceCheckValues]] = {}
+    for check in decisive_checks(values):
+        found.setdefault(check.quantity, []).append(check)
+    names = dict.fromkeys(each.plane for each in values.checks if each.plane)
+    return [
+        CriterionResult(
+            worst.quantity, worst.unit, worst.value, worst.limit, worst.verdict,
+            tuple(name for name in names if name in {each.plane for each in checks}),
+        )
+        for checks in found.values()
+        for worst in checks[:1]
+        if verdict in (None, worst.verdict)
+    ]  # fmt: skip
+
+
 def decisive_checks(
     values: AcceptanceValues, max_failed: int | None = None
 ) -> list[AcceptanceCheckValues]:
@@ -143,7 +186,7 @@ def decisive_checks(
     return [check for checks in decisive.values() for check in checks[:max_failed]]
 
 
-def check_format(check: AcceptanceCheckValues) -> Format:
+def check_format(check: AcceptanceCheckValues | CriterionResult) -> Format:
     """Format that writes a value beyond its limit differently from the limit."""
     usual = ANGLE_FORMAT if check.unit == "deg" else LENGTH_FORMAT
     return usual.apart(check.limit, check.value)

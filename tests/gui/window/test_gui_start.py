@@ -14,7 +14,7 @@ from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.help.tour import SAME_ORIENTATION_TEXT, TOUR_STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
-from lispac.io.project.project_file import PROJECT_FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
 SAVED_AT = datetime(2026, 3, 7, 9, 5).timestamp()
@@ -171,6 +171,25 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.bot.waitUntil(lambda: not driver.window.tour.is_running, timeout=WAIT_MS)
     assert not driver.window.central_widget.card.isVisible()
     driver.rest()
+
+
+@pytest.mark.parametrize("removes", [True, False])
+@pytest.mark.usefixtures("reads_files")
+def test_the_tour_asks_before_it_removes_targets(
+    driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch, removes: bool
+) -> None:
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: picked_folder)
+    driver.dialogs.removes_targets = removes
+    names = [each.name for each in read_project(picked_folder).targets]
+    click(driver, driver.window.central_widget.start.links["tour"])
+    driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
+    driver.rest()
+    assert f"remove {len(names)} targets" in driver.dialogs.requests
+    assert driver.window.tour.is_running == removes
+    assert [each.name for each in driver.project.targets] == ([] if removes else names)
+    if removes:
+        press(driver, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        assert [each.name for each in driver.project.targets] == names
 
 
 @pytest.mark.usefixtures("reads_files")

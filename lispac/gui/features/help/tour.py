@@ -152,13 +152,15 @@ class Tour(QObject):
         controller: Controller,
         card: TourCard,
         may_leave: Callable[[], bool],
+        may_remove_targets: Callable[[int], bool],
         open_step: Callable[[int], None],
         colour_by: Callable[[Colouring], None],
     ) -> None:
         super().__init__(controller)
         self._document, self._scene, self._viewport = document, scene, viewport
         self._controller, self._card = controller, card
-        self._may_leave, self._open_step, self._colour_by = may_leave, open_step, colour_by
+        self._may_leave, self._may_remove_targets = may_leave, may_remove_targets
+        self._open_step, self._colour_by = open_step, colour_by
         self._colouring: Colouring | None = None
         """Colouring that the tour has chosen last."""
         self._step_index: int | None = None
@@ -207,6 +209,9 @@ class Tour(QObject):
         project = self._document.project
         assert project is not None
         if project.targets:  # of an earlier tour
+            if not self._may_remove_targets(len(project.targets)):
+                self.end()
+                return
             for target in project.targets:
                 project = project.without_target(target.name)
             self._document.edit(N_("start of the tour"), project)

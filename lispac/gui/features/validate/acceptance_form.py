@@ -4,7 +4,7 @@ from math import degrees, radians
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFormLayout, QGridLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QWidget
 
 from lispac.acceptance import (
     ANGLE_LIMITS_DEG,
@@ -15,11 +15,20 @@ from lispac.acceptance import (
 )
 from lispac.errors import InputError
 from lispac.gui import widgets
+from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.number_input import PanelEntry, PendingInput, handle_shortcut_override
 from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.gui.widgets.result_tables import local_number
 from lispac.language import N_, gettext
 from lispac.messages import Message
+from lispac.present.checking.acceptance import (
+    AcceptanceValues,
+    CriterionResult,
+    check_format,
+    criterion_results,
+    verdict_text,
+)
 from lispac.project import Project
 
 NOT_JUDGED_TEXT = N_("not judged")
@@ -27,27 +36,31 @@ STORED_DECIMALS = 12
 """Decimals of a criterion in degrees, so that the conversion from radians adds no digits."""
 
 _LIMITS = (
-    ("roll_sigma_deg", N_("Roll"), N_("Largest σ of roll"),
-     N_("Largest standard deviation of the estimated roll")),
-    ("pitch_sigma_deg", N_("Pitch"), N_("Largest σ of pitch"),
-     N_("Largest standard deviation of the estimated pitch")),
-    ("yaw_sigma_deg", N_("Yaw"), N_("Largest σ of yaw"),
-     N_("Largest standard deviation of the estimated yaw")),
-    ("rms", N_("RMS on a plane"), N_("Largest RMS on a plane"),
+    ("roll_sigma_deg", N_("σ of roll"), N_("Largest σ of roll"),
+     N_("Largest standard deviation of the estimated roll; 0.01° moves a point at 50 m by 9 mm")),
+    ("pitch_sigma_deg", N_("σ of pitch"), N_("Largest σ of pitch"),
+     N_("Largest standard deviation of the estimated pitch; 0.01° moves a point at 50 m by 9 mm")),
+    ("yaw_sigma_deg", N_("σ of yaw"), N_("Largest σ of yaw"),
+     N_("Largest standard deviation of the estimated yaw; 0.01° moves a point at 50 m by 9 mm")),
+    ("rms", N_("RMS"), N_("Largest RMS on a plane"),
      N_("Largest RMS of the distances between the lines on each validation plane after the "
         "calibration")),
-    ("p95", N_("95 % on a plane"), N_("Largest 95 % on a plane"),
+    ("p95", N_("95 %"), N_("Largest 95 % on a plane"),
      N_("95 % of the distances between the lines on each validation plane must be smaller, after "
         "the calibration")),
-    ("offset", N_("Offset of two lines"), N_("Largest offset of two lines"),
+    ("offset", N_("Offset"), N_("Largest offset of two lines"),
      N_("Largest median distance between any two lines on each validation plane after the "
         "calibration")),
 )  # fmt: skip
 """Name of each criterion, label of its field, title in messages, and description."""
+LABEL_COLUMN, LIMIT_COLUMN, RESULT_COLUMN = range(3)
+VERDICT_STYLES = {"pass": ("good", "success"), "fail": ("poor", "error")}
+"""Icon and role of the text of each verdict; one that is not judged has none."""
+ICON_SIZE_PX = 16
 
 
 class AcceptanceForm(QWidget):
-    """A field for each acceptance criterion."""
+    """A field for each acceptance criterion, and the largest value of the calibration."""
 
     edited = Signal(object)
     """Values of the changed criterion, by its name."""
@@ -57,13 +70,15 @@ class AcceptanceForm(QWidget):
         layout = widgets.vertical_layout(self, 0)
         layout.addWidget(widgets.label(gettext("Acceptance criteria"), "heading"))
         self.fields: dict[str, OptionalNumber] = {}
-        grid, form = QGridLayout(), QFormLayout()
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(2)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.setHorizontalSpacing(10)
-        form.setVerticalSpacing(6)
-        for column, (name, label, title, description) in enumerate(_LIMITS):
+        self.results: dict[str, CriterionResultLabel] = {}
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(4)
+        grid.setColumnStretch(LIMIT_COLUMN, 1)
+        grid.setColumnStretch(RESULT_COLUMN, 2)
+        for column, text in ((LIMIT_COLUMN, gettext("Limit")), (RESULT_COLUMN, gettext("Result"))):
+            grid.addWidget(widgets.label(text, "muted"), 0, column)
+        for row, (name, label, title, description) in enumerate(_LIMITS, 1):
             is_angle = name.endswith("_deg")
             unit, scale = ("°", degrees(1.0)) if is_angle else ("mm", 1000.0)
             limits = LENGTH_LIMITS_M
@@ -76,18 +91,16 @@ class AcceptanceForm(QWidget):
             field.committed.connect(lambda name=name: self._emit_edit(name))
             self.fields[name] = field
             text = gettext("{label} ({unit})", label=gettext(label), unit=field.unit)
-            if is_angle:
-                head = widgets.label(text, "muted")
-                head.setBuddy(field)
-                grid.addWidget(head, 0, column)
-                grid.addWidget(field, 1, column)
-            else:
-                form.addRow(text, field)
+            head = widgets.label(text)
+            head.setBuddy(field)
+            result = CriterionResultLabel(f"result_{field.objectName()}", gettext(title))
+            self.results[name.removesuffix("_sigma_deg")] = result
+            grid.addWidget(head, row, LABEL_COLUMN)
+            grid.addWidget(field, row, LIMIT_COLUMN)
+            grid.addWidget(result, row, RESULT_COLUMN)
         self.source = SourceField()
         self.source.committed.connect(lambda: self.edited.emit({"source": self.source.text()}))
-        layout.addWidget(widgets.label(gettext("Largest standard deviation of the angles")))
         layout.addLayout(grid)
-        layout.addLayout(form)
         source = widgets.label(gettext("Source"))
         source.setBuddy(self.source)
         layout.addWidget(source)
@@ -110,6 +123,66 @@ class AcceptanceForm(QWidget):
             is_angle = value is not None and name.endswith("_deg")
             self.fields[name].show_value(radians(value) if is_angle else value)
         self.source.show_text(criteria.source)
+
+    def show_results(self, values: AcceptanceValues | None) -> None:
+        """Show the largest value judged by each criterion; None if there is no verdict."""
+        results = () if values is None else criterion_results(values)
+        found: dict[str, CriterionResult] = {each.quantity: each for each in results}
+        for quantity, label in self.results.items():
+            label.show_result(found.get(quantity))
+
+
+class CriterionResultLabel(QWidget):
+    """Largest value judged by a criterion, with its verdict and the planes that decide it."""
+
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self._title = title
+        self._shown: CriterionResult | None = None
+        self.icon, self.text = QLabel(), widgets.label("", name=f"{name}_text")
+        self.text.setMinimumWidth(1)  # a long list of planes is cut off, and complete in the tip
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        row.addWidget(self.icon)
+        row.addWidget(self.text, 1)
+        self.setMinimumHeight(ICON_SIZE_PX)
+
+    def show_result(self, result: CriterionResult | None) -> None:
+        """Show a result; nothing for None."""
+        if result == self._shown:
+            return
+        self._shown = result
+        icon, role = "", ""
+        if result is not None:
+            icon, role = VERDICT_STYLES.get(result.verdict, ("", ""))
+        self.icon.setVisible(bool(icon))
+        if icon:
+            self.icon.setPixmap(theme.quality_icon(icon).pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
+        self.text.setText("" if result is None else _result_text(result))
+        tip = ""
+        if result is not None:
+            tip = gettext(
+                "{criterion}: {verdict}, {value}",
+                criterion=self._title, verdict=verdict_text(result.verdict),
+                value=_result_text(result),
+            )  # fmt: skip
+        self.setToolTip(tip)
+        self.text.setAccessibleName(tip)
+        self.text.setProperty("role", role)
+        self.text.style().unpolish(self.text)
+        self.text.style().polish(self.text)
+
+
+def _result_text(result: CriterionResult) -> str:
+    """Value in the unit of the field, and the planes."""
+    if result.value is None:
+        return gettext(NOT_JUDGED_TEXT)
+    value = local_number(result.value, check_format(result))
+    if not result.planes:
+        return value
+    return gettext("{value} ({planes})", value=value, planes=", ".join(result.planes))
 
 
 class SourceField(PanelEntry, QLineEdit):

@@ -1,4 +1,4 @@
-"""Verdict on the calibration, the values that exceed their limits, and the probable causes."""
+"""Verdict on the calibration, and the probable causes of a failure."""
 
 from collections.abc import Iterable
 
@@ -8,15 +8,13 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
-from lispac.gui.widgets.result_tables import local_amount
+from lispac.gui.features.validate.acceptance_form import ICON_SIZE_PX, VERDICT_STYLES
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.calibration.cross_checks import cross_check_values
 from lispac.present.checking.acceptance import (
-    AcceptanceCheckValues,
     AcceptanceValues,
     calibration_verdict_text,
-    check_format,
     verdict_text,
 )
 from lispac.present.checking.validation import ValidationPlane
@@ -34,26 +32,22 @@ CAUSE_BUTTONS: dict[CauseKind, str] = {
 """Texts of the buttons that go to the causes of `probable_causes`."""
 
 
-VERDICT_STYLES = {"pass": ("good", "success"), "fail": ("poor", "error")}
-"""Icon and role of the text of each verdict; one that is not judged has none."""
-ICON_SIZE_PX = 16
-
-
 class AcceptanceOutcome(QWidget):
-    """Verdict, failures, and a button for each probable cause."""
+    """Verdict, and a button for each probable cause of a failure."""
 
     cause_requested = Signal(object)
     """The `Cause` to show."""
 
     def __init__(self) -> None:
         super().__init__()
+        self.values: AcceptanceValues | None = None
+        """Judgement that is shown; None if there is no verdict."""
         self._shown: tuple[object, ...] = ()
         layout = widgets.vertical_layout(self, 0)
         self.verdict = widgets.label("", wrap=True, name="acceptance_verdict")
         font = self.verdict.font()
         font.setBold(True)
         self.verdict.setFont(font)
-        self.reasons = widgets.label("", wrap=True, name="acceptance_reasons")
         self.buttons: list[QPushButton] = []
         self._causes = QVBoxLayout()
         self._causes.setSpacing(4)
@@ -64,7 +58,6 @@ class AcceptanceOutcome(QWidget):
         head.addWidget(self.icon)
         head.addWidget(self.verdict, 1)
         layout.addLayout(head)
-        layout.addWidget(self.reasons)
         layout.addWidget(self.notes)
         layout.addLayout(self._causes)
 
@@ -85,6 +78,7 @@ class AcceptanceOutcome(QWidget):
         """
         self.setVisible(project is not None and project.result is not None)
         if project is None or project.result is None:
+            self.values, self._shown = None, ()
             return
         # Compared by identity: the objects are kept, so that none has the address of another
         source = (
@@ -95,19 +89,18 @@ class AcceptanceOutcome(QWidget):
             a is b for a, b in zip(source, self._shown, strict=True)
         ):
             return
-        self._shown = source
+        self._shown, self.values = source, None
         if problem is not None or is_validating:
             text = gettext("validating …") if problem is None else verdict_text("not judged")
             self._show_without_verdict(text, "" if problem is None else "error")
             return
-        values = AcceptanceValues.of(project.judgement)
+        values = self.values = AcceptanceValues.of(project.judgement)
         self.verdict.setText(
             gettext("Acceptance: {verdict}", verdict=calibration_verdict_text(values))
         )
-        reasons = [_reason(each) for each in values.checks if each.verdict == "fail"]
         checks = None if project.cross_checks is None else cross_check_values(project.cross_checks)
         notes = map(message_text, acceptance_notes(values, checks)) if values.checks else ()
-        self._show_texts(reasons, notes)
+        self._show_notes(notes)
         self._show_style(*VERDICT_STYLES.get(values.verdict, ("", "")))
         planes = [ValidationPlane.of(each) for each in project.validation]
         self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
@@ -115,23 +108,21 @@ class AcceptanceOutcome(QWidget):
     def _show_without_verdict(self, text: str, role: str) -> None:
         """Show that there is no verdict; the text above gives the reason."""
         self.verdict.setText(gettext("Acceptance: {verdict}", verdict=text))
-        self._show_texts((), ())
+        self._show_notes(())
         self._show_style("", role)
         self._show_causes(())
 
-    def _show_texts(self, reasons: Iterable[str], notes: Iterable[str]) -> None:
-        for label, texts in ((self.reasons, reasons), (self.notes, notes)):
-            label.setText("\n".join(texts))
-            label.setVisible(bool(label.text()))
+    def _show_notes(self, notes: Iterable[str]) -> None:
+        self.notes.setText("\n".join(notes))
+        self.notes.setVisible(bool(self.notes.text()))
 
     def _show_style(self, icon: str, role: str) -> None:
         self.icon.setVisible(bool(icon))
         if icon:
             self.icon.setPixmap(theme.quality_icon(icon).pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
-        for each in (self.verdict, self.reasons):
-            each.setProperty("role", role)
-            each.style().unpolish(each)
-            each.style().polish(each)
+        self.verdict.setProperty("role", role)
+        self.verdict.style().unpolish(self.verdict)
+        self.verdict.style().polish(self.verdict)
 
     def _show_causes(self, causes: tuple[Message, ...]) -> None:
         self.buttons = []
@@ -154,11 +145,3 @@ class AcceptanceOutcome(QWidget):
 
     def _emit(self, cause: Cause) -> None:
         self.cause_requested.emit(cause)
-
-
-def _reason(check: AcceptanceCheckValues) -> str:
-    """Value that is larger than its limit."""
-    what = f"{check.title}, {check.place}" if check.place else check.title
-    assert check.value is not None
-    value, limit = (local_amount(each, check_format(check)) for each in (check.value, check.limit))
-    return gettext("{what}: {value}, limit {limit}", what=what, value=value, limit=limit)

@@ -190,6 +190,7 @@ class ValidatePanel(QWidget):
         self.outcome.show_project(
             project, first_input_error(self.acceptance), is_validating=state.is_validating
         )
+        self.acceptance.show_results(self.outcome.values)
         # Later buttons would follow all other fields of the window
         set_tab_order(self.acceptance.source, self.outcome.buttons)
         self.advice.setText(status.advice)

@@ -15,6 +15,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QCheckBox,
     QFrame,
     QHBoxLayout,
     QListWidget,
@@ -33,7 +34,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import action_text
-from lispac.messages import Action, Level, Message
+from lispac.messages import Action, Level, Message, is_routine
 from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.importing.input_file_messages import CHECK_SIGN_CODE
 
@@ -71,23 +72,30 @@ LEVEL_COUNT_TEXTS = {
 }
 
 
+ROUTINE_COUNT_TEXT = Plural("{count:n} routine note", "{count:n} routine notes")
+
+
 def level_counts_text(messages: Sequence[Message], *, is_complete: bool = True) -> str:
-    """Text of the number of messages of each level: ``2 warnings, 3 notes``.
+    """Text of the number of messages of each level: ``2 warnings, 3 notes, 8 routine notes``.
 
     Parameters
     ----------
     is_complete : whether all sightings are rated, so that no note on them is missing
     """
+    routine = sum(map(is_routine, messages))
     counts = {level: sum(each.level is level for each in messages) for level in Level}
-    text = ", ".join(
+    counts[Level.NOTE] -= routine
+    texts = [
         gettext(LEVEL_COUNT_TEXTS[level], count=count) for level, count in counts.items() if count
-    )
-    text = text or gettext("No messages")
+    ]
+    if routine:
+        texts.append(gettext(ROUTINE_COUNT_TEXT, count=routine))
+    text = ", ".join(texts) or gettext("No messages")
     return text if is_complete else gettext(INCOMPLETE_TEXT, counts=text)
 
 
 class WarningsPanel(QWidget):
-    """List of warnings, or the reason why there is none."""
+    """List of warnings, or the reason why there is none; routine notes are shown on request."""
 
     cause_activated = Signal(object)
     """The `Cause` to show."""
@@ -101,6 +109,15 @@ class WarningsPanel(QWidget):
         self.list = _WarningListWidget()
         self.list.itemClicked.connect(lambda item: self._emit_cause(self.list.row(item)))
         self.list.entered_.connect(self._emit_cause)
+        self.routine = QCheckBox(gettext("Show routine notes"))
+        self.routine.setObjectName("show_routine_notes")
+        self.routine.setToolTip(
+            gettext(
+                "Notes for the record: how the files were read, lines without a target, sightings "
+                "of doubtful quality"
+            )
+        )
+        self.routine.toggled.connect(self._show_routine)
         self.empty = widgets.label("", "muted", wrap=True, name="warnings_empty")
         self.empty.setMargin(4)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -108,7 +125,10 @@ class WarningsPanel(QWidget):
         column = QVBoxLayout(filled)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        column.addWidget(self.head)
+        top = QHBoxLayout()
+        top.addWidget(self.head, 1)
+        top.addWidget(self.routine, 0, Qt.AlignmentFlag.AlignTop)
+        column.addLayout(top)
         column.addWidget(self.list, 1)
         self._current_message: Message | None = None
         self._texts: dict[Message, str] = {}
@@ -145,6 +165,9 @@ class WarningsPanel(QWidget):
         self.messages = tuple(messages)
         self.list.clear()
         self._current_message = current_message
+        # Without other messages there would be an empty list
+        routine = [is_routine(each) for each in messages]
+        self.routine.setVisible(any(routine) and not all(routine))
         if not messages:
             self._show_empty(NO_WARNINGS_TEXT)
             return
@@ -170,12 +193,22 @@ class WarningsPanel(QWidget):
             if actions := _possible_actions(message):
                 item = self.list.item(self.list.count() - 1)
                 self.list.setItemWidget(item, self._action_buttons(actions))
+            self.list.setRowHidden(self.list.count() - 1, self._is_hidden(message))
             if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._fill_timer.start()
         elif len(texts) > len(self.messages):
             self._texts = {each: texts[each] for each in self.messages}
+
+    def _is_hidden(self, message: Message) -> bool:
+        has_choice = not self.routine.isHidden()
+        return has_choice and not self.routine.isChecked() and is_routine(message)
+
+    def _show_routine(self) -> None:
+        """Show or hide the routine notes."""
+        for row in range(self.list.count()):
+            self.list.setRowHidden(row, self._is_hidden(self.messages[row]))
 
     def _action_buttons(self, actions: Sequence[Action]) -> QWidget:
         """Buttons of a message, below its text."""

@@ -147,14 +147,18 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     type_into(judged, field, f"{900 * plane.after.rms:.3f}")
     judged.bot.keyClick(field, Key.Key_Return)
     assert judged.project.judgement.verdict == "fail"
-    assert state_of(judged) == "warning"
+    assert state_of(judged) == "failed"
     assert marks(judged) == [(True, "V1. Acceptance: fail")]
+    result = form.results["rms"]
+    assert result.icon.isVisible()
+    assert result.text.text() == f"{1000 * plane.after.rms:.1f} (V1)"
+    assert result.text.property("role") == "error"
     outcome = judged.window.validate.outcome
     assert outcome.verdict.property("role") == "error"
     failed = outcome.icon.pixmap().toImage()
     window = judged.window
     judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
-    assert "acceptance.rms" in {each.code for each in window.warnings.messages}
+    assert "acceptance.not_met" in {each.code for each in window.warnings.messages}
     type_into(judged, field, f"{1100 * plane.after.rms:.3f}")
     judged.bot.keyClick(field, Key.Key_Return)
     assert judged.project.judgement.verdict == "pass"
@@ -163,11 +167,14 @@ def test_a_smaller_limit_than_the_rms_fails_and_an_empty_field_removes_it(judged
     assert "pass (1 of 6 criteria given)" in outcome.verdict.text()
     assert outcome.verdict.property("role") == "success"
     assert outcome.icon.pixmap().toImage() != failed, "not the colour alone"
+    assert result.text.property("role") == "success"
     field.selectAll()
     judged.bot.keyClick(field, Key.Key_Delete)
     judged.bot.keyClick(field, Key.Key_Tab)
     assert judged.project.acceptance.is_empty
     assert marks(judged) == [(False, "V1. Acceptance: not judged")]
+    assert not result.icon.isVisible()
+    assert result.text.text() == ""
 
 
 def test_a_limit_for_95_percent_is_typed_and_judged(judged: Driver) -> None:
@@ -225,10 +232,10 @@ def test_the_report_step_shows_a_failed_calibration(judged: Driver, tmp_path: Pa
     judged.bot.keyClick(field, Key.Key_Return)
     # The end of a long text is not visible, so that the verdict begins it.
     assert sentence(judged, REPORT).startswith("not accepted")
-    assert "(check this step)" in header.toolTip()
+    assert "(failed)" in header.toolTip()
     assert exported_verdict("second.json") == "fail"
     assert sentence(judged, REPORT).startswith("not accepted")
-    assert "(check this step)" in header.toolTip()
+    assert "(failed)" in header.toolTip()
 
 
 def test_a_typed_source_is_committed_by_a_click_elsewhere_and_saved(
@@ -320,7 +327,7 @@ def test_a_typed_criterion_that_is_not_used_shows_no_verdict(judged: Driver, tex
     ]
     assert judged.window.validate.advice.text() == reason
     assert sum(reason in text for text in shown) == 1
-    assert not outcome.reasons.isVisible(), "the reason is given once"
+    assert form.results["rms"].text.text() == "", "no result without a verdict"
     assert "pass" not in sentence(judged, VALIDATE)
     assert judged.project.judgement.verdict == "pass", "the criteria in use do not change"
     judged.bot.keyClick(form.fields["offset"], Key.Key_Escape)

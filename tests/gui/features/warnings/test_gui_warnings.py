@@ -24,7 +24,7 @@ from lispac.gui.features.warnings.warnings_panel import (
 )
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.language import gettext
-from lispac.messages import Action, Level, Message, error, note, warning
+from lispac.messages import Action, Level, Message, error, is_routine, note, warning
 from lispac.project import Project
 from lispac.validation.comparison_results import LineShift, TwoModes
 from lispac.warning_causes import Cause
@@ -77,7 +77,9 @@ def open_list(driver: Driver) -> None:
 
 def click_row(driver: Driver, row: int) -> None:
     open_list(driver)
-    shown = driver.window.warnings.list
+    shown, routine = driver.window.warnings.list, driver.window.warnings.routine
+    if shown.isRowHidden(row):
+        click(driver, routine)
     finish_layouts()
     shown.scrollToItem(shown.item(row))
     finish_layouts()
@@ -118,10 +120,13 @@ def test_the_panel_explains_itself_without_a_project(driver: Driver) -> None:
 def test_the_status_bar_counts_warnings_and_opens_the_list(adjusted: Driver) -> None:
     found = listed(adjusted)
     assert {each.level for each in found} == {Level.NOTE}
-    assert adjusted.window.warnings_button.text() == f"{len(found)} notes"
+    routine = sum(map(is_routine, found))
+    assert 0 < routine < len(found)
+    counts = f"{len(found) - routine} notes, {routine} routine notes"
+    assert adjusted.window.warnings_button.text() == counts
     bad = (*found, warning("report.not_calibrated"))
     adjusted.window.warnings_button.show_warnings(bad)
-    assert adjusted.window.warnings_button.text() == f"1 warning, {len(found)} notes"
+    assert adjusted.window.warnings_button.text() == f"1 warning, {counts}"
     open_list(adjusted)
     assert has_focus(adjusted.window.warnings.list)
     click(adjusted, adjusted.window.warnings_button)
@@ -132,6 +137,19 @@ def test_the_status_bar_counts_warnings_and_opens_the_list(adjusted: Driver) -> 
         for row in range(len(found))
     }
     assert icons == {"Note"}
+
+
+def test_routine_notes_are_shown_on_request(adjusted: Driver) -> None:
+    found, panel = listed(adjusted), adjusted.window.warnings
+    click(adjusted, adjusted.window.warnings_button)
+    rows = range(len(found))
+    assert [panel.list.isRowHidden(row) for row in rows] == list(map(is_routine, found))
+    click(adjusted, panel.routine)
+    assert not any(panel.list.isRowHidden(row) for row in rows)
+    click(adjusted, panel.routine)
+    panel.show_warnings([each for each in found if is_routine(each)])
+    assert not panel.routine.isVisible()
+    assert not panel.list.isRowHidden(0), "without other messages, they are always shown"
 
 
 def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> None:
