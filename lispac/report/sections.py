@@ -200,7 +200,7 @@ def acceptance_blocks(acceptance: AcceptanceValues, max_failed: int | None = Non
     if shown < total:
         omitted = gettext(
             "{shown:n} of {total:n} values beyond a limit are shown: the largest of each "
-            "criterion. The errors and warnings contain all.",
+            "criterion. The full report contains all.",
             shown=shown, total=total,
         )  # fmt: skip
         blocks.append(Paragraph(omitted))
