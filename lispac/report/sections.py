@@ -102,7 +102,8 @@ SITE_PLAN_CAPTION = N_(
 )
 SURFACE_SIGMA_TEXT = N_(
     "Form error of the targets: standard deviation of the offset of a whole sighting from the "
-    "common surface of all lines."
+    "common surface of all lines. Roughness and curvature that are the same on all lines are not "
+    "part of it; they increase the noise of the target."
 )
 VARIANCE_COMPONENTS_TEXT = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "

@@ -13,6 +13,7 @@ from lispac.language import gettext
 from lispac.present.calibration.adjustment import AdjustmentValues
 from lispac.present.calibration.adjustment_fit import chi_square_facts
 from lispac.present.calibration.cross_checks import agreement_text
+from lispac.present.calibration.methods import method_facts
 from lispac.present.calibration.sigmas import sigma_facts
 from lispac.present.checking.validation import ValidationPlane
 from lispac.present.tables import Fact
@@ -116,6 +117,7 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     facts += chi_square_facts(adjustment)
     if content.cross_checks is not None:
         facts.append(Fact(gettext("Cross-checks"), agreement_text(content.cross_checks)))
+    facts += method_facts(content.methods)
     facts += sigma_facts(content.settings.standard_deviations, adjustment.sightings)
     table = TARGETS_TABLE
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
