@@ -34,13 +34,10 @@ Array = NDArray[np.float64]
 
 CAPTION = N_("{plane}: maps of the distances between two lines, before and after the calibration.")
 LARGEST_CAPTION = N_(
-    "{plane}: maps of the distances between two lines, before and after the calibration; "
-    "{shown:n} of {total:n} pairs of lines, those with the largest offsets after the calibration."
+    "{plane}: maps of {shown:n} of {total:n} pairs of lines, those with the largest offsets after "
+    "the calibration."
 )
-SOME_CAPTION = N_(
-    "{plane}: maps of the distances between two lines, before and after the calibration; "
-    "{shown:n} of {total:n} pairs of lines."
-)
+SOME_CAPTION = N_("{plane}: maps of {shown:n} of {total:n} pairs of lines.")
 MAP_TITLES = N_("before\n{offset} mm"), N_("after\n{offset} mm")
 """Titles of a map: its state and the offset of the lines."""
 BAR_TITLE = N_("Distance (mm)")

@@ -102,7 +102,8 @@ SITE_PLAN_CAPTION = N_(
 )
 SURFACE_SIGMA_TEXT = N_(
     "Form error of the targets: standard deviation of the offset of a whole sighting from the "
-    "common surface of all lines."
+    "common surface of all lines. Roughness and curvature that are the same on all lines are not "
+    "part of it; they increase the noise of the target."
 )
 VARIANCE_COMPONENTS_TEXT = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "
@@ -200,7 +201,7 @@ def acceptance_blocks(acceptance: AcceptanceValues, max_failed: int | None = Non
     if shown < total:
         omitted = gettext(
             "{shown:n} of {total:n} values beyond a limit are shown: the largest of each "
-            "criterion. The errors and warnings contain all.",
+            "criterion. The full report contains all.",
             shown=shown, total=total,
         )  # fmt: skip
         blocks.append(Paragraph(omitted))

@@ -13,6 +13,7 @@ from lispac.language import gettext
 from lispac.present.calibration.adjustment import AdjustmentValues
 from lispac.present.calibration.adjustment_fit import chi_square_facts
 from lispac.present.calibration.cross_checks import agreement_text
+from lispac.present.calibration.methods import method_facts
 from lispac.present.calibration.sigmas import sigma_facts
 from lispac.present.checking.validation import ValidationPlane
 from lispac.present.tables import Fact
@@ -41,8 +42,11 @@ MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures and maps."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
-MAX_FAILED_CHECKS = 4
+MAX_FAILED_CHECKS = 3
 """Largest number of values beyond the limit of one acceptance criterion."""
+RESULT_ROWS = 15
+"""Number of rows for the planes and for the values beyond the limits of three criteria, so that
+they are on one page with the angles and the signatures."""
 MAX_NOTES = 8
 """Largest number of notes."""
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 60.0
@@ -113,6 +117,7 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     facts += chi_square_facts(adjustment)
     if content.cross_checks is not None:
         facts.append(Fact(gettext("Cross-checks"), agreement_text(content.cross_checks)))
+    facts += method_facts(content.methods)
     facts += sigma_facts(content.settings.standard_deviations, adjustment.sightings)
     table = TARGETS_TABLE
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
@@ -141,8 +146,16 @@ def _lines_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
     )  # fmt: skip
 
 
+def max_failed_checks(planes: int) -> int:
+    """Largest number of values beyond the limit of each criterion, beside a table of planes.
+
+    The table of the planes contains the values of the others.
+    """
+    return min(MAX_FAILED_CHECKS, max(1, (RESULT_ROWS - planes) // 3))
+
+
 def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
-    blocks = sections.validation_summary(content, planes, MAX_FAILED_CHECKS)
+    blocks = sections.validation_summary(content, planes, max_failed_checks(len(planes)))
     if len(planes) < len(content.validation):
         omitted = gettext(
             "{shown:n} of {total:n} planes are shown: first those that fail, then those with the "

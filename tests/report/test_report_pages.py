@@ -16,7 +16,7 @@ from matplotlib.text import Text
 from PIL import Image
 
 from lispac.acceptance import NO_CRITERIA
-from lispac.language import LANGUAGES, LazyText, without_advice
+from lispac.language import LANGUAGES, LazyText, in_language, without_advice
 from lispac.message_texts import message_text
 from lispac.messages import note, sort_by_importance, warning
 from lispac.present.line_colours import LINE_COLOURS
@@ -48,6 +48,7 @@ from lispac.report.short_report import (
     MAX_NOTES,
     MAX_PICTURED_PLANES,
     MAX_PLANES,
+    max_failed_checks,
 )
 from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
@@ -248,6 +249,105 @@ def test_the_short_report_has_at_most_four_well_filled_pages(
     made = preview_of(content, views if has_views else {}, options, ppi=PPI)
     assert 2 <= len(made.pages) <= 4
     assert min(_filled_shares(made.pages[:-1], page)) >= 0.5
+
+
+VERDICT_CRITERIA = {
+    "fail": NO_CRITERIA.changed(
+        rms=1e-3, p95=1e-3, offset=1e-4, roll_sigma_deg=1e-3, source="Contract C-77"
+    ),
+    "pass": NO_CRITERIA.changed(rms=9.0, roll_sigma_deg=9.0, source="Contract C-77"),
+    "not judged": NO_CRITERIA,
+    "not validated": NO_CRITERIA,
+}
+"""Acceptance criteria with which a survey gets each verdict."""
+COMPLETE_CASES = [
+    # verdict, planes, warnings, notes, views, tall surfaces, language, page, convention
+    ("fail", 5, 15, 6, True, False, "en", "a4", ""),
+    ("fail", 12, 1, 4, True, True, "fr", "letter", "qinsy"),
+    ("fail", 5, 1, 6, True, True, "fr", "a4", "qinsy"),
+    ("fail", 5, 6, 0, False, True, "en", "letter", "qinsy"),
+    ("fail", 40, 6, 2, False, False, "fr", "letter", "qinsy"),
+    ("fail", 1, 1, 2, True, False, "en", "a4", "qinsy"),
+    ("pass", 2, 16, 8, True, True, "fr", "letter", "qinsy"),
+    ("pass", 40, 1, 2, True, False, "fr", "letter", "qinsy"),
+    ("not judged", 5, 1, 6, True, True, "en", "a4", "qinsy"),
+    ("not judged", 2, 0, 2, False, True, "fr", "a4", "qinsy"),
+    ("not validated", 3, 1, 8, True, False, "en", "a4", "qinsy"),
+    ("not validated", 3, 0, 2, False, False, "fr", "letter", "qinsy"),
+]
+
+
+@pytest.mark.usefixtures("rectangles")
+@pytest.mark.parametrize(
+    (
+        "verdict",
+        "planes",
+        "warnings",
+        "notes",
+        "has_views",
+        "is_tall",
+        "language",
+        "page",
+        "convention",
+    ),
+    others_long(COMPLETE_CASES, lambda case: case in COMPLETE_CASES[:2]),
+)
+def test_the_short_report_of_each_verdict_has_at_most_four_well_filled_pages(
+    project: Project,
+    views: dict[str | LazyText, Path],
+    tmp_path: Path,
+    verdict: str,
+    planes: int,
+    warnings: int,
+    notes: int,
+    has_views: bool,
+    is_tall: bool,
+    language: str,
+    page: Page,
+    convention: str,
+) -> None:
+    """The figures of each plane are on one page, and each heading is above its content."""
+    plane = project.validation[0]
+    if is_tall:
+        maps = tuple(replace(each, across=each.up, up=2 * each.across) for each in plane.maps)
+        plane = replace(plane, maps=maps)
+    names = [] if verdict == "not validated" else [f"V{k}" for k in range(1, planes + 1)]
+    judged = replace(
+        project,
+        identity=FULL,
+        validation=tuple(replace(plane, name=name) for name in names),
+        acceptance=VERDICT_CRITERIA[verdict],
+    )
+    messages = (
+        *(warning("report.file_missing", files=(f"L{k}.las",)) for k in range(warnings)),
+        *(note("report.not_compared", reason=f"{k} {LONG_REASON[:100]}") for k in range(notes)),
+    )
+    content = replace(sample_content(judged, convention=convention), warnings=messages)
+    expected = verdict if verdict in ("fail", "pass") else "not judged"
+    assert content.acceptance.verdict == expected
+    pictured = ("Overview", *names[:MAX_PICTURED_PLANES])
+    pictures = {
+        caption: file
+        for caption, file in views.items()
+        if has_views and str(caption).split()[0] in pictured
+    }
+    made = preview_of(content, pictures, ReportOptions(page, language=language), ppi=PPI)
+    assert 2 <= len(made.pages) <= 4
+    assert min(_filled_shares(made.pages[:-1], page)) >= 0.5
+    (tmp_path / "r.pdf").write_bytes(made.pdf)
+    texts = _pdf_text(tmp_path / "r.pdf").split("\f")[: len(made.pages)]
+    for name in names:
+        caption = rf"(?:^ *| {{2,}}){name}\s?: (?!L\d|values of)|\b{name} before\b"
+        assert sum(bool(re.search(caption, text, re.MULTILINE)) for text in texts) <= 1, name
+    with in_language(language):
+        titles = [section.title for section in undrawn_document(content, pictures).sections]
+    for title in titles:
+        (below,) = (
+            lines[lines.index(title) + 1 :]
+            for lines in ([line.strip() for line in text.splitlines()] for text in texts)
+            if title in lines
+        )
+        assert sum(bool(line) for line in below) > 1, title  # more than the footer
 
 
 @pytest.mark.parametrize(
@@ -527,7 +627,9 @@ def test_after_many_warnings_the_signatures_are_with_the_angles_and_the_verdict(
         for block in document.summary
         if isinstance(block, Table) and block.title.startswith("Acceptance")
     )
-    assert len(table.rows) == 3 * MAX_FAILED_CHECKS + 1
+    most = max_failed_checks(min(planes, MAX_PLANES))
+    assert 1 <= most <= MAX_FAILED_CHECKS
+    assert len(table.rows) == 3 * most + 1
     assert any(
         f"{len(table.rows)} of {total} " in block.text
         for block in document.summary

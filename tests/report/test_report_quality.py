@@ -34,6 +34,7 @@ from tests.support.report_sample import (
 )
 from tests.targets.test_quality import board, quality_of
 
+FORM_ERROR = "Form error of the targets from line to line (1 sigma)"
 Changed = Callable[..., ReportContent]
 
 
@@ -91,9 +92,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
     rows = _settings(sample_content(project))
     assert rows["POS errors"].startswith("Correlated in time. All points of one sighting share")
     assert rows["Correlation times (position, attitude)"] == "300 s, 600 s (default values)"
-    assert rows["Form error of the targets (1 sigma)"].startswith(
-        "0.4\u00a0mm, estimated from the data"
-    )
+    assert rows[FORM_ERROR].startswith("0.4\u00a0mm, estimated from the data")
     assert rows["LiDAR noise, 1 sigma"] == "5.0 mm on each axis (assumed, not given)"
     assert rows["Estimated LiDAR noise"] == "not larger than the noise used on any target"
     first, second = _result(project).targets
@@ -106,7 +105,7 @@ def test_stochastic_model_is_described(project: Project, changed: Changed) -> No
         "T2: 1.42\u00a0times the noise used; the sigmas"
     )
     assert "T1" not in rows["Estimated LiDAR noise"]
-    assert rows["Form error of the targets (1 sigma)"].startswith("0.4\u00a0mm, as given")
+    assert rows[FORM_ERROR].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in rows["Outliers"]
     assert "adjustment.noise" not in {message.code for message in noisy.warnings}
     noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
@@ -347,7 +346,7 @@ def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> No
     content = sample_content(replace(project, result=None, cross_checks=None))
     titles = {section.title for section in report_document(content, {}, FULL_REPORT).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
-    roughness = _settings(content)["Form error of the targets (1 sigma)"]
+    roughness = _settings(content)[FORM_ERROR]
     assert roughness.startswith("to be estimated from the data")
 
 

@@ -1,5 +1,6 @@
 """Tests of statements of the report: variance factor, offsets, origin, histograms, summaries."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.result import VarianceComponent
+from lispac.alternative_methods import AlternativeResult
 from lispac.messages import Level
 from lispac.present.calibration.adjustment import TOO_SMALL_ESTIMATED_TEXT, adjustment_values
 from lispac.present.calibration.adjustment_fit import fit_facts
@@ -324,3 +326,26 @@ def test_long_sections_start_with_their_numbers(content: ReportContent) -> None:
         block = first[title]
         assert isinstance(block, Paragraph)
         assert number in block.text
+
+
+def test_the_short_report_compares_each_alternative_method_with_the_adjustment(
+    project: Project,
+) -> None:
+    assert not _cell(_blocks(sample_content(project), "short"), "Patch test")
+    assert project.result is not None
+    for off_deg, differs in ((0.004, False), (0.9, True)):
+        angles = project.result.boresight + np.radians([off_deg, 0.0, -0.01])
+        covariance = np.array(project.result.covariance)
+        patch = AlternativeResult("patch test", angles, covariance, ("L1", "L2"), 3, ())
+        content = sample_content(project.with_alternative_result(patch))
+        (_, row) = content.methods
+        assert row.differ == differs
+        (text,) = _cell(_blocks(content, "short"), "Patch test")
+        numbers = [float(each) for each in re.findall(r"[+-]?\d+\.\d+", text.replace("−", "-"))]
+        expected = [
+            round(value, digits)
+            for pair in zip(row.difference_deg, row.significance, strict=True)
+            for value, digits in zip(pair, (4, 1), strict=True)
+        ]
+        assert numbers == pytest.approx(expected, abs=1e-9)
+        assert ("no significant difference" in text) == (not differs)

@@ -142,7 +142,7 @@ class Overlay(QWidget):
         self._fading.setUpdateInterval(80)
         self._fading.valueChanged.connect(lambda share: self._set_help_opacity(1.0 - share))
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
-        """Functions that paint after the markers and before axes, scale and help."""
+        """Functions that paint after axes, scale and markers and before the help."""
         self.label_boxes: list[QRectF] = []
         """Labels of the markers in the picture being painted."""
 
@@ -206,13 +206,14 @@ class Overlay(QWidget):
         self, painter: QPainter, picture: OverlaidPicture, size: ViewportSize
     ) -> None:
         camera = picture.camera
+        # Axes and scale bar do not cover a marker.
+        self._paint_axes(painter, camera, size)
+        if picture.scale_depth is not None:
+            self._paint_scale(painter, picture, picture.scale_depth, size)
         self._paint_markers(painter, camera, size, picture.box)
         painter.setFont(self.font())
         for paint in self.paint_hooks:
             paint(painter, camera, size)
-        self._paint_axes(painter, camera, size)
-        if picture.scale_depth is not None:
-            self._paint_scale(painter, picture, picture.scale_depth, size)
 
     def _paint_title(self, painter: QPainter, rect: QRectF, title: str) -> None:
         """Paint the frame of one of several pictures, and its title in the upper right corner."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from lispac.adjustment.result import ANGLES
-from lispac.language import N_, gettext_lazy
+from lispac.language import N_, gettext, gettext_lazy
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.angles import Angles, angles, degrees
@@ -15,7 +15,7 @@ from lispac.present.calibration.calibrations import (
     estimate_columns,
     significance_column,
 )
-from lispac.present.tables import COUNT, Column, Table
+from lispac.present.tables import COUNT, DEGREES, Column, Fact, Table, ratio
 
 METHOD_TITLES: Mapping[str, str] = {
     "targets": N_("Targets"),
@@ -105,3 +105,33 @@ def method_differences(
     title = gettext_lazy("Differences from the first method, {method}", method=first)
     columns = (METHOD_COLUMN, *DIFFERENCE_COLUMNS, DIFFER_COLUMN)
     return Table(title, columns), [each for each in methods if each.difference_deg is not None]
+
+
+def method_facts(methods: Sequence[MethodValues]) -> list[Fact]:
+    """Differences of each other method from the first one with the verdict, in the language in use.
+
+    The number in brackets is the difference divided by its standard deviation.
+    """
+    found = []
+    for each in methods:
+        if each.difference_deg is None or each.significance is None:
+            continue
+        values = {
+            f"{name}{suffix}": form.text(getattr(of, name))
+            for of, form, suffix in (
+                (each.difference_deg, DEGREES.signed, ""),
+                (each.significance, ratio(1).signed, "_ratio"),
+            )
+            for name in ANGLES
+        }
+        differences = gettext(
+            "difference from the adjustment: roll {roll}° ({roll_ratio}\u00a0σ), pitch {pitch}° "
+            "({pitch_ratio}\u00a0σ), yaw {yaw}° ({yaw_ratio}\u00a0σ)",
+            **values,
+        )
+        verdict = gettext(
+            N_("significant difference") if each.differ else N_("no significant difference")
+        )
+        name = gettext(METHOD_TITLES[each.method])
+        found.append(Fact(name, f"{differences}; {verdict}"))
+    return found

@@ -261,7 +261,10 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         values.append(Fact(gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
         values.append(
-            Fact(gettext("Form error of the targets (1 sigma)"), _surface_sigma_text(used))
+            Fact(
+                gettext("Form error of the targets from line to line (1 sigma)"),
+                _surface_sigma_text(used),
+            )
         )
     values.append(Fact(gettext("Lever-arm sigma (forward, left, up)"), _lever_arm_sigma_text(used)))
     loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"

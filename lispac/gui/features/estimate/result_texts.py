@@ -58,7 +58,7 @@ def form_error_text(result: AdjustmentResult) -> str:
     if result.model.surface == 0:
         return gettext("fixed at 0")
     if result.surfaces.max() < MIN_SHOWN_FORM_ERROR_M:
-        return gettext("not detected")
+        return gettext("no change from line to line detected")
     if result.offset is None:
         return _form_error_value_text(result.surface)
     return gettext(

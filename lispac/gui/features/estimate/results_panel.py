@@ -304,6 +304,11 @@ class ResultsPanel(QWidget):
                 "Compares the sum of the squared residuals with the interval that contains it in "
                 "95 % of all surveys if the standard deviations used are correct"
             ),
+            "surface": gettext(
+                "Displacements and tilts of the surface of a target from line to line. Roughness "
+                "and curvature that are the same on all lines are not part of it; they increase "
+                "the noise of the target."
+            ),
         }
         for key, title in (
             ("rms", gettext("RMS point-to-plane")),

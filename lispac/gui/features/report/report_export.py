@@ -30,7 +30,7 @@ from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
 from lispac.progress import Progress, sub_progress
 from lispac.project import Project
-from lispac.report.options import ReportOptions
+from lispac.report.options import Extent, ReportOptions
 from lispac.workflow.calibration.sighting_assessment import (
     AssessedQuality,
     SightingKey,
@@ -153,12 +153,20 @@ class ReportExport(QObject):
         if (found := self._complete_input()) is None:
             return
         project, survey, options = found
-        path = self._dialogs.report_file(project.folder / f"{project.name}.pdf")
+        path = self._dialogs.report_file(self._proposed_file(project, options))
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
                 project, survey, lambda: self._pictures.capture(project, options, write)
             )
+
+    def _proposed_file(self, project: Project, options: ReportOptions) -> Path:
+        """File that the dialogues propose, in the folder of the last export of the project."""
+        last = self._settings.exported_report(project.folder)
+        folder = project.folder if last is None else last[0].parent
+        return (folder if folder.is_dir() else project.folder) / report_file_name(
+            project.name, options.extent
+        )
 
     def _complete_input(self) -> tuple[Project, Survey, ReportOptions] | None:
         """Project, survey and options of a report, after a request for missing details.
@@ -253,15 +261,15 @@ class ReportExport(QObject):
         self._runner.run(
             gettext("Laying out the pages"),
             work,
-            lambda preview: self._show_preview(project, preview),
+            lambda preview: self._show_preview(project, options, preview),
             modal=True,
         )
 
-    def _show_preview(self, project: Project, preview: "Preview") -> None:
+    def _show_preview(self, project: Project, options: ReportOptions, preview: "Preview") -> None:
         chosen = self._chosen_options
 
         def save() -> str:
-            path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
+            path = self._dialogs.pdf_file(self._proposed_file(project, options))
             if path is None:
                 return ""
             from lispac.workflow.output.export import save_preview
@@ -323,6 +331,16 @@ class ReportExport(QObject):
     @property
     def _survey(self) -> Survey | None:
         return self._document.survey if self._document.is_survey_current else None
+
+
+def report_file_name(project: str, extent: Extent) -> str:
+    """Name of the PDF file of a report, which depends on its extent, in the language in use."""
+    template = (
+        N_("{project} boresight report (full)")
+        if extent == "full"
+        else N_("{project} boresight report")
+    )
+    return f"{gettext(template, project=project)}.pdf"
 
 
 def _reference_frame(project: Project) -> dict[str, str]:

@@ -44,11 +44,13 @@ class _View:
     Attributes
     ----------
     captions : captions of the two pictures
+    targets : targets with a label
     points : points (n, 3) of a target before and after the calibration; None for all lines
     normal : normal of the target (3,); None for all lines
     """
 
     captions: Mapping[PriorOrEstimated, LazyText]
+    targets: tuple[Target, ...]
     points: Array | None = None
     normal: Array | None = None
 
@@ -92,15 +94,11 @@ class ReportPictures(QObject):
         steps of the event loop, so that the window stays responsive. An edit of the project or a
         cancellation ends the process.
         """
-        placed = self._clouds("estimated")
         with theme.paper_colours():
             viewport = self._viewport = self._window_viewport.create_empty_viewport()
             viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
             viewport.widget.resize(*PICTURE_SIZE_PX)
             viewport.widget.show()
-            viewport.show_markers(
-                [Marker(x.name, _middle(x, placed), _colour(x)) for x in project.targets]
-            )
         views = list(_views(project, options.extent, self._clouds))
         taken: dict[tuple[PriorOrEstimated, int], QImage] = {}
         steps = list(self._steps(viewport, views, options.language, taken))
@@ -133,7 +131,12 @@ class ReportPictures(QObject):
             samples = {name: cloud.sample for name, cloud in clouds.items()}
             viewport.show_clouds(samples, theme.line_colours(list(clouds)))
 
-        def prepare(view: _View) -> None:
+        def prepare(which: PriorOrEstimated, view: _View) -> None:
+            # A label is at points of this picture: the lines are elsewhere in the other one.
+            clouds = self._clouds(which)
+            viewport.show_markers(
+                [Marker(x.name, _labelled_point(x, clouds), _colour(x)) for x in view.targets]
+            )
             view.show(viewport)
             viewport.prepare()
 
@@ -145,7 +148,7 @@ class ReportPictures(QObject):
         for which in order:
             yield lambda which=which: draw(which)
             for k, view in enumerate(views):
-                yield lambda view=view: prepare(view)
+                yield lambda which=which, view=view: prepare(which, view)
                 yield lambda which=which, k=k: take(which, k)
 
     def _run_step(self, step: Callable[[None], None]) -> None:
@@ -171,12 +174,18 @@ def _views(
 ) -> Iterator[_View]:
     """The whole survey, each target (full report), and each validation plane.
 
+    In the view of a surface only its own label is shown: other points in the box may be hidden, and
+    their labels would be beside their surfaces.
+
     A short report has only some of the validation planes; see `planes_to_show`.
     """
-    yield _View({
-        "prior": gettext_lazy("Overview, before the calibration"),
-        "estimated": gettext_lazy("Overview, after the calibration"),
-    })  # fmt: skip
+    yield _View(
+        {
+            "prior": gettext_lazy("Overview, before the calibration"),
+            "estimated": gettext_lazy("Overview, after the calibration"),
+        },
+        project.targets,
+    )
     rms = {plane.name: plane.after.rms for plane in project.validation}
     failed = {name for name in rms if project.judgement.verdict_on(name) == "fail"}
     kept = planes_to_show(rms, failed, MAX_PICTURED_PLANES if extent == "short" else len(rms))
@@ -191,6 +200,7 @@ def _views(
                 which: gettext_lazy(text, name=target.name, angle=round(OBLIQUE_ANGLE_DEG))
                 for which, text in _captions_of(target).items()
             },
+            (target,),
             np.concatenate([points for groups in placed for points in groups]),
             common_normal(placed[1]),
         )
@@ -226,12 +236,18 @@ def _groups(target: Target, clouds: Mapping[str, Cloud]) -> list[Array]:
     ]
 
 
-def _middle(target: Target, clouds: Mapping[str, Cloud]) -> tuple[float, float, float]:
-    """Mean of the points of a target; the seed, which may be far from them, if there are none."""
+def _labelled_point(target: Target, clouds: Mapping[str, Cloud]) -> tuple[float, float, float]:
+    """Point of a target nearest to the mean of its points, where its label is.
+
+    The mean may be beside the surface, for instance of a sphere. Without points, it is the seed,
+    which may be far from them.
+    """
     groups = _groups(target, clouds)
     if not groups:
         return target.seed
-    north, west, up = np.concatenate(groups).mean(axis=0).tolist()
+    points = np.concatenate(groups)
+    nearest = int(np.argmin(np.square(points - points.mean(axis=0)).sum(axis=1)))
+    north, west, up = points[nearest].tolist()
     return north, west, up
 
 

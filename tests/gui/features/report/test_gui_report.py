@@ -25,6 +25,7 @@ from lispac.adjustment.result import VarianceComponent
 from lispac.gui.app.settings import ReportChoice
 from lispac.gui.features.report import report_export
 from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS, missing_details_text
+from lispac.gui.features.report.report_export import report_file_name
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
 from lispac.gui.project.status import VALIDATE
@@ -32,7 +33,7 @@ from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
-from lispac.language import LANGUAGES, current_language
+from lispac.language import LANGUAGES, current_language, in_language
 from lispac.present.calibration.sigmas import SIGMA_TITLES
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
@@ -410,7 +411,7 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     assert {(page.width(), page.height()) for page in pictures} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
-    assert adjusted.dialogs.requests == [f"{adjusted.project.name}.pdf"] * 2
+    assert adjusted.dialogs.requests == [f"{adjusted.project.name} boresight report.pdf"] * 2
 
 
 def test_a_preview_has_the_details_that_were_asked_for(
@@ -530,12 +531,26 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     captions = re.findall(r"<figcaption>([^<]*) the calibration<", text)
     assert captions == [f"{view}, {when}" for view in views for when in ("before", "after")]
-    # Labels are at the points of their targets, not at the seeds.
-    clouds = scene.clouds_of("estimated")
-    for marker, target in zip(viewport.markers, project.targets, strict=True):
-        points = np.concatenate([clouds[each.line][each.indices] for each in target.sightings])
-        assert marker.label == target.name
-        np.testing.assert_allclose(marker.position, points.mean(axis=0), atol=1e-6)
+    # Each label is at a point of its own target in that picture; a view of a surface has only one.
+    labels: list[dict[str, tuple[float, float, float]]] = []
+    for name, arguments in viewport.calls:
+        if name == "show_markers":
+            labels.append({each.label: each.position for each in arguments[0]})
+    every = [each.name for each in project.targets]
+    assert [list(each) for each in labels] == 2 * [every, *([name] for name in targets)]
+    for k, shown_labels in enumerate(labels):
+        clouds = scene.clouds_of("prior" if k < len(views) else "estimated")
+        for target in project.targets:
+            if target.name in shown_labels:
+                points = np.concatenate(
+                    [clouds[each.line][each.indices] for each in target.sightings]
+                )
+                position = np.array(shown_labels[target.name])
+                nearest = np.linalg.norm(points - position, axis=1).min()
+                assert nearest < 1e-6
+                middle = points.mean(axis=0)
+                least = np.linalg.norm(points - middle, axis=1).min()
+                assert np.linalg.norm(position - middle) <= least + 1e-6
     shown: list[dict[str, np.ndarray]] = []
     cameras: list[list[tuple[str, tuple[object, ...]]]] = [[]]
     for name, arguments in viewport.calls:
@@ -674,9 +689,47 @@ def test_there_is_no_preview_without_a_result(opened: Driver) -> None:
     assert not opened.window.report.preview.isEnabled()
 
 
-def test_the_report_is_proposed_in_the_folder_of_the_project(adjusted: Driver) -> None:
-    adjusted.window.actions_["report"].trigger()
-    assert adjusted.dialogs.proposed == adjusted.project.folder / f"{adjusted.project.name}.pdf"
+def test_each_extent_is_proposed_as_a_file_of_its_own_in_the_last_folder(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT_STEP)
+    panel, dialogs, project = adjusted.window.report, adjusted.dialogs, adjusted.project
+    panel.opens.setChecked(False)
+
+    def proposed(extent: str) -> Path:
+        choose(adjusted, panel.extent, list(EXTENTS).index(extent))
+        adjusted.window.actions_["report"].trigger()
+        adjusted.rest()
+        return dialogs.proposed
+
+    short, full = proposed("short"), proposed("full")
+    assert short.parent == full.parent == project.folder
+    assert short.suffix == full.suffix == ".pdf"
+    assert short.name != full.name
+    assert project.name in short.name
+    assert project.name in full.name
+    other = tmp_path / "deliverables"
+    other.mkdir()
+    dialogs.path = other / "report.json"
+    assert proposed("short") == short  # exports to the other folder
+    dialogs.path = None
+    assert proposed("short") == other / short.name
+    assert proposed("full") == other / full.name
+    (other / "report.json").unlink()
+    other.rmdir()
+    assert proposed("short") == short
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_proposed_names_are_in_the_language_in_use(language: str) -> None:
+    with in_language(language):
+        names = {extent: report_file_name("Port 2", extent) for extent in EXTENTS}
+    assert len(set(names.values())) == len(EXTENTS)
+    for name in names.values():
+        assert name.startswith("Port 2 ")
+        assert name.endswith(".pdf")
+        assert not set(name) & set('<>:"/\\|?*')
+    assert ("boresight report" in names["short"]) == (language == "en")
 
 
 def test_the_report_is_opened_after_the_export(adjusted: Driver, tmp_path: Path) -> None:
