@@ -13,7 +13,11 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 _TRIANGULATED_POINTS = 20_000
-"""Largest number of points that are triangulated: enough to determine their spacing, and fast."""
+"""Largest number of points that are all triangulated. Of more points, some regions are."""
+_REGIONS, _POINTS_PER_REGION = 3, 1_500
+"""Number of regions of a line with more points, and number of points in each."""
+_GAP_SHARE = 0.05
+"""Share of the triangles of a region, the largest ones, that may span gaps between the points."""
 _MAX_CELLS = 4e6
 """Approximate largest number of cells of a footprint."""
 _RIM_CELLS = 3
@@ -24,7 +28,7 @@ class _Footprint:
     """The region of a plane that a set of points covers, as cells of a grid.
 
     Points of a LiDAR on a vessel are dense along a profile and sparse across it, so the side of a
-    cell has to be the spacing of the profiles. This is the median of the longest sides of the
+    cell has to be the spacing of the profiles. It is determined from the longest sides of the
     triangles in a triangulation of the points, which connects neighbouring profiles. Holes up to
     two cells wide occur by chance and are closed. The outline is accurate to one cell, that is to
     one spacing.
@@ -122,15 +126,50 @@ def _common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
 
 
 def _sparse_spacing(points: Array) -> float | None:
-    """Median of the longest sides of the triangles between points, metres; None if no triangles."""
+    """Point spacing of a line in its sparse direction, metres; None without triangles.
+
+    The median of the longest sides of the triangles between the points; for more than
+    `_TRIANGULATED_POINTS`, that of the area between the points of some regions.
+    """
+    if len(points) > _TRIANGULATED_POINTS:
+        return _spacing_in_regions(points)
+    sides = _longest_sides(points)
+    return None if sides is None else float(np.median(sides[0]))
+
+
+def _spacing_in_regions(points: Array) -> float | None:
+    """Median of the longest sides, weighted by the areas of the triangles of some regions, metres.
+
+    Where the scatter of the points is not small against their distance along a profile, most
+    triangles connect points of one profile, but most of the area is between the profiles. Holes and
+    gaps may have a larger area than the surface; their triangles are few and are excluded.
+    """
+    sides, areas = [], []
+    for k in range(_REGIONS):
+        middle = points[(2 * k + 1) * len(points) // (2 * _REGIONS)]
+        distance = ((points - middle) ** 2).sum(axis=1)
+        near = np.argpartition(distance, _POINTS_PER_REGION)[:_POINTS_PER_REGION]
+        found = _longest_sides(points[near])
+        if found is not None:
+            sides.append(found[0])
+            areas.append(found[1])
+    if not sides:
+        return None
+    every, weights = np.concatenate(sides), np.concatenate(areas)
+    order = np.argsort(every, kind="stable")[: len(every) - int(_GAP_SHARE * len(every))]
+    total = np.cumsum(weights[order])
+    return float(every[order][np.searchsorted(total, total[-1] / 2)])
+
+
+def _longest_sides(points: Array) -> tuple[Array, Array] | None:
+    """Longest side and area of each triangle between points, metres; None without triangles."""
     from scipy.spatial import Delaunay, QhullError
 
-    step = -(-len(points) // _TRIANGULATED_POINTS)
-    outline = points[:: max(step, 1)]
     try:
-        triangles = Delaunay(outline).simplices
+        triangles = Delaunay(points).simplices
     except QhullError:  # fewer than three points, or all on one straight line
         return None
-    corners = outline[triangles]
-    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-    return float(np.median(sides.max(axis=1)))
+    corners = points[triangles]
+    edges = corners - np.roll(corners, 1, axis=1)
+    areas = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]) / 2
+    return np.linalg.norm(edges, axis=2).max(axis=1), areas

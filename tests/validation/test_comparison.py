@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.present.checking.validation import ValidationPlane
 from lispac.report.validation_warnings import surface_model_warnings
+from lispac.validation.line_overlap import LineOverlap
 from lispac.validation.local_models import DEFAULT_MODEL, NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
@@ -407,3 +408,41 @@ def test_outliers_are_counted_and_kept() -> None:
     assert statistics.outliers == 9
     assert statistics.maximum == 0.1
     assert statistics.robust_sigma == pytest.approx(1.4826 * 0.001, rel=0.03)
+
+
+def profiles(spacing: float, step: float, scatter: float, gap: float = 0.0) -> Array:
+    """Vertical profiles on a horizontal plane, with a quadratic hole of a share of the area."""
+    rng = np.random.default_rng(5)
+    count = 60_000
+    lengths = np.sqrt(count * spacing * step) * np.array([1.0, 1.0])
+    at = np.arange(0.0, lengths[0], spacing)
+    along = np.arange(0.0, lengths[1], step)
+    places = np.stack(np.meshgrid(at, along, indexing="ij"), axis=-1)
+    places[..., 1] += rng.uniform(0.0, step, (len(at), 1))
+    flat = places.reshape(-1, 2)
+    flat = flat[(np.abs(flat / lengths - 0.5) > np.sqrt(gap) / 2).any(axis=1)]
+    flat = flat + rng.normal(0.0, 1.0, flat.shape) * [scatter, 0.2 * scatter]
+    return np.column_stack((flat, np.zeros(len(flat))))
+
+
+@pytest.mark.parametrize(
+    ("spacing", "step", "scatter", "gap"),
+    [
+        (0.05, 0.05, 0.0, 0.0),
+        (0.05, 0.01, 0.0, 0.0),
+        (0.1, 0.01, 0.005, 0.0),
+        (0.1, 0.005, 0.005, 0.0),
+        (0.2, 0.004, 0.004, 0.0),
+        (0.1, 0.005, 0.005, 0.5),
+        (0.05, 0.01, 0.002, 0.5),
+    ],
+)
+def test_the_spacing_of_many_points_is_that_of_their_profiles(
+    spacing: float, step: float, scatter: float, gap: float
+) -> None:
+    points = profiles(spacing, step, scatter, gap)
+    assert len(points) > 20_000
+    found = LineOverlap({"L1": points}, {"L1": points}).spacing("L1")
+    # Triangles between two profiles connect points on their facing sides, which the scatter moves
+    # towards each other by up to two standard deviations each.
+    assert spacing - 4.0 * scatter <= found <= 1.05 * np.hypot(spacing, step)
