@@ -1,5 +1,6 @@
 """Tests of acceptance criteria on the command line and in scripts."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -69,13 +70,16 @@ def test_validate_prints_the_verdict_and_its_warnings(
     denser_calibrated: tuple[Project, object],
     denser_copy: Project,
 ) -> None:
-    write_project(denser_copy.with_acceptance(NO_CRITERIA.changed(rms=0.005)))
+    two_planes = denser_copy.targets_of_role("validation")[:2]
+    few = replace(denser_copy, targets=(*denser_copy.targets_of_role("target"), *two_planes))
+    write_project(few.with_acceptance(NO_CRITERIA.changed(rms=0.005)))
     found = run_json(capsys, "validate", denser_copy.folder)
     assert found["acceptance"]["verdict"] == "fail"
     (message,) = [each for each in found["warnings"] if each["code"] == "acceptance.not_met"]
     (failure,) = message["params"]["criteria"]
     assert failure["code"] == "acceptance_failure.rms"
     assert failure["params"]["planes"] == [each["name"] for each in found["validation"]]
+    assert len(found["validation"]) == len(two_planes)
     # The demonstration survey has no errors beyond its given accuracies.
     assert not any(each["code"].startswith("validation.") for each in found["warnings"])
     for plane in found["validation"]:
