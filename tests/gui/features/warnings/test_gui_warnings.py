@@ -250,7 +250,11 @@ def test_a_cause_that_no_longer_exists_is_ignored(adjusted: Driver) -> None:
     assert QApplication.focusWidget() is before
 
 
-def test_the_list_is_updated_by_edits_undo_and_a_new_result(adjusted: Driver) -> None:
+def test_the_list_is_updated_by_edits_undo_and_a_new_result(
+    adjusted: Driver, demo: Demo, estimated: Project
+) -> None:
+    adjusted.window.document.open(replace(estimated, cross_checks=None), demo.survey)
+    adjusted.rest()
     line = adjusted.project.target("T1").sightings[0].line
     expected = note(
         "report.left_out_target_on_lines",
@@ -358,7 +362,9 @@ def test_the_window_is_not_blocked_by_the_list(adjusted: Driver, monkeypatch) ->
 def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
     driver: Driver, demo: Demo, estimated: Project
 ) -> None:
-    noisy = replace(estimated, result=replace(estimated.result, lidar_noise_ratio=0.5))
+    noisy = replace(
+        estimated, cross_checks=None, result=replace(estimated.result, lidar_noise_ratio=0.5)
+    )
     driver.window.document.open(noisy, demo.survey)
     row = row_with_code(driver, "adjustment.lidar_noise_conservative")
     open_list(driver)
