@@ -236,6 +236,7 @@ def shown(qtbot):
 
     def show(budget=None):
         view = VtkViewport(budget=budget)
+        view.show_line_legend(False)  # has the colours that tests search for in pictures
         views.append(view)
         view.widget.resize(800, 600)
         view.widget.show()

@@ -334,6 +334,9 @@ class Viewport(Protocol):
     def show_help(self, shown: bool) -> None:
         """Show the help on the mouse, which fades after its first use, or hide it."""
 
+    def show_line_legend(self, shown: bool) -> None:
+        """Show or hide the legend of the lines, which is shown at first."""
+
     def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
 

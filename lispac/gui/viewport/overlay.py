@@ -133,6 +133,8 @@ class Overlay(QWidget):
         self.shading: PointColouring | None = None
         self.lines: Mapping[str, Colour] = {}
         """Colours of the lines that are drawn in them."""
+        self.has_line_legend = True
+        """Whether the colours of the lines are explained."""
         self.hint = ""
         """Text on the action of the mouse, shown instead of the usual help."""
         self.seed_role: Role = "target"
@@ -359,7 +361,8 @@ class Overlay(QWidget):
 
     def _legend_lines(self) -> list[str]:
         """Names of the lines in the legend; none if there is only one line."""
-        return list(self.lines)[:LEGEND_LINES] if len(self.lines) > 1 else []
+        has_legend = self.has_line_legend and len(self.lines) > 1
+        return list(self.lines)[:LEGEND_LINES] if has_legend else []
 
     def line_legend_rect(self) -> QRectF:
         """Rectangle of the legend of the lines."""

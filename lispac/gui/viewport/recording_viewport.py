@@ -189,6 +189,10 @@ class RecordingViewport:
         self._record("show_help", shown)
         self.help_shown = shown
 
+    def show_line_legend(self, shown: bool) -> None:
+        """Remember the call."""
+        self._record("show_line_legend", shown)
+
     def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Points of a line within a sphere."""
         points = self.clouds[line]

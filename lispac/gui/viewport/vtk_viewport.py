@@ -173,8 +173,8 @@ class VtkViewport:
         """
         first = not self._layer.clouds
         self._overlay.shading = shading
-        self._overlay.lines = {line: colours[line] for line in clouds if line in colours}
         self._layer.set_lines(clouds, colours, shading)
+        self._show_legend_lines()
         for pane in self._panes[1:]:
             if pane.view is not None and pane.view.clouds is None:
                 pane.layer.set_lines(clouds, colours, shading)
@@ -194,7 +194,17 @@ class VtkViewport:
         if visible == (line not in self._hidden):
             return
         (self._hidden.discard if visible else self._hidden.add)(line)
+        self._show_legend_lines()
         self._draw_clouds()
+
+    def _show_legend_lines(self) -> None:
+        """Show the visible lines in the legend."""
+        colours = self._layer.colours
+        self._overlay.lines = {
+            line: colours[line]
+            for line in self._layer.clouds
+            if line in colours and line not in self._hidden
+        }
 
     def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
@@ -375,6 +385,11 @@ class VtkViewport:
     def show_help(self, shown: bool) -> None:
         """Show the help on the mouse, which fades after its first use, or hide it."""
         self._overlay.show_help(shown)
+
+    def show_line_legend(self, shown: bool) -> None:
+        """Show or hide the legend of the lines."""
+        self._overlay.has_line_legend = shown
+        self._overlay.update()
 
     def drawn_near(self, line: str, centre: Place, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""

@@ -112,6 +112,43 @@ def test_a_hidden_line_is_not_drawn_or_picked_and_stays_hidden(viewport, qtbot):
     assert count(picture(viewport), RED) > 500
 
 
+def test_the_legend_contains_the_visible_lines(viewport):
+    clouds, colours = scene()
+    clouds["green"] = wall(40.0, (20.0, 30.0), (0.0, 3.0))
+    viewport.show_clouds(clouds, {**colours, "green": GREEN})
+    viewport.view("front")
+    viewport.fit(wall(15.0, (-2.0, 2.0), (0.0, 3.0)))
+    bare = picture(viewport)
+    viewport.show_line_legend(True)
+
+    def marks() -> list[bool]:
+        """Whether the legend has red, blue and green, which replaced the bare picture."""
+        image = picture(viewport)
+        changed = (image != bare).any(axis=2)
+        rows, columns = np.nonzero(changed)
+        assert rows.max() < 120, "the legend is in the upper left corner"
+        assert columns.max() < 200
+        return [
+            bool(((np.abs(image.astype(int) - colour).max(axis=2) <= 2) & changed).sum() > 30)
+            for colour in (RED, BLUE, GREEN)
+        ]
+
+    assert marks() == [True, True, True]
+    viewport.set_line_visible("red", False)
+    bare = hidden(viewport)
+    assert marks() == [False, True, True]
+    viewport.set_line_visible("blue", False)
+    np.testing.assert_array_equal(picture(viewport), hidden(viewport))
+
+
+def hidden(viewport) -> np.ndarray:
+    """Picture without the legend, which is shown again afterwards."""
+    viewport.show_line_legend(False)
+    image = picture(viewport)
+    viewport.show_line_legend(True)
+    return image
+
+
 def test_unchanged_scene_is_not_rendered_again(viewport, qtbot):
     viewport.show_clouds(*scene())
     viewport.view("front")

@@ -96,6 +96,7 @@ class ReportPictures(QObject):
         """
         with theme.paper_colours():
             viewport = self._viewport = self._window_viewport.create_empty_viewport()
+            viewport.show_line_legend(False)  # the report explains the colours once
             viewport.widget.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
             viewport.widget.resize(*PICTURE_SIZE_PX)
             viewport.widget.show()
