@@ -12,7 +12,6 @@ from PySide6.QtCore import (
     QTimer,
     Signal,
 )
-from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
@@ -27,6 +26,7 @@ from lispac.gui import widgets
 from lispac.gui.app.docks import SIDE_WIDTH_PX, raise_panel
 from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEP_KEYS, STEP_NAMES, ProjectState, StepState, StepStatus
+from lispac.gui.widgets.elided_label import ElidedLabel
 from lispac.gui.widgets.number_input import REASON_PROPERTY, first_error_of, number_fields
 from lispac.language import N_, gettext
 from lispac.messages import Message
@@ -133,24 +133,6 @@ class WorkflowPanel(QWidget):
             header.show_status(status)
 
 
-class _ElidedLabel(QLabel):
-    """Label that shortens the end of a text which is too wide."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setTextFormat(Qt.TextFormat.PlainText)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, super().minimumSizeHint().height())
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
-        self.style().drawItemText(
-            QPainter(self), self.rect(), self.alignment().value, self.palette(), self.isEnabled(),
-            text, self.foregroundRole(),
-        )  # fmt: skip
-
-
 class _StepHeader(QPushButton):
     """Header with number, name and status of a step; a click opens the step."""
 
@@ -168,7 +150,7 @@ class _StepHeader(QPushButton):
         self._glyph = QLabel()
         name = widgets.label("", "heading")
         name.setText(self._title)
-        self.sentence = _ElidedLabel()
+        self.sentence = ElidedLabel()
         self.sentence.setProperty("role", "muted")
         texts = QVBoxLayout()
         texts.setSpacing(0)

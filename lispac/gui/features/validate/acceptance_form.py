@@ -17,6 +17,7 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
+from lispac.gui.widgets.elided_label import ElidedLabel
 from lispac.gui.widgets.number_input import PanelEntry, PendingInput, handle_shortcut_override
 from lispac.gui.widgets.optional_number import OptionalNumber
 from lispac.gui.widgets.result_tables import local_number
@@ -72,7 +73,7 @@ class AcceptanceForm(QWidget):
         self.fields: dict[str, OptionalNumber] = {}
         self.results: dict[str, CriterionResultLabel] = {}
         grid = QGridLayout()
-        grid.setHorizontalSpacing(8)
+        grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(4)
         grid.setColumnStretch(LIMIT_COLUMN, 1)
         grid.setColumnStretch(RESULT_COLUMN, 2)
@@ -140,11 +141,11 @@ class CriterionResultLabel(QWidget):
         self.setObjectName(name)
         self._title = title
         self._shown: CriterionResult | None = None
-        self.icon, self.text = QLabel(), widgets.label("", name=f"{name}_text")
-        self.text.setMinimumWidth(1)  # a long list of planes is cut off, and complete in the tip
+        self.icon, self.text = QLabel(), ElidedLabel()
+        self.text.setObjectName(f"{name}_text")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
+        row.setSpacing(3)
         row.addWidget(self.icon)
         row.addWidget(self.text, 1)
         self.setMinimumHeight(ICON_SIZE_PX)
