@@ -41,7 +41,8 @@ from lispac.report.section_summaries import cross_check_summary, reliability_sum
 
 SIGHTING_TEST_TEXT = N_(
     "Each sighting of a target is compared with the result of all others. Shift: distance of the "
-    "sighting from the surface of its target, positive if nearer to the vessel. w: shift divided "
+    "sighting from the surface of its target, without the estimated POS error of the line, which "
+    "the mean of the residuals contains; positive if nearer to the vessel. w: shift divided "
     "by its sigma; above {limit} the sighting disagrees (1 % probability that any of {count:n} "
     "sightings of targets without a blunder does so). Detectable shift: smallest shift that the "
     "test finds with 80 % probability. Effect: change of the angles caused by a positive shift of "

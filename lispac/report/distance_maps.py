@@ -1,7 +1,8 @@
 """Maps of the distances between two lines on a plane, before and after the calibration.
 
-All maps of a plane have one colour scale, so that before and after can be compared. The offset of
-the two lines is given above each map.
+All maps of a plane have one colour scale, so that before and after can be compared. It is
+logarithmic beyond a limit, so that small distances after the calibration are visible beside large
+ones before it. The offset of the two lines is given above each map.
 """
 
 from collections.abc import Sequence
@@ -10,6 +11,7 @@ from math import ceil
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import Normalize, SymLogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
@@ -50,6 +52,10 @@ MIN_COLOUR_LIMIT_M = 1e-4
 """Smallest distance at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
+LINEAR_LIMIT_MM = 20.0
+"""Distance beyond which the colour scale is logarithmic, millimetres."""
+LOG_TICKS_MM = 100.0, 1000.0, 10_000.0
+"""Distances at which the logarithmic part of a colour bar has numbers, millimetres."""
 MAX_BAR_TICKS = 5
 """Largest number of intervals of a colour bar."""
 MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
@@ -275,7 +281,7 @@ def _draw_map(axes: Axes, drawn: _Map, limit: float) -> None:
         np.repeat(1000 * drawn.grid, PIXELS_PER_CELL, axis=0), PIXELS_PER_CELL, axis=1
     )
     axes.imshow(
-        sharp, cmap=COLOUR_MAP, vmin=-1000 * limit, vmax=1000 * limit, origin="lower",
+        sharp, cmap=COLOUR_MAP, norm=_colour_norm(1000 * limit), origin="lower",
         extent=drawn.extent, aspect="equal", interpolation="none",
     )  # fmt: skip
     axes.set_facecolor("#dddddd")
@@ -313,9 +319,22 @@ def _draw_colour_bar(figure: Figure, axes: Axes) -> None:
         axes.images[0], cax=figure.add_axes(place), extend="both", format=LocalisedFormatter()
     )
     bar.set_label(gettext(BAR_TITLE), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, labelpad=2)
-    bar.locator = MaxNLocator(MAX_BAR_TICKS)
-    bar.update_ticks()
+    if isinstance(bar.norm, SymLogNorm):
+        largest = bar.norm.vmax or 0.0
+        positive = [LINEAR_LIMIT_MM, *(tick for tick in LOG_TICKS_MM if tick < largest)]
+        bar.set_ticks([*(-tick for tick in reversed(positive)), 0.0, *positive])
+        bar.ax.minorticks_off()
+    else:
+        bar.locator = MaxNLocator(MAX_BAR_TICKS)
+        bar.update_ticks()
     bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
+
+
+def _colour_norm(limit: float) -> Normalize:
+    """Colour scale up to a distance in millimetres, symmetrical about zero."""
+    if limit <= 2 * LINEAR_LIMIT_MM:
+        return Normalize(-limit, limit)
+    return SymLogNorm(LINEAR_LIMIT_MM, vmin=-limit, vmax=limit)
 
 
 def _colour_limit(pairs: Sequence[tuple[_Map, _Map]]) -> float:

@@ -86,8 +86,8 @@ SHIFTS_TEXT = N_(
 MAP_LEGEND_TEXT = N_(
     "Maps: distance of the first line from the second along the normal of the plane, seen from the "
     "vessel, or from above if the plane is horizontal; red: the first line is nearer to the "
-    "vessel, blue: it is farther away, grey: too few points. The number above a map is the offset "
-    "of the two lines."
+    "vessel, blue: it is farther away, grey: too few points. A colour scale that ends beyond 40 mm "
+    "is logarithmic beyond 20 mm. The number above a map is the offset of the two lines."
 )
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "

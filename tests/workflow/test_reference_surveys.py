@@ -22,7 +22,12 @@ from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.estimation import (
+    adjust_selected,
+    complete_result,
+    estimate,
+    reselect_points,
+)
 from lispac.workflow.calibration.picking import pick_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.importing.file_reading import detect_reading
@@ -124,9 +129,15 @@ def test_a_lever_arm_of_the_harbour_that_is_metres_wrong_is_named(
     lever_arm[axis] += change
     wrong = opened.with_settings(replace(opened.settings, lever_arm=tuple(lever_arm.tolist())))
     survey = load_survey(wrong)
-    result = estimate(wrong, survey, cross_check=False).result
+    # As in the window, whose first result, before the checks, must not have another value
+    selected = reselect_points(wrong, survey)
+    first = adjust_selected(wrong, selected, survey, cross_check=False, advise=False)
+    result = first.result
     assert result is not None
     assert result.causes
+    complete = complete_result(first, selected, survey, cross_check=False).result
+    assert complete is not None
+    assert complete.causes == result.causes
     [cause] = result.causes[0]
     assert cause.kind == f"lever_{'xyz'[axis]}"
     assert cause.size[0] == pytest.approx(-change, abs=0.02)

@@ -59,6 +59,8 @@ LEGEND_LINES = len(LINE_COLOURS)
 """Largest number of lines in the legend; the colours of later ones repeat."""
 LEGEND_ROW_PX, LEGEND_NAME_PX = 17.0, 140.0
 """Height of a line in the legend, and largest width of its name."""
+AXES_PX = 86.0
+"""Width and height of the picture of the axes."""
 DOT_PX = 7.0
 """Radius of the dot of a marker with its rings, pixels."""
 LABEL_RINGS = 6
@@ -350,7 +352,7 @@ class Overlay(QWidget):
     def occupied(self, size: ViewportSize) -> list[QRectF]:
         """Rectangles of axes, scale bar and colour scale, where no label of a target is placed."""
         base = size.height - MARGIN_PX
-        axes = QRectF(MARGIN_PX, base - 86.0, 86.0, 86.0)
+        axes = QRectF(MARGIN_PX, base - AXES_PX, AXES_PX, AXES_PX)
         scale = QRectF(size.width - MARGIN_PX - 170.0, base - 34.0, 170.0, 38.0)
         legend = []
         if self.shading is not None:
@@ -361,8 +363,10 @@ class Overlay(QWidget):
 
     def _legend_lines(self) -> list[str]:
         """Names of the lines in the legend; none if there is only one line."""
-        has_legend = self.has_line_legend and len(self.lines) > 1
-        return list(self.lines)[:LEGEND_LINES] if has_legend else []
+        space = self.height() - 3 * MARGIN_PX - AXES_PX - 8.0  # above the axes
+        count = min(LEGEND_LINES, int(space / LEGEND_ROW_PX) - 1)
+        has_legend = self.has_line_legend and len(self.lines) > 1 and count > 1
+        return list(self.lines)[:count] if has_legend else []
 
     def line_legend_rect(self) -> QRectF:
         """Rectangle of the legend of the lines."""

@@ -476,9 +476,9 @@ PLANE_DISTANCES_TABLE = Table[ValidationPlane](
         Column("name", N_("Plane")),
         Column(pooled_pairs_text, N_("Pairs\nof lines")),
         *distance_columns("before", "after"),
-        Column("largest_offset_lines", N_("Largest\noffset\nbetween")),
-        Column("former_offset_m", N_("Absolute\noffset\nbefore"), PLAIN_MILLIMETRES),
-        Column("largest_offset_m", N_("Absolute\noffset\nafter"), PLAIN_MILLIMETRES),
+        Column("largest_offset_m", N_("Largest\noffset\nafter"), PLAIN_MILLIMETRES),
+        Column("largest_offset_lines", N_("Lines of\nthis offset")),
+        Column("former_offset_m", N_("Same lines\nbefore"), PLAIN_MILLIMETRES),
     ),
 )
 WINDOW_PLANES_TABLE = Table[ValidationPlane](

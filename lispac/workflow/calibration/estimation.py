@@ -380,8 +380,10 @@ def adjust_selected(
         lidar_noise_from_residuals=settings.is_lidar_noise_from_residuals,
     )
     observations = observations.without_targets(result.excluded_targets)
+    # A linear estimate of a wrong value is itself wrong if the residuals are implausibly large
+    result = _with_wrong_value(project, survey, result, progress)
     if advise:
-        result = _with_advice(project, survey, result, observations, progress)
+        result = _with_advice(result, observations)
     solved = project.with_result(result)
     return (
         _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
@@ -423,28 +425,18 @@ def complete_result(
     """Complete a result with the parts omitted for speed: the additional line and cross-checks.
 
     Used after `adjust_selected` without ``advise``. The result is the same except for the note on
-    an additional line and a wrong value of the mounting.
+    an additional line.
     """
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
     observations = observations.without_targets(project.result.excluded_targets)
-    result = _with_advice(project, survey, project.result, observations, progress)
+    result = _with_advice(project.result, observations)
     advised = replace(project, result=result)
     return _with_cross_checks(advised, observations, progress) if cross_check else advised
 
 
-def _with_advice(
-    project: Project,
-    survey: Survey,
-    result: AdjustmentResult,
-    observations: Observations,
-    progress: Progress,
-) -> AdjustmentResult:
-    """Result with the additional line that would improve the precision most.
-
-    If the residuals are implausibly large, it has the value of the mounting that is wrong.
-    """
-    result = _with_wrong_value(project, survey, result, progress)
+def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
+    """Result with the additional line that would improve the precision most."""
     # The additional line is assessed with the sigmas of the complete adjustment.
     scaled = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability

@@ -48,8 +48,8 @@ class SectionPoints:
         Range of the means of the points of each line on a target, along its normal, which the
         picture must contain; None without a plane.
     normal : ndarray of shape (2,) or None
-        Part of the unit normal of the plane in the picture; None without a plane, and if the plane
-        is nearly parallel to the picture.
+        Part of the unit normal of the plane in the picture, towards the vessel; None without a
+        plane, and if the plane is nearly parallel to the picture.
     """
 
     which: BoresightChoice
@@ -120,6 +120,8 @@ def section_at_target(
     normal = common_normal(latest.values())
     ends = np.concatenate([_end_times(survey.scans[line]) for line in latest])
     viewpoint = survey.trajectory.at(ends).position.mean(axis=0)
+    middle = np.mean([points.mean(axis=0) for points in latest.values()], axis=0)
+    normal = normal if normal @ (viewpoint - middle) >= 0 else -normal  # towards the vessel
     cuts = []
     for which, clouds in _placements(project, survey):
         middles = {line: points.mean(axis=0) for line, points in groups[which].items()}

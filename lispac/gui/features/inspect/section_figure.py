@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui.appearance import quantities, theme
-from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLE, LOW_TITLES
+from lispac.gui.features.inspect.section_titles import ACROSS_TITLES, ALONG_TITLE, LOW_TITLES
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
@@ -28,11 +28,11 @@ AXIS_INCHES, LOW_AXIS_INCHES = (0.8, 0.8), (0.6, 0.5)
 figure, whose horizontal axis has its title inside."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 CUT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: offset {offset} ({lines})"),
-    "estimated": N_("After: offset {offset} ({lines})"),
+    "prior": N_("Before: {lines} {offset} apart"),
+    "estimated": N_("After: {lines} {offset} apart"),
 }
 SHORT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: {offset} ({lines})"), "estimated": N_("After: {offset} ({lines})"),
+    "prior": N_("Before: {lines} {offset}"), "estimated": N_("After: {lines} {offset}"),
 }  # fmt: skip
 """Titles where the others do not fit."""
 MIN_TITLE_LENGTH = 14
@@ -309,8 +309,10 @@ class _CutView:
     def axis_titles(self, titles: tuple[str, str], *, is_low: bool) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
         if not self.is_natural:
-            across = (ACROSS_TITLE, ALONG_TITLE)
-            titles = (across[1], across[0]) if self.vertical else across
+            normal = self.cut.normal
+            is_towards = normal is not None and bool(normal[int(self.vertical)] > 0)
+            across = ACROSS_TITLES[is_towards]
+            titles = (ALONG_TITLE, across) if self.vertical else (across, ALONG_TITLE)
         if is_low:
             return [gettext(LOW_TITLES.get(title, title)) for title in titles]
         texts = [gettext(title) for title in titles]

@@ -134,9 +134,9 @@ class PatchAngles(QWidget):
                 text = gettext("result {angle}, no standard deviation", angle=angle)
             else:
                 sigma = local_amount(getattr(values.sigma_deg, name), DEGREES)
-                text = gettext("result {angle} ± {sigma}", angle=angle, sigma=sigma)
+                text = gettext("result {angle} ± {sigma} (1 σ)", angle=angle, sigma=sigma)
             distance = local_amount(getattr(values.misalignment_m, name), MILLIMETRES)
-            effect = gettext("0.01° error = {distance} misalignment", distance=distance)
+            effect = gettext("0.01° = {distance}", distance=distance)
             label.setText(join_items((text, effect)))
 
     def set_reason(self, reason: str) -> None:

@@ -89,6 +89,7 @@ class AcceptanceForm(QWidget):
                 f"acceptance_{name.removesuffix('_deg')}", gettext(title), unit, scale,
                 gettext(NOT_JUDGED_TEXT), gettext(description), limits=limits,
             )  # fmt: skip
+            field.setPlaceholderText(gettext("none"))  # short; the tip says what it means
             field.committed.connect(lambda name=name: self._emit_edit(name))
             self.fields[name] = field
             text = gettext("{label} ({unit})", label=gettext(label), unit=field.unit)

@@ -429,6 +429,8 @@ class HistogramsPanel(QWidget):
         if is_stacked:
             line = self.reading.fontMetrics().lineSpacing()
             whole, first = self._parts.height(), self.table.sizeHint().height() + 2 * line
+        elif is_pairs:  # the low table has a scroll bar, and its numbers are not to be cut
+            first += self.table.verticalScrollBar().sizeHint().width()
         self._parts.setSizes([first, max(whole - first, 1)])
         self._show_judgement()
 
