@@ -54,8 +54,8 @@ PIXELS_PER_CELL = 10
 """Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
 LINEAR_LIMIT_MM = 20.0
 """Distance beyond which the colour scale is logarithmic, millimetres."""
-LOG_TICKS_MM = 100.0, 1000.0, 10_000.0
-"""Distances at which the logarithmic part of a colour bar has numbers, millimetres."""
+LOG_TICKS_MM = 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0
+"""Distances of which the largest on a colour bar has a number, besides the linear limit, mm."""
 MAX_BAR_TICKS = 5
 """Largest number of intervals of a colour bar."""
 MARGIN_RIGHT, MAP_SPACING = 0.08, 0.24
@@ -320,8 +320,8 @@ def _draw_colour_bar(figure: Figure, axes: Axes) -> None:
     )
     bar.set_label(gettext(BAR_TITLE), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, labelpad=2)
     if isinstance(bar.norm, SymLogNorm):
-        largest = bar.norm.vmax or 0.0
-        positive = [LINEAR_LIMIT_MM, *(tick for tick in LOG_TICKS_MM if tick < largest)]
+        end = bar.norm.vmax or 0.0
+        positive = [LINEAR_LIMIT_MM, *[tick for tick in LOG_TICKS_MM if tick <= end][-1:]]
         bar.set_ticks([*(-tick for tick in reversed(positive)), 0.0, *positive])
         bar.ax.minorticks_off()
     else:
