@@ -1,6 +1,6 @@
 """Refresh of the panels from the document, and availability of the actions."""
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject
+from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.docks import DockLayout
@@ -93,8 +93,6 @@ class PanelRefresh(QObject):
         self._dock_layout.show_filled(filled_docks(state), is_new_project=self._is_new_project)
         self._is_new_project = False
         self._enable_controls(state)
-        # Before other tasks: panels with longer texts would be painted with squeezed fields
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
     def _open_step(self) -> None:
         """Open the first step that is not done, without refreshing the panels twice."""

@@ -120,6 +120,20 @@ def test_the_distance_of_a_section_is_that_of_the_means_of_whole_sightings(
         assert cut.spread == pytest.approx(np.ptp(along), abs=1e-9)
 
 
+def test_the_normal_in_a_section_points_to_the_vessel(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    for target in project.targets:
+        if target.shape != "plane":
+            continue
+        (own, *_) = [survey.scans[each.line] for each in target.sightings if len(each.indices)]
+        vessel = survey.trajectory.at(np.array([own.first_time])).position[0]
+        for cut in section_at_target(project, survey, target.name):
+            if cut.normal is not None:
+                seen = [(vessel - cut.section.centre) @ axis
+                        for axis in (cut.section.right, cut.section.up)]  # fmt: skip
+                assert np.dot(cut.normal, seen) > 0, target.name
+
+
 def test_distances_across_a_plane_are_enlarged_by_its_slope_in_the_section(
     calibrated: tuple[Project, Survey],
 ) -> None:

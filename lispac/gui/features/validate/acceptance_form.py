@@ -102,11 +102,11 @@ class AcceptanceForm(QWidget):
             grid.addWidget(result, row, RESULT_COLUMN)
         self.source = SourceField()
         self.source.committed.connect(lambda: self.edited.emit({"source": self.source.text()}))
-        layout.addLayout(grid)
         source = widgets.label(gettext("Source"))
         source.setBuddy(self.source)
-        layout.addWidget(source)
-        layout.addWidget(self.source)
+        grid.addWidget(source, len(_LIMITS) + 1, LABEL_COLUMN)
+        grid.addWidget(self.source, len(_LIMITS) + 1, LIMIT_COLUMN, 1, 2)
+        layout.addLayout(grid)
 
     def _emit_edit(self, name: str) -> None:
         value = self.fields[name].value()
@@ -132,6 +132,10 @@ class AcceptanceForm(QWidget):
         found: dict[str, CriterionResult] = {each.quantity: each for each in results}
         for quantity, label in self.results.items():
             label.show_result(found.get(quantity))
+        # The fields keep their height while the panel has not yet got that of longer texts below
+        layout = self.layout()
+        assert layout is not None
+        self.setMinimumHeight(layout.minimumSize().height())
 
 
 class CriterionResultLabel(QWidget):

@@ -48,14 +48,6 @@ class ValidatePanel(QWidget):
         super().__init__()
         self._shown: tuple[PlaneComparison, ...] = ()
         layout = widgets.vertical_layout(self)
-        layout.addWidget(
-            widgets.label(
-                gettext(
-                    "The lines are compared, cloud to cloud, on planes not used in the adjustment."
-                ),
-                "hint", wrap=True,
-            )
-        )  # fmt: skip
         self.kind = widgets.ChoiceBox(
             "distance_to", [gettext(title) for _, title in SURFACE_MODELS],
             gettext(
@@ -87,7 +79,10 @@ class ValidatePanel(QWidget):
         self.neighbours.valueChanged.connect(lambda _value: self._emit_model())
         self.run = widgets.button(
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
-            tip=gettext("Compare the lines on all validation planes, before and after (F10)"),
+            tip=gettext(
+                "Compare the lines, cloud to cloud, on all validation planes, which are not used "
+                "in the adjustment, before and after (F10)"
+            ),
         )  # fmt: skip
         self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)

@@ -179,7 +179,7 @@ def test_the_section_gives_the_offsets_of_the_table_of_pairs(
             offset = f"{1000 * abs(getattr(pair, state).signed.median):.1f}"
             title = axes.get_title(loc="left")
             assert offset in title
-            assert f"({pair.line_a} / {pair.line_b})" in " ".join(title.split())
+            assert f"{pair.line_a} / {pair.line_b}" in " ".join(title.split())
             column = columns.index(f"{state}.signed.median_m")
             assert row[column].strip("+−-") == offset
     window._select("T1", "")
@@ -214,7 +214,9 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         width = np.ptp(axes.get_xlim())
         assert factor > 1
         assert axes.get_ylim() == pytest.approx(np.array([-0.5, 0.5]) * panel.size.value())
-        assert axes.get_xlabel() == f"Across the surface, enlarged {factor:.0f} times (m)"
+        sign = "+" if cut.normal[0] > 0 else "−"
+        title = f"Across the surface, {sign} towards the vessel, enlarged {factor:.0f} times (m)"
+        assert axes.get_xlabel() == title
         assert cut.spread < width
         for drawn in axes.lines:
             points = cut.points[drawn.get_gid()] @ cut.normal / np.linalg.norm(cut.normal)
@@ -240,8 +242,8 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
     figure = Figure()
     draw_section([far, cuts[1]], colours, ("Distance", "Height"), {}, figure)
     before, after = figure.axes
-    assert before.get_xlabel() == "Across the surface (m)"
-    assert after.get_xlabel().startswith("Across the surface, enlarged")
+    assert before.get_xlabel().endswith("towards the vessel (m)")
+    assert "enlarged" in after.get_xlabel()
     assert before.get_ylabel() == after.get_ylabel()
     near, nearer = replace(cuts[1], spread=0.09), replace(cuts[1], spread=0.03)
     assert near.automatic_exaggeration() < nearer.automatic_exaggeration()

@@ -125,6 +125,16 @@ def test_criteria_are_typed_with_clicks_at_first_read_places(
     assert started == []
 
 
+def test_the_fields_keep_their_height_in_a_panel_that_is_too_low(judged: Driver) -> None:
+    heights = [each.height() for each in fields(judged)]
+    panel = judged.window.validate
+    panel.resize(panel.width(), panel.height() // 2)
+    layout = panel.layout()
+    layout.activate()
+    layout.setGeometry(panel.rect())
+    assert [each.height() for each in fields(judged)] == heights
+
+
 def test_criteria_are_typed_with_tab_only(judged: Driver, started: list[str]) -> None:
     for values in (TIGHT, LAX):
         scroll_to_fields(judged)
