@@ -11,7 +11,7 @@ from time import monotonic
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -207,8 +207,10 @@ def name_project(hands: Hands, folder: Path) -> None:
     def act(dialog: QFileDialog) -> bool:
         name = dialog.findChild(QLineEdit, "fileNameEdit")
         if name.text() != path:
+            # Pasted: the completion of each typed letter of a long path takes a second
+            QGuiApplication.clipboard().setText(path)
             name.selectAll()
-            hands.bot.keyClicks(name, path)
+            hands.bot.keyClick(name, Key.Key_V, Control)
             return False
         hands.bot.keyClick(name, Key.Key_Return)
         return True

@@ -38,11 +38,11 @@ STORED_DECIMALS = 12
 
 _LIMITS = (
     ("roll_sigma_deg", N_("σ of roll"), N_("Largest σ of roll"),
-     N_("Largest standard deviation of the estimated roll; 0.01° moves a point at 50 m by 9 mm")),
+     N_("Largest standard deviation of the estimated roll")),
     ("pitch_sigma_deg", N_("σ of pitch"), N_("Largest σ of pitch"),
-     N_("Largest standard deviation of the estimated pitch; 0.01° moves a point at 50 m by 9 mm")),
+     N_("Largest standard deviation of the estimated pitch")),
     ("yaw_sigma_deg", N_("σ of yaw"), N_("Largest σ of yaw"),
-     N_("Largest standard deviation of the estimated yaw; 0.01° moves a point at 50 m by 9 mm")),
+     N_("Largest standard deviation of the estimated yaw")),
     ("rms", N_("RMS"), N_("Largest RMS on a plane"),
      N_("Largest RMS of the distances between the lines on each validation plane after the "
         "calibration")),

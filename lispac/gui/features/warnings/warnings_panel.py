@@ -331,7 +331,10 @@ class WarningsButton(QPushButton):
         icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
         text = level_counts_text(messages or ())
-        self.setText(text if is_complete else f"{text} …")
+        # The status bar has little space; the panel counts the routine notes too
+        important = [each for each in messages or () if not is_routine(each)]
+        short = level_counts_text(important or messages or ())
+        self.setText(short if is_complete else f"{short} …")
         if (bar := self.parentWidget()) is not None and (layout := bar.layout()) is not None:
             layout.activate()  # the bar may paint the text before the next layout
         tip = gettext("Click to see them all (F12)")

@@ -122,7 +122,7 @@ def test_the_status_bar_counts_warnings_and_opens_the_list(adjusted: Driver) -> 
     assert {each.level for each in found} == {Level.NOTE}
     routine = sum(map(is_routine, found))
     assert 0 < routine < len(found)
-    counts = f"{len(found) - routine} notes, {routine} routine notes"
+    counts = f"{len(found) - routine} notes"
     assert adjusted.window.warnings_button.text() == counts
     bad = (*found, warning("report.not_calibrated"))
     adjusted.window.warnings_button.show_warnings(bad)
@@ -471,4 +471,4 @@ def test_a_reopened_project_shows_the_same_messages(
     assert listed(driver) == before
     assert driver.project.result is not None
     assert button.text() == counts
-    assert panel.head.text().startswith(f"{counts}. ")
+    assert panel.head.text().startswith(counts)
