@@ -22,6 +22,9 @@ TEXTS: Mapping[str, Template] = {
         "The boresight has not been estimated, so the angles in this report are the prior angles, "
         "with unknown uncertainty. Estimate the boresight."
     ),
+    "report.file_moved": N_(
+        "The report {file} was moved or deleted. Export it again, or open it from its new folder."
+    ),
     "report.simulated": N_(
         "The survey is simulated. Its boresight was chosen by the program and does not describe a "
         "real system."

@@ -1,5 +1,6 @@
 """State of the five steps of the workflow: a short status and the next action for each."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -86,6 +87,8 @@ class ProjectState:
         Whether the lines are being compared on the validation planes.
     is_checking : bool
         Whether the checks of the result are not complete.
+    report : ExportedReport or None
+        Report that was last exported from the project.
     """
 
     project: Project | None
@@ -99,6 +102,7 @@ class ProjectState:
     is_outdated: bool = False
     is_validating: bool = False
     is_checking: bool = False
+    report: ExportedReport | None = None
 
 
 OUTDATED_RESULT_NOTE = note("project.out_of_date")
@@ -126,6 +130,7 @@ def step_statuses(
     report: ExportedReport | None = None,
     running: int | None = None,
     checking: bool = False,
+    poor_sightings: Sequence[str] = (),
     opening: bool = False,
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
@@ -144,6 +149,8 @@ def step_statuses(
         Step whose task is running: `ADJUST` or `VALIDATE`.
     checking : bool
         Whether the checks of the result are not complete.
+    poor_sightings : sequence of str
+        Names of the sightings that are used in the adjustment and rated poor.
     opening : bool
         Whether a task runs without a project, which opens one.
     """
@@ -163,7 +170,7 @@ def step_statuses(
         return (first, *[nothing] * 4)
     return (
         _data_status(project, survey),
-        _targets_status(project, survey),
+        _targets_status(project, survey, poor_sightings),
         _estimating_status()
         if running == ADJUST
         else _checking_status()
@@ -227,7 +234,9 @@ def _waiting_status() -> StepStatus:
     )
 
 
-def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
+def _targets_status(
+    project: Project, survey: Survey | None, poor_sightings: Sequence[str]
+) -> StepStatus:
     used = [target for target in project.targets_of_role("target") if target.used]
     planes = project.targets_of_role("validation")
     if survey is None:
@@ -268,6 +277,24 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
         )
     if project.result is None and have_targets_single_orientation(project, survey):
         return StepStatus("warning", sentence, _single_orientation_text())
+    if poor_sightings:
+        poor = gettext(
+            Plural("{count:n} poor sighting", "{count:n} poor sightings"),
+            count=len(poor_sightings),
+        )
+        return StepStatus(
+            "warning",
+            gettext("{targets}, {sightings}", targets=targets, sightings=poor),
+            gettext(
+                Plural(
+                    "The quality of {sightings:names} is poor. Exclude it, or pick the target at "
+                    "another place. Its tip in the table Targets by line gives the reason.",
+                    "The quality of {sightings:names} is poor. Exclude them, or pick the targets "
+                    "at other places. Their tips in the table Targets by line give the reasons.",
+                ),
+                count=len(poor_sightings), sightings=tuple(poor_sightings),
+            ),
+        )  # fmt: skip
     return StepStatus("done", sentence, _planes_advice(len(used_planes), excluded))
 
 

@@ -248,6 +248,7 @@ class MainWindow(QMainWindow):
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
         quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
+        quality.qualities_changed.connect(self.panel_refresh.show_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._go_to)
         actions.connect_slots(
             {"acceptance_criteria": self.cause_navigation.go_to_acceptance_criteria}

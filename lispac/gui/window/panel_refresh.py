@@ -1,5 +1,7 @@
 """Refresh of the panels from the document, and availability of the actions."""
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
@@ -27,7 +29,10 @@ from lispac.gui.project.status import (
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels, filled_docks
+from lispac.language import gettext
 from lispac.messages import Message
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.workflow.calibration.sighting_assessment import SightingKey
 
 MIN_TARGET_COUNT = 2
 """Number of targets below which a project is opened at the step of the targets."""
@@ -65,6 +70,7 @@ class PanelRefresh(QObject):
         self._panels, self._central_widget = panels, central_widget
         self._dock_layout = dock_layout
         self._opening, self._is_new_project = False, True
+        self._poor_sightings: tuple[str, ...] = ()
         document.changed.connect(self.refresh)
         document.changed.connect(self._count_points)
         panels.workflow.step_opened.connect(lambda _step: self.refresh())
@@ -94,6 +100,21 @@ class PanelRefresh(QObject):
         self._is_new_project = False
         self._enable_controls(state)
 
+    def show_qualities(self, qualities: Mapping[SightingKey, SightingQuality]) -> None:
+        """Show in step 2 whether sightings of the adjustment are rated poor."""
+        project = self._document.project
+        targets = () if project is None else project.targets_of_role("target")
+        poor = tuple(
+            gettext("{target} on {line}", target=target.name, line=sighting.line)
+            for target in targets if target.used
+            for sighting in target.used_sightings
+            if (quality := qualities.get((target.name, sighting.line))) is not None
+            and quality.rating == "poor"
+        )  # fmt: skip
+        if poor != self._poor_sightings:
+            self._poor_sightings = poor
+            self.refresh()
+
     def _open_step(self) -> None:
         """Open the first step that is not done, without refreshing the panels twice."""
         self._opening = self._is_new_project = True
@@ -114,6 +135,7 @@ class PanelRefresh(QObject):
             report=document.report,
             running=self._running_step(),
             checking=document.awaits_checks,
+            poor_sightings=self._poor_sightings,
             opening=project is None and self._runner.busy,
         )
         errors = self._panels.workflow.input_errors()
@@ -121,7 +143,7 @@ class PanelRefresh(QObject):
         return ProjectState(
             project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
             document.refused_since, self._estimate_reason(), document.is_result_outdated,
-            self._running_step() == VALIDATE, document.awaits_checks,
+            self._running_step() == VALIDATE, document.awaits_checks, document.report,
         )  # fmt: skip
 
     def _running_step(self) -> int | None:

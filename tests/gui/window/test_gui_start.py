@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.app.language import set_language
 from lispac.gui.app.unavailable import Unavailable
-from lispac.gui.features.help.tour import SAME_ORIENTATION_TEXT, TOUR_STEPS
+from lispac.gui.features.help.tour import EXPORTED_TEXT, SAME_ORIENTATION_TEXT, TOUR_STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project
@@ -97,7 +97,9 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
     return demo_copy
 
 
-def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
+def test_the_tour_leads_to_a_validated_boresight_and_a_report(
+    driver: Driver, at_the_demo: Path, tmp_path: Path
+) -> None:
     window = driver.window
     driver.bot.mouseClick(window.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
     driver.bot.waitUntil(lambda: window.tour.is_running, timeout=WAIT_MS)
@@ -139,6 +141,10 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
     assert (
         np.abs(off / np.degrees(np.sqrt(np.diag(driver.project.result.covariance)[:3]))).max() < 3
     )
+    driver.dialogs.path = tmp_path / "report.json"
+    press(driver, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+    driver.bot.waitUntil(lambda: card.text.text() == EXPORTED_TEXT, timeout=WAIT_MS)
+    driver.rest()
     driver.bot.mouseClick(card.end, Qt.MouseButton.LeftButton, pos=QPoint(10, 10))
     assert not card.isVisible()
 

@@ -108,10 +108,13 @@ def chi_square_text(result: AdjustmentResult) -> str:
     )
     interval = N_("{value}, outside {lower} to {upper}")
     if test.outcome == "passed":
-        # Agreement with standard deviations estimated from the residuals is no confirmation
-        title = gettext("passed") if has_passed(result) else gettext("not judged")
+        title = gettext("passed")
         colour = theme.MUTED if agrees_by_construction(result) else theme.DONE
         interval = N_("{value}, within {lower} to {upper}")
+        if not has_passed(result):
+            # Agreement with standard deviations estimated from the residuals is no confirmation
+            title = gettext("not judged")
+            interval = N_("{value}, LiDAR noise from the same residuals")
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED
         interval = N_("{value}, below {lower} to {upper}: residuals smaller than expected")

@@ -104,7 +104,16 @@ SAME_ORIENTATION_TEXT = N_(
 """Instruction shown instead of that of the step while all targets have the same orientation."""
 
 
-ALL_TEXTS = (*(step.text for step in TOUR_STEPS), *VERDICT_TEXTS.values(), SAME_ORIENTATION_TEXT)
+EXPORTED_TEXT = N_(
+    "The report is written, and the tour is complete. To calibrate your own survey, choose New "
+    "project in the menu File."
+)
+"""Instruction after the export of the report."""
+
+ALL_TEXTS = (
+    *(step.text for step in TOUR_STEPS), *VERDICT_TEXTS.values(), SAME_ORIENTATION_TEXT,
+    EXPORTED_TEXT,
+)  # fmt: skip
 """All instructions."""
 
 
@@ -234,6 +243,8 @@ class Tour(QObject):
             )
         if at == len(TOUR_STEPS) - 1:
             text = VERDICT_TEXTS[project.judgement.verdict]
+            if document.report is not None and document.report.is_current:
+                text = EXPORTED_TEXT
         if (at, text) != (self._step_index, self._text):
             self._step_index, self._text = at, text
             self._card.show_step(at, text)

@@ -1,9 +1,10 @@
 """Step 1: the files, the lines and the mounting."""
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
@@ -135,7 +136,12 @@ class DataPanel(QWidget):
             field.committed.connect(self._emit_edit)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self._draw_mounting)
-            field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
+            # Once a new warning is laid out
+            field.valueChanged.connect(
+                lambda _value, field=field: QTimer.singleShot(
+                    0, self, partial(self._scroll_to_warning, field)
+                )
+            )
         self._show_empty()
 
     def _noise_block(self) -> QWidget:
@@ -378,13 +384,13 @@ class DataPanel(QWidget):
     def _draw_mounting(self) -> None:
         self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())
 
-    def _ensure_visible(self, field: QWidget) -> None:
-        """Scroll to the focused field so that the sketch is also visible on a small screen."""
-        above = self.parentWidget()
+    def _scroll_to_warning(self, field: QWidget) -> None:
+        """Scroll to the focused field and the warning on its value, if there is one."""
+        above, warning = self.parentWidget(), self.mounting.warnings_label
         while above is not None and not isinstance(above, QScrollArea):
             above = above.parentWidget()
-        if above is not None and field.hasFocus():
-            for each in (self.mounting.sketch, field):
+        if above is not None and field.hasFocus() and not warning.isHidden():
+            for each in (warning, field):
                 above.ensureWidgetVisible(each, 0, 4)
 
 

@@ -138,6 +138,13 @@ class PatchAngles(QWidget):
             distance = local_amount(getattr(values.misalignment_m, name), MILLIMETRES)
             effect = gettext("0.01° = {distance}", distance=distance)
             label.setText(join_items((text, effect)))
+            label.setToolTip(
+                gettext(
+                    "{effect}: an error of 0.01° in this angle misaligns the lines by this "
+                    "distance on the objects",
+                    effect=effect,
+                )
+            )
 
     def set_reason(self, reason: str) -> None:
         """Disable the search buttons with the reason in their tips; an empty text enables them."""

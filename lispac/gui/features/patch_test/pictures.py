@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 
 MARGIN_PX, LEFT_PX, BOTTOM_PX = 10, 62, 36
 """Margins in pixels: of a picture, and to the left of and below the curve."""
+ZOOM_STEP = 1.25
+"""Factor between two scales of the picture of the lines."""
 POINT_SIZE_PX = 2.0
 """Size of a point in pixels."""
 
@@ -68,9 +70,13 @@ class LinesPicture(PaperPicture):
         ----------
         points : ndarray of shape (n, 2) by line, metres, to the right and upwards from the centre
         size : ndarray of shape (2,), metres
-            Extent of the picture.
+            Extent of the picture, which is enlarged if misaligned lines are outside.
         """
         self._points, self._colours, self._half = points, colours, 0.5 * size
+        found = [np.quantile(np.abs(each), 0.99, axis=0) for each in points.values() if len(each)]
+        outside = max((float((each / self._half).max()) for each in found), default=0.0)
+        if outside > 1:  # in steps, so that the scale rarely changes while an angle is changed
+            self._half *= ZOOM_STEP ** np.ceil(np.log(outside) / np.log(ZOOM_STEP))
         self.update()
 
     @property

@@ -76,6 +76,7 @@ class ReportExport(QObject):
         panel.template_requested.connect(self.ask_template)
         panel.details_requested.connect(lambda: self.ask_details())
         panel.missing_requested.connect(self.ask_missing)
+        panel.open_requested.connect(actions.guarded(self._open_exported))
         panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
         actions.connect_slots({"report": self.export})
@@ -102,7 +103,7 @@ class ReportExport(QObject):
         Parameters
         ----------
         missing : names of empty fields that are to be filled in
-        continues : whether an export or a preview follows
+        continues : whether an export follows
 
         Returns
         -------
@@ -150,7 +151,7 @@ class ReportExport(QObject):
 
     def export(self) -> None:
         """Ask for a file and write the report with pictures of the view."""
-        if (found := self._complete_input()) is None:
+        if not self._ask_missing_once() or (found := self._input()) is None:
             return
         project, survey, options = found
         path = self._dialogs.report_file(self._proposed_file(project, options))
@@ -168,25 +169,30 @@ class ReportExport(QObject):
             project.name, options.extent
         )
 
-    def _complete_input(self) -> tuple[Project, Survey, ReportOptions] | None:
-        """Project, survey and options of a report, after a request for missing details.
+    def _input(self) -> tuple[Project, Survey, ReportOptions] | None:
+        """Project, survey and options of a report.
 
-        None if there is no result or the options cannot be used, or if the user cancelled. The
-        details are requested before the file, and before a preview, which is saved as it is shown.
+        None if there is no result or the options cannot be used.
         """
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return None
-        missing = project.identity.missing
-        asked = self._document.folders_asked_for_details
-        if missing and project.folder not in asked:
-            if not self.ask_details(missing, continues=True):
-                return None
-            asked.add(project.folder)
-        project, survey = self._document.project, self._survey  # edited meanwhile
-        if project is None or project.result is None or survey is None:
-            return None
         return project, survey, options
+
+    def _ask_missing_once(self) -> bool:
+        """Ask for missing details, once for a project; return False if the user cancelled.
+
+        The report on a simulated survey is not signed, and needs none.
+        """
+        project, asked = self._document.project, self._document.folders_asked_for_details
+        if project is None or not project.identity.missing or project.folder in asked:
+            return True
+        if project.truth_deg is not None:
+            return True
+        if not self.ask_details(project.identity.missing, continues=True):
+            return False
+        asked.add(project.folder)
+        return True
 
     def _write(
         self,
@@ -228,7 +234,7 @@ class ReportExport(QObject):
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
-        if (found := self._complete_input()) is None:
+        if (found := self._input()) is None:
             return
         project, survey, options = found
         set_pages = partial(self._lay_out_pages, project, survey, options)
@@ -286,7 +292,18 @@ class ReportExport(QObject):
 
     def _on_exported(self, project: Project, options: tuple[object, ...], path: Path) -> None:
         self._on_written(project, options, path)
-        if self._panel.opens.isChecked() and not self._dialogs.open_file(path):
+        if self._panel.opens.isChecked():
+            self._open(path)
+
+    def _open_exported(self, path: Path) -> None:
+        """Open the exported report or its folder, which may have been moved since."""
+        if path.exists():
+            self._open(path)
+        else:
+            self._controller.refused.emit(InputError(error("report.file_moved", file=str(path))))
+
+    def _open(self, path: Path) -> None:
+        if not self._dialogs.open_file(path):
             self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
 
     def _on_written(self, project: Project, options: tuple[object, ...], path: Path) -> None:

@@ -45,12 +45,15 @@ class ReportPanel(QWidget):
     """The missing details are to be filled in."""
     preview_requested = Signal()
     template_requested = Signal()
+    open_requested = Signal(object)
+    """`Path` of the exported report, or of its folder, to be opened."""
     changed = Signal()
     """An option of the report was changed."""
 
     def __init__(self) -> None:
         super().__init__()
         self._template: Path | None = None
+        self._exported: Path | None = None
         layout = widgets.vertical_layout(self)
         self.details = widgets.button(
             gettext("Details for the report…"), "report_details",
@@ -89,6 +92,7 @@ class ReportPanel(QWidget):
         self.opens.setObjectName("report_opens")
         self.opens.toggled.connect(lambda _checked: self.changed.emit())
         layout.addWidget(self.opens)
+        layout.addWidget(self._create_exported_row())
         layout.addWidget(self.lines)
         # Texts that change are below the controls, which then stay in place
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
@@ -174,6 +178,25 @@ class ReportPanel(QWidget):
         for button in (self.preview, self.report):
             button.set_reason(reason_text(status.reason or busy))
         self.lines.set_reason(reason_text(no_data or busy))
+        self._exported = None if state.report is None else state.report.path
+        self.exported.setVisible(self._exported is not None)
+        for each in (self.open_report, self.open_folder):
+            each.setToolTip(widgets.plain_tip(str(self._exported or "")))
+
+    def _create_exported_row(self) -> QWidget:
+        self.exported = QWidget()
+        row = QHBoxLayout(self.exported)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.open_report = widgets.button(gettext("Open report"), "report_open", icon="open-in-new")
+        self.open_folder = widgets.button(
+            gettext("Open folder"), "report_open_folder", icon="folder-open-outline"
+        )
+        self.open_report.clicked.connect(lambda: self.open_requested.emit(self._exported))
+        self.open_folder.clicked.connect(lambda: self.open_requested.emit(self._exported.parent))
+        row.addWidget(self.open_report, 1)
+        row.addWidget(self.open_folder, 1)
+        self.exported.hide()
+        return self.exported
 
     def _create_choice_form(self) -> QFormLayout:
         self.extent = widgets.ChoiceBox(

@@ -100,9 +100,12 @@ def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Dr
     tip = shown_value(picked, "T1", line, Role.ToolTipRole)
     assert message_text(note("quality.few_points", count=40)) in tip
     assert is_shown("quality.shows_less", tip)
+    step = picked.window.workflow.headers[1]
+    assert f"T1 on {line}" in step.toolTip()
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
     assert shown_value(picked, "T1", line).endswith("poor")
+    assert f"T1 on {line}" not in step.toolTip()
     picked.window.document.undo_stack.undo()
     picked.window.document.undo_stack.undo()
     picked.rest()

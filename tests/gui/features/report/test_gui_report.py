@@ -37,7 +37,6 @@ from lispac.language import LANGUAGES, current_language, in_language
 from lispac.present.calibration.sigmas import SIGMA_TITLES
 from lispac.project import Project
 from lispac.report.options import EXTENTS, ReportOptions
-from lispac.report.pdf import Preview
 from lispac.targets.cross_section import common_normal
 from lispac.workflow.calibration import sighting_assessment
 from lispac.workflow.planning.sensors import read_library
@@ -90,18 +89,18 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
     dialogs.path, dialogs.fills_in_details = tmp_path / "report.html", True
     texts = {name: f"the {name}" for name in REQUIRED_FIELDS}
     edited = adjusted.project.identity.changed(**texts | {"vessel": "", "scanner": ""})
-    adjusted.window.document.edit("details", adjusted.project.with_identity(edited))
+    measured = replace(adjusted.project.with_identity(edited), truth_deg=None)
+    adjusted.window.document.edit("details", measured)
     assert panel.missing.isVisible()
 
     def cancel(dialog: QWidget) -> None:
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_cancel"), Left)
 
     proposed = dialogs.proposed
-    for button in (panel.report, panel.preview):
-        use_next_dialog(cancel)
-        click(adjusted, button)
-        adjusted.rest()
-        assert dialogs.proposed is proposed, "the file is asked for after the details"
+    use_next_dialog(cancel)
+    click(adjusted, panel.report)
+    adjusted.rest()
+    assert dialogs.proposed is proposed, "the file is asked for after the details"
     assert not dialogs.path.exists()
 
     def fill_in(dialog: QWidget) -> None:
@@ -134,6 +133,27 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
     assert adjusted.project.identity.missing == ()
     assert not panel.missing.isVisible()
     assert not panel.fill_in.isVisible()
+
+
+def test_the_exported_report_and_its_folder_are_opened_from_the_panel(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    """The details are not asked for: the report on a simulated survey is not signed."""
+    open_step(adjusted, REPORT_STEP)
+    panel, dialogs = adjusted.window.report, adjusted.dialogs
+    panel.opens.setChecked(False)
+    dialogs.path, dialogs.fills_in_details = tmp_path / "report.html", True
+    assert adjusted.project.identity.missing
+    assert not panel.exported.isVisible()
+    click(adjusted, panel.report)
+    adjusted.rest()
+    click(adjusted, panel.open_report)
+    click(adjusted, panel.open_folder)
+    assert dialogs.opened == [dialogs.path, tmp_path]
+    dialogs.path.unlink()
+    click(adjusted, panel.open_report)
+    assert [each.code for each in dialogs.errors] == ["report.file_moved"]
+    assert dialogs.opened == [dialogs.path, tmp_path]
 
 
 def test_only_the_form_of_the_details_refers_to_its_asterisks(adjusted: Driver) -> None:
@@ -412,29 +432,6 @@ def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
     assert adjusted.dialogs.requests == [f"{adjusted.project.name} boresight report.pdf"] * 2
-
-
-def test_a_preview_has_the_details_that_were_asked_for(
-    adjusted: Driver, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    open_step(adjusted, REPORT_STEP)
-    adjusted.dialogs.fills_in_details = True
-    previewed: list[Project] = []
-
-    def preview_report(project: Project, *_arguments: object, **_named: object) -> Preview:
-        previewed.append(project)
-        return Preview((), b"")
-
-    def fill_in(dialog: QWidget) -> None:
-        type_into(adjusted, field(dialog, "vessel"), "Nordlys")
-        adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
-        use_next_dialog(lambda shown: adjusted.bot.keyClick(shown, Key.Key_Escape))
-
-    monkeypatch.setattr("lispac.workflow.output.export.preview_report", preview_report)
-    use_next_dialog(fill_in)
-    click(adjusted, adjusted.window.report.preview)
-    adjusted.rest()
-    assert [each.identity.vessel for each in previewed] == ["Nordlys"]
 
 
 def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: Path) -> None:

@@ -246,9 +246,7 @@ def _time_axes(quality: AttitudeRecord, figure: Figure, count: int) -> Sequence[
     start, end = float(quality.time[0]), float(quality.time[-1])
     last = all_axes[-1]
     last.set_xlim(start, end)
-    last.xaxis.set_major_formatter(
-        FuncFormatter(lambda value, _: units.localised(f"{value:,.10g}"))
-    )
+    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: units.localised(f"{value:.10g}")))
     last.set_xlabel(quality.axis, fontsize=FONT_SIZE)
     first, end_of_names = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
