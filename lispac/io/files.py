@@ -304,9 +304,10 @@ def atomic_write(path: Path) -> Iterator[Path]:
         remove_empty_folders(new_folders)
 
 
-ABANDONED_AFTER_S, UNLOCKED_ABANDONED_AFTER_S = 60.0, 0.1
+ABANDONED_AFTER_S, UNLOCKED_ABANDONED_AFTER_S = 60.0, 5.0
 """Seconds without a change after which a temporary file is considered abandoned: if locks cannot be
-checked, and if the file is not locked (a program that writes a file locks it within this time)."""
+checked, and if the file is not locked (a program that writes a file locks it within this time, also
+on a busy machine)."""
 
 
 def remove_abandoned_files(path: Path) -> None:
