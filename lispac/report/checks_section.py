@@ -16,6 +16,11 @@ from lispac.present.calibration.methods import (
     METHOD_TITLES,
     method_differences,
 )
+from lispac.present.output.pos_corrections import (
+    POS_CORRECTIONS_TABLE,
+    SIGHTED_INTERVALS_TABLE,
+    PosCorrectionValues,
+)
 from lispac.present.targets.sightings import (
     MEAN_POS_SIGMAS_TABLE,
     POINT_TESTS_TABLE,
@@ -76,6 +81,13 @@ CONTROL_TEXT = N_(
     "the point that its residual shows. w: error of the point according to all other observations "
     "except contradicting control, divided by its standard deviation."
 )
+TRAJECTORY_CORRECTIONS_TEXT = N_(
+    "The adjustment also estimates the POS error as a function of time, so that a corrected "
+    "trajectory can be exported. Largest correction: largest absolute value in the intervals with "
+    "sightings. Given sigma: mean of the accuracy of the POS there; the other sigma is the "
+    "smallest one after the correction. Outside the intervals the corrections decay to zero, with "
+    "correlation times of {position} s for the position and {attitude} s for the attitude."
+)
 METHODS_TEXT = N_("Other methods were applied to the same lines. None of them uses the targets.")
 METHOD_DESCRIPTIONS: Mapping[Method, str] = {
     "natural planes": N_("Natural planes: adjustment with the validation planes as targets."),
@@ -113,6 +125,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
         Paragraph(gettext(POINT_TEST_TEXT, limit=fixed_number(CRITICAL_VALUE, 2))),
         report_table(POINT_TESTS_TABLE, found),
         *_pos_error_blocks(found),
+        *_trajectory_correction_blocks(content.trajectory_corrections),
     ]
 
 
@@ -155,6 +168,21 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
         *blocks,
         with_rows_below(table, report_table(MEAN_POS_SIGMAS_TABLE, [mean_pos_sigmas(sightings)])),
         UndrawnPictures(pos_error_caption(sightings), pos_error_figures_of, (tuple(sightings),)),
+    ]
+
+
+def _trajectory_correction_blocks(values: PosCorrectionValues | None) -> list[Block]:
+    if values is None:
+        return []
+    text = gettext(
+        TRAJECTORY_CORRECTIONS_TEXT,
+        position=fixed_number(values.position_time_s, 0),
+        attitude=fixed_number(values.attitude_time_s, 0),
+    )
+    return [
+        Paragraph(text),
+        report_table(POS_CORRECTIONS_TABLE, values.components),
+        report_table(SIGHTED_INTERVALS_TABLE, values.sighted_intervals),
     ]
 
 

@@ -26,6 +26,7 @@ from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.present.checking.acceptance import AcceptanceValues
 from lispac.present.checking.validation import ValidationPlane, swath_overlap
 from lispac.present.output.conventions import convention_values, scanner_to_body_matrix
+from lispac.present.output.pos_corrections import PosCorrectionValues, pos_correction_values
 from lispac.present.survey.survey_data import (
     LINE_ROLE,
     InputFile,
@@ -146,9 +147,15 @@ def report_content(
         methods=tuple(MethodValues.of(each) for each in methods),
         method_messages=comparison_messages(methods),
         control=ControlValues.of(project),
+        trajectory_corrections=_trajectory_corrections(project),
     )
     also = (*also, outdated_result_warning(refused)) if refused else also
     return replace(content, warnings=report_warnings(content, all_warnings(project, also)))
+
+
+def _trajectory_corrections(project: Project) -> PosCorrectionValues | None:
+    found = None if project.result is None else project.result.pos_corrections
+    return None if found is None or not found.determined.any() else pos_correction_values(found)
 
 
 def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:

@@ -8,7 +8,7 @@ from lispac.present.json_values import json_values
 from lispac.report.report_values import ReportContent
 
 SCHEMA_NAME = "lispac-report"
-SCHEMA_VERSION = 10
+SCHEMA_VERSION = 11
 SCHEMA_FILE = "report.schema.json"
 
 

@@ -20,6 +20,7 @@ from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.present.checking.acceptance import AcceptanceValues
 from lispac.present.checking.validation import SwathDifference, ValidationPlane
 from lispac.present.output.conventions import ConventionValues, ScannerToBodyMatrix
+from lispac.present.output.pos_corrections import PosCorrectionValues
 from lispac.present.survey.survey_data import (
     InputFile,
     LineTrajectorySummary,
@@ -34,7 +35,8 @@ class ReportContent:
     """Content of a report.
 
     The true boresight is known for a simulated survey only; ``error_deg`` is the estimated
-    boresight minus the true one.
+    boresight minus the true one. ``trajectory_corrections`` is null if the adjustment determines
+    none.
     """
 
     program: str
@@ -67,6 +69,7 @@ class ReportContent:
     methods: tuple[MethodValues, ...] = ()
     method_messages: tuple[Message, ...] = ()
     control: ControlValues = NO_CONTROL
+    trajectory_corrections: PosCorrectionValues | None = None
 
     @property
     def angles(self) -> tuple[AngleValues, ...]:

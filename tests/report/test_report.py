@@ -331,7 +331,7 @@ def test_json_has_full_precision(content: ReportContent, tmp_path: Path) -> None
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
-    assert data["schema_version"] == 10
+    assert data["schema_version"] == 11
     assert content.adjustment is not None
     assert data["adjustment"]["boresight_deg"]["pitch"] == content.adjustment.boresight_deg.pitch
     assert data["adjustment"]["rms_after_m"] == content.adjustment.rms_after_m

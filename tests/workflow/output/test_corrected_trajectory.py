@@ -24,6 +24,7 @@ from lispac.workflow.output.corrected_trajectory import (
     WrittenTrajectory,
     write_corrected_trajectory,
 )
+from lispac.workflow.output.export import write_report
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.output.pos_corrections import corrected_trajectory, corrections_at
 from lispac.workflow.project.projects import new_project
@@ -286,6 +287,32 @@ def test_the_command_writes_the_files_and_prints_the_support(
         "corrections.prior_boresight", "georeference", project.folder, "--output", tmp_path / "g",
         "--boresight", "prior", "--trajectory", "corrected", "--crs", "local",
     )  # fmt: skip
+
+
+def test_the_report_has_the_largest_corrections_of_the_file(
+    calibrated: tuple[Project, Survey], written: WrittenTrajectory, tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    write_report(project, survey, tmp_path / "r.json")
+    found = json.loads((tmp_path / "r.json").read_text())["trajectory_corrections"]
+    with (written.trajectory.parent / "c.csv").open() as file:
+        rows = [row for row in csv.reader(file) if not row[0].startswith("#")]
+    numbers = np.array([row[:-1] for row in rows[1:]], dtype=float)
+    named = dict(zip(rows[0][:-1], numbers.T, strict=True))
+    inside = np.zeros(len(rows) - 1, dtype=bool)
+    for interval in found["sighted_intervals"]:
+        inside |= (named["time (s)"] >= interval["first_s"]) & (
+            named["time (s)"] <= interval["last_s"]
+        )
+    assert inside.any()
+    for each in found["components"]:
+        column = next(name for name in named if name.startswith(each["component"]))
+        # The report has the knots, the file the records of the trajectory, which lie between them
+        assert np.abs(named[column][inside]).max() == pytest.approx(
+            each["largest_correction"], rel=0.02, abs=1e-6
+        )
+    write_report(replace(project, result=None), survey, tmp_path / "none.json")
+    assert json.loads((tmp_path / "none.json").read_text())["trajectory_corrections"] is None
 
 
 def test_scripts_write_the_corrected_trajectory(project: Project, tmp_path: Path) -> None:
