@@ -2,7 +2,7 @@
 
 The simulation is independent of the prediction (`lispac.design.prediction`), except for the number
 of points of a sighting. It includes form errors of the boards, LiDAR noise, POS errors correlated
-in time, and the motion of the vessel.
+in time, errors of surveyed control, and the motion of the vessel.
 """
 
 from dataclasses import dataclass, replace
@@ -24,6 +24,7 @@ from lispac.design.prediction import (
     NO_SIGHTINGS_MESSAGE,
     UNDETERMINED_MESSAGE,
     expected_point_count,
+    planned_control,
     predict,
 )
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
@@ -244,7 +245,7 @@ def simulate_plan(
     Parameters
     ----------
     perfect : bool
-        Simulate targets, scanner and POS without errors.
+        Simulate targets, control, scanner and POS without errors.
     calm : bool
         Simulate a vessel without sea motion: it stays level and on its lines.
 
@@ -277,7 +278,12 @@ def simulate_plan(
     ranges = np.linalg.norm(exact.points_lidar, axis=1)
     sigma[:, 1:] = system.scanner.angle_sigma * ranges[:, None]
     exact = replace(exact, sigma_lidar=sigma, beam_sigmas=True)
-    return exact if perfect else add_errors(exact, system.pos, generator)
+    names = {sighting.target for sighting in sightings}
+    surveyed = [target for target in plan.targets if target.name in names]
+    if perfect:
+        return replace(exact, control=planned_control(surveyed))
+    observed = add_errors(exact, system.pos, generator)
+    return replace(observed, control=planned_control(surveyed, generator))
 
 
 def _simulate_target_points(

@@ -1,6 +1,6 @@
 """Plan of a calibration survey: targets, lines past them, and the system."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -148,6 +148,22 @@ class Plan:
     def duration(self) -> float:
         """Time on site, seconds."""
         return len(self.lines) * self.interval
+
+    @property
+    def surveyed_targets(self) -> tuple[Board | Ball, ...]:
+        """Targets with surveyed control."""
+        return tuple(target for target in self.targets if target.control_sigma is not None)
+
+    def without_control(self, names: Collection[str] | None = None) -> "Plan":
+        """Plan in which some targets, or by default all, have no surveyed control."""
+        return self.with_targets(
+            [
+                replace(target, control_sigma=None)
+                if names is None or target.name in names
+                else target
+                for target in self.targets
+            ]
+        )
 
     def with_targets(self, targets: Sequence[Board | Ball]) -> "Plan":
         """Plan with the same lines and other targets."""

@@ -63,7 +63,9 @@ class DesignSpace:
     def board(self, name: str, place: int) -> Board:
         """Create the board with index ``place`` in `places`."""
         along, up, lean, size = self.places[place]
-        return self.site.wall.board(name, along, up, lean, self.site.sizes[size])
+        return self.site.wall.board(
+            name, along, up, lean, self.site.sizes[size], control_sigma=self.site.control_sigma
+        )
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
@@ -165,8 +167,8 @@ def thesis_plan(site: Site) -> Plan:
     (thesis 4.4.1, figures 3.3 and 4.2). Natural planes of the site are not used.
     """
     boards = [
-        site.wall.board("T1", -0.8, 5.0, 90.0, site.sizes[0]),
-        site.wall.board("T2", 0.8, 5.0, 45.0, site.sizes[0]),
+        site.wall.board(name, along, 5.0, lean, site.sizes[0], control_sigma=site.control_sigma)
+        for name, along, lean in (("T1", -0.8, 90.0), ("T2", 0.8, 45.0))
     ]
     turned = [site.facing_deg - 270.0 + heading for heading in SIX_HEADINGS_DEG]
     lines = line_pattern(turned, 15.0, facing_deg=site.facing_deg)

@@ -6,11 +6,13 @@ points that the scanner would measure. The equations of the adjustment
 (`lispac.adjustment.solve.adjustment_problem`) are linearised once, at the true values.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.model.control import Control
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.threads import single_blas_thread
@@ -188,6 +190,7 @@ class _PlanSightings:
                 for name, ball in balls.items()
                 if name in names
             },
+            control=planned_control([t for t in self.plan.targets if t.name in names]),
         )
 
     def linearised(self) -> LinearisedProblem:
@@ -211,6 +214,36 @@ class _PlanSightings:
         represented = np.array(list(self.points.values())) / observations.counts
         weights = represented[problem.groups.sighting]
         return replace(linearised, sums=linearised.sums * weights[:, None, None])
+
+
+def planned_control(
+    targets: Sequence[Board | Ball], generator: np.random.Generator | None = None
+) -> Control | None:
+    """Surveyed points of some targets; None if none is surveyed.
+
+    Parameters
+    ----------
+    generator : numpy.random.Generator, optional
+        Source of the errors of the points; without it, they have none.
+    """
+    surveyed = [(t, t.control_sigma) for t in targets if t.control_sigma is not None]
+    if not surveyed:
+        return None
+    points = [target.control_points for target, _ in surveyed]
+    counts = [len(each) for each in points]
+    positions = np.concatenate(points)
+    sigmas = np.repeat([sigma for _, sigma in surveyed], counts)
+    if generator is not None:
+        positions += sigmas[:, None] * generator.standard_normal(positions.shape)
+    owners = [target for (target, _), count in zip(surveyed, counts, strict=True)
+              for target in [target] * count]  # fmt: skip
+    return Control.of(
+        [f"{target.name} {k}" for k, target in enumerate(owners, start=1)],
+        [target.name for target in owners],
+        positions,
+        sigmas[:, None, None] ** 2 * np.eye(3),
+        is_centre=np.array([isinstance(target, Ball) for target in owners]),
+    )
 
 
 def _target_shape_vector(target: Board | Ball) -> Array:

@@ -68,7 +68,7 @@ class Wall:
     def board(
         self, name: str, along: float, up: float, inclination_deg: float,
         size: tuple[float, float], *, off: float = 0.0, facing_deg: float | None = None,
-        flatness: float | None = None,
+        flatness: float | None = None, control_sigma: float | None = None,
     ) -> Board:  # fmt: skip
         """Create a board on the wall or in front of it.
 
@@ -87,7 +87,7 @@ class Wall:
         lean = np.radians(inclination_deg)
         level = np.sin(lean) * facing.outward
         normal = (float(level[0]), float(level[1]), float(np.cos(lean)))
-        return Board(name, self.local_point(along, off, up), normal, *size, flatness)
+        return Board(name, self.local_point(along, off, up), normal, *size, flatness, control_sigma)
 
     def board_orientation(self, board: Board) -> tuple[float, float]:
         """Inclination from level and azimuth of a board, degrees.
@@ -137,6 +137,9 @@ class Site:
     system : System
     flatness : float, metres
         Flatness of targets without their own value (`Plan.flatness`).
+    control_sigma : float or None, metres
+        Standard deviation on each axis of the surveyed corners of the boards; None if they are not
+        surveyed. Natural targets have their own.
     """
 
     middle: tuple[float, float, float]
@@ -157,6 +160,7 @@ class Site:
     minutes_per_board: float = 15.0
     system: System = field(default_factory=System)
     flatness: float = 0.0005
+    control_sigma: float | None = None
 
     def __post_init__(self) -> None:
         if self.boards < 0 or self.lines < 2 or self.boards + len(self.natural) < 1:

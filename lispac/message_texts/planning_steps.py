@@ -94,6 +94,18 @@ TEXTS: Mapping[str, Template] = {
         "Line {line:n} (heading {heading:deg.0}°) was not surveyed."
     ),
     "plan_survey.target_not_used": N_("Target {target} was not used."),
+    "plan_survey.control_not_used": N_(
+        "The planned control on {targets:names} was not used in the adjustment."
+    ),
+    "plan_survey.control_gain": N_(
+        "The prediction uses surveyed control on {targets:names}. Without it, the standard "
+        "deviations would be {roll:deg.4}° in roll, {pitch:deg.4}° in pitch and {yaw:deg.4}° in "
+        "yaw."
+    ),
+    "plan_survey.control_needed": N_(
+        "The prediction uses surveyed control on {targets:names}. Without it, the boresight angles "
+        "would not be determined."
+    ),
     "plan_survey.other_distance": N_(
         "Line {line:n} (heading {heading:deg.0}°) was surveyed at {distance:m.0} m instead of "
         "{planned:m.0} m."

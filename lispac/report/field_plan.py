@@ -102,7 +102,12 @@ def field_plan_figure(
         low -= row_height
     text = "\n".join(
         fill(note, MAX_LINE_LENGTH)
-        for note in (gettext(EXPLANATION_TEXT), _assumptions_text(plan), *notes)
+        for note in (
+            gettext(EXPLANATION_TEXT),
+            *_control_texts(plan),
+            _assumptions_text(plan),
+            *notes,
+        )
     )
     figure.text(
         0.07, low, text, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, va="top", linespacing=1.4
@@ -133,6 +138,28 @@ def _assumptions_text(plan: Plan) -> str:
         ),
         flatness=shortest_number(1000 * plan.flatness),
     )
+
+
+def _control_texts(plan: Plan) -> list[str]:
+    """Instruction to survey the targets; empty without control."""
+    targets = [
+        gettext(
+            "{target} ({sigma} mm)", target=target.name,
+            sigma=shortest_number(1000 * target.control_sigma),
+        )
+        for target in plan.targets
+        if target.control_sigma is not None
+    ]  # fmt: skip
+    if not targets:
+        return []
+    return [
+        gettext(
+            "Survey the four corners of the boards, and the centres of the spheres, in the "
+            "reference frame of the trajectory, with a standard deviation of at most (on each "
+            "axis): {targets:names}.",
+            targets=targets,
+        )
+    ]
 
 
 def _triple_text(numbers: Sequence[str]) -> str:

@@ -31,6 +31,8 @@ class Board:
     flatness : float or None, metres
         Standard deviation of the form error in one line; None for that of the plan
         (`lispac.design.plan.Plan.flatness`).
+    control_sigma : float or None, metres
+        Standard deviation on each axis of the surveyed corners; None if they are not surveyed.
     """
 
     name: str
@@ -39,6 +41,7 @@ class Board:
     width: float = 1.23
     height: float = 1.22
     flatness: float | None = None
+    control_sigma: float | None = None
 
     def points(
         self, spacing: float, generator: np.random.Generator, scanner: Array | None = None
@@ -74,6 +77,12 @@ class Board:
         middles /= np.sqrt(1 - 1 / k**2)  # moments of the whole board
         u, v = np.meshgrid(self.width * middles, self.height * middles)
         return self.points_on_board(u.ravel(), v.ravel())
+
+    @property
+    def control_points(self) -> Array:
+        """The four corners, which a survey of the board measures, shape (4, 3), metres, local."""
+        u, v = np.array([[-1, 1, 1, -1], [-1, -1, 1, 1]]) / 2
+        return self.points_on_board(self.width * u, self.height * v)
 
     @property
     def facing(self) -> Array:
@@ -114,6 +123,8 @@ class Ball:
         Whether the adjustment uses the radius as known.
     flatness : float or None, metres
         See `Board`.
+    control_sigma : float or None, metres
+        Standard deviation on each axis of the surveyed centre; None if it is not surveyed.
     """
 
     name: str
@@ -121,6 +132,7 @@ class Ball:
     radius: float = 0.1
     radius_known: bool = True
     flatness: float | None = None
+    control_sigma: float | None = None
 
     def points(self, spacing: float, generator: np.random.Generator, scanner: Array) -> Array:
         """Points of the cap that faces the scanner, shape (n, 3), metres, local.
@@ -145,6 +157,11 @@ class Ball:
         middles = self.visible_radius * (2 * (np.arange(k) + 0.5) / k - 1)
         u, v = np.meshgrid(middles, middles)
         return self.cap(u.ravel(), v.ravel(), scanner)
+
+    @property
+    def control_points(self) -> Array:
+        """The centre, which a survey of the sphere determines, shape (1, 3), metres, local."""
+        return np.array([self.centre])
 
     @property
     def visible_radius(self) -> float:

@@ -117,6 +117,15 @@ def test_all_texts_are_on_the_page(lines: int, balls: int) -> None:
     assert all(one.y1 <= other.y0 + 0.5 for one, other in pairwise(boxes)), "no row over another"
 
 
+def test_the_crew_is_told_which_targets_to_survey() -> None:
+    site = Site((0.0, 0.0, 0.0), 270.0, control_sigma=0.003)
+    plan = thesis_plan(site)
+    texts = " ".join(words(field_plan_figure(plan, site.wall, "Quay")))
+    assert "T1 (3 mm) and T2 (3 mm)" in texts
+    without = words(field_plan_figure(plan.without_control(), site.wall, "Quay"))
+    assert "(3 mm)" not in " ".join(without)
+
+
 def test_an_undetermined_plan_is_reported() -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)

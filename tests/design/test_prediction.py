@@ -39,6 +39,58 @@ def test_the_adjustment_has_the_predicted_sigmas(model: PosErrors, perfect: bool
     assert predict(plan).sigma == pytest.approx(result.sigma, rel=0.01)
 
 
+def crossing_lines_with_control(control_sigma: float | None) -> Plan:
+    """Plan with two crossing lines, in which control matters, a sphere and two boards."""
+    ball = Ball("S1", (1.5, -14.0, 4.0), 0.2)
+    targets = [replace(each, control_sigma=control_sigma) for each in (*PLAN.targets, ball)]
+    return PLAN.with_targets(targets).with_lines(PLAN.lines[1:3])
+
+
+def test_the_adjustment_with_control_has_the_predicted_sigmas() -> None:
+    plan, without = crossing_lines_with_control(0.002), crossing_lines_with_control(None)
+    observations = simulate_plan(plan, np.random.default_rng(5), calm=True)
+    assert observations.control is not None
+    assert len(observations.control) == 4 + 4 + 1
+    pos = plan.system.pos
+    model = StochasticModel("correlated", pos.time_position, pos.time_attitude, plan.flatness)
+    result = adjust(observations, plan.system.mounting, model, diagnostics=False)
+    assert predict(plan).sigma == pytest.approx(result.sigma, rel=0.01)
+    assert (predict(plan).sigma < 0.97 * predict(without).sigma).any()
+    assert predict(plan.without_control()).sigma == pytest.approx(predict(without).sigma)
+
+
+def test_planned_control_without_errors_lies_on_the_targets() -> None:
+    plan = crossing_lines_with_control(0.002)
+    observations = simulate_plan(plan, np.random.default_rng(5), perfect=True)
+    mounting = plan.system.mounting
+    start = mounting.with_boresight(mounting.boresight + np.radians([0.1, -0.2, 0.3]))
+    pos = plan.system.pos
+    model = StochasticModel("correlated", pos.time_position, pos.time_attitude, plan.flatness)
+    result = adjust(observations, start, model)
+    assert np.abs(result.boresight - mounting.boresight).max() < 1e-9
+    assert max(abs(each.residual) for each in result.control) < 1e-9
+    wide = crossing_lines_with_control(10.0)  # control that is less precise than all else
+    assert predict(wide).sigma == pytest.approx(
+        predict(crossing_lines_with_control(None)).sigma, rel=1e-4
+    )
+
+
+@pytest.mark.parametrize(
+    ("count", "workers"), [(30, 1), pytest.param(300, 2, marks=pytest.mark.long)]
+)
+def test_surveys_with_control_scatter_as_predicted(count: int, workers: int) -> None:
+    """The limits are those of the chi-square and binomial distributions at 0.1 %."""
+    found = compared(
+        crossing_lines_with_control(0.002), count, flatness_known=True, workers=workers
+    )
+    assert found.failed == 0
+    lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
+    ratio = found.empirical_sigma / found.predicted
+    assert ((ratio > lower) & (ratio < upper)).all(), SimulationValues.of(found)
+    fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
+    assert (found.interval_coverage >= fewest).all(), SimulationValues.of(found)
+
+
 def test_the_expected_point_count_agrees_with_a_simulated_scan() -> None:
     """A profiler passes on a calm sea."""
     system = System(scanner=Scanner(60_000.0))

@@ -37,9 +37,11 @@ def test_plan_round_trip(tmp_path: Path, facing: float) -> None:
     plan = thesis_plan(Site(wall.middle, facing))
     targets = (
         *plan.targets,
-        wall.board("floor", 3.0, -1.0, 0.0, (2.0, 3.0), off=4.0, flatness=0.004),
+        wall.board(
+            "floor", 3.0, -1.0, 0.0, (2.0, 3.0), off=4.0, flatness=0.004, control_sigma=0.003
+        ),
         wall.board('odd "name"', 1.0, 9.0, 120.0, (1.0, 0.5), facing_deg=300.0),
-        Ball("S1", wall.local_point(5.0, 1.0, 2.0), 0.15, False, 0.001),
+        Ball("S1", wall.local_point(5.0, 1.0, 2.0), 0.15, False, 0.001, 0.002),
     )
     system = System(
         plan.system.mounting,
@@ -58,6 +60,7 @@ def test_plan_round_trip(tmp_path: Path, facing: float) -> None:
         assert one.name == other.name
         assert one.centre == pytest.approx(other.centre, abs=1e-6)
         assert one.flatness == other.flatness
+        assert one.control_sigma == other.control_sigma
         if isinstance(one, Board) and isinstance(other, Board):
             assert one.facing == pytest.approx(other.facing, abs=1e-6)
     assert predict(again.plan).sigma == pytest.approx(predict(plan).sigma, rel=1e-6)

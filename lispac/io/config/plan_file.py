@@ -90,6 +90,7 @@ def read_site(path: Path) -> tuple[str, Site]:
             )
             width = boards.numbers("width_m", None, (Site.sizes[0][0],), low=0.05)
             tall = boards.numbers("height_m", None, (Site.sizes[0][1],), low=0.05)
+            control_sigma = boards.number("control_sigma_m", None, over=0.0)
             if len(width) != len(tall):
                 raise boards.refuse(
                     "height_m", "plan.sizes_differ", widths=len(width), heights=len(tall)
@@ -107,7 +108,7 @@ def read_site(path: Path) -> tuple[str, Site]:
         return title, Site(
             wall.middle, wall.facing_deg, along, heights, leans,
             tuple(zip(width, tall, strict=True)), natural, headings, distances, speeds, count,
-            lines, closest, on_site, per_line, per_board, system, flatness,
+            lines, closest, on_site, per_line, per_board, system, flatness, control_sigma,
         )  # fmt: skip
 
 
@@ -165,6 +166,7 @@ def _read_targets(
                 off=each.number("off_m", 0.0),
                 facing_deg=each.number("facing_deg", wall.facing_deg),
                 flatness=each.number("flatness_m", None, low=0.0),
+                control_sigma=each.number("control_sigma_m", None, over=0.0),
             )
         )
     for each in table.tables(balls):
@@ -177,6 +179,7 @@ def _read_targets(
                 each.number("radius_m", low=0.02),
                 each.boolean("radius_known", True),
                 each.number("flatness_m", None, low=0.0),
+                each.number("control_sigma_m", None, over=0.0),
             )
         )
     return tuple(found)
@@ -245,6 +248,8 @@ def _plan_text(titled: TitledPlan) -> str:
             rows += [f"radius_known = {str(target.radius_known).lower()}"]
         if target.flatness is not None:
             rows.append(f"flatness_m = {_number_text(target.flatness)}")
+        if target.control_sigma is not None:
+            rows.append(f"control_sigma_m = {_number_text(target.control_sigma)}")
     for line in plan.lines:
         rows += [
             "", "[[lines]]", f"heading_deg = {_number_text(line.heading_deg)}",

@@ -18,7 +18,7 @@ from lispac.io.config.plan_file import TitledPlan, write_plan
 from lispac.io.files import atomic_write, bad_name_error
 from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
-from lispac.messages import Message, as_message, error, warning
+from lispac.messages import Message, as_message, error, note, warning
 from lispac.present.csv_text import keyed_csv_text
 from lispac.present.planning.design_results import (
     SCENARIOS_CSV,
@@ -44,9 +44,21 @@ def observability_messages(plan: Plan, *, progress: Progress = no_progress) -> t
             return (UNDETERMINED_MESSAGE,)
         with single_blas_thread():
             found = assess_observability(predicted_equations(plan), progress=progress)
-            return found.messages
+            return (*found.messages, *_control_notes(plan))
     except RankDeficient as failure:
         return (as_message(failure.reason),)
+
+
+def _control_notes(plan: Plan) -> tuple[Message, ...]:
+    """Note on the effect of the surveyed control; none without control."""
+    surveyed = tuple(target.name for target in plan.surveyed_targets)
+    if not surveyed:
+        return ()
+    without = predict(plan.without_control())
+    if not without.determined:
+        return (note("plan_survey.control_needed", targets=surveyed),)
+    roll, pitch, yaw = (float(each) for each in without.sigma)
+    return (note("plan_survey.control_gain", targets=surveyed, roll=roll, pitch=pitch, yaw=yaw),)
 
 
 def simulate_surveys(

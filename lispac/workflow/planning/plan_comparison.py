@@ -56,6 +56,9 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         raise ProjectError(
             error(code, project=project.name, targets=tuple(t.name for t in plan.targets))
         )
+    controlled = {each.target for each in result.control}
+    missing_control = [t.name for t in kept.surveyed_targets if t.name not in controlled]
+    with_planned_control, kept = kept, kept.without_control(missing_control)
     sailed = predict(kept).sigma
     found_flatness = float(result.surfaces[0])
     costs = [
@@ -71,11 +74,14 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
             note("plan_survey.target_not_used", target=name),
             kept.with_targets(
                 [t for t in plan.targets if t.name not in missing_targets or t.name == name]
-            ),
+            ).without_control(missing_control),
             sailed,
         )
         for name in missing_targets
     ]
+    if missing_control:
+        missing = note("plan_survey.control_not_used", targets=tuple(missing_control))
+        costs.append(_precision_cost(missing, with_planned_control, sailed))
     return PlanComparison(
         planned_sigma_deg=known_degrees(predict(plan).sigma),
         surveyed_sigma_deg=known_degrees(sailed),
@@ -159,12 +165,12 @@ def _extra_distance(plan: Plan, target: Board | Ball, course: Course, measured: 
 
 
 def _precision_cost(missing: Message, with_it: Plan, without: Array) -> Message:
-    """Message on the precision if a missing line or target had been used.
+    """Message on the precision if a missing line, target or control had been used.
 
     Parameters
     ----------
-    missing : message that names the line or target
-    with_it : plan with the line or target
+    missing : message that names what is missing
+    with_it : plan with it
     without : sigmas without it, shape (3,), radians
     """
     found = predict(with_it)

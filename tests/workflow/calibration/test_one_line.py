@@ -171,6 +171,19 @@ def test_comparing_a_plan_needs_an_estimated_boresight(planned: TitledPlan) -> N
     assert caught.value.code == "estimate.needed"
 
 
+def test_planned_control_that_was_not_used_is_named(planned: TitledPlan) -> None:
+    project, survey = picked_and_estimated()
+    plan = planned.plan
+    surveyed = [replace(target, control_sigma=0.002) for target in plan.targets]
+    found = compare_with_plan(project, survey, replace(planned, plan=plan.with_targets(surveyed)))
+    without = compare_with_plan(project, survey, planned)
+    assert found.surveyed_sigma_deg == without.surveyed_sigma_deg
+    (cost,) = [each for each in found.messages if each not in without.messages]
+    missing = cost.params["missing"]
+    assert missing.code == "plan_survey.control_not_used"
+    assert missing.params["targets"] == ("T1", "T2")
+
+
 def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledPlan) -> None:
     """Of the plan, one board and two opposite lines exist; the costs of the rest are listed."""
     project, survey = picked_and_estimated()

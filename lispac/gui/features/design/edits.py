@@ -37,6 +37,8 @@ class PlacedTarget:
         Both are the diameter of a ball.
     flatness : float or None, metres
         Flatness of the board; None for that of the plan.
+    control_sigma : float or None, metres
+        Standard deviation of the surveyed control; None without control.
     """
 
     name: str
@@ -50,6 +52,7 @@ class PlacedTarget:
     flatness: float | None = None
     ball: bool = False
     radius_known: bool = True
+    control_sigma: float | None = None
 
     @classmethod
     def of(cls, target: Board | Ball, wall: Wall) -> "PlacedTarget":
@@ -58,19 +61,23 @@ class PlacedTarget:
         if isinstance(target, Ball):
             wide = 2 * target.radius
             return cls(target.name, along, off, up, 90.0, wall.facing_deg, wide, wide,
-                       target.flatness, True, target.radius_known)  # fmt: skip
+                       target.flatness, True, target.radius_known,
+                       target.control_sigma)  # fmt: skip
         lean, facing = wall.board_orientation(target)
         return cls(target.name, along, off, up, lean, facing, target.width, target.height,
-                   target.flatness)  # fmt: skip
+                   target.flatness, control_sigma=target.control_sigma)  # fmt: skip
 
     def on(self, wall: Wall) -> Board | Ball:
         """Convert to a target of a plan at this wall."""
         if self.ball:
             place = wall.local_point(self.along, self.off, self.up)
-            return Ball(self.name, place, self.width / 2, self.radius_known, self.flatness)
+            return Ball(
+                self.name, place, self.width / 2, self.radius_known, self.flatness,
+                self.control_sigma,
+            )  # fmt: skip
         return wall.board(
             self.name, self.along, self.up, self.lean, (self.width, self.height), off=self.off,
-            facing_deg=self.facing, flatness=self.flatness,
+            facing_deg=self.facing, flatness=self.flatness, control_sigma=self.control_sigma,
         )  # fmt: skip
 
 

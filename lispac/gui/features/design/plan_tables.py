@@ -109,7 +109,22 @@ TARGET_FIELDS = (
         1,
         empty=N_("plan default"),
     ),
+    TableColumn(
+        "control_sigma",
+        N_("Control"),
+        N_(
+            "Standard deviation (1σ) on each axis of the surveyed corners of the board, or of the "
+            "surveyed centre of the sphere; empty without surveyed control"
+        ),
+        "mm",
+        0.1,
+        1000.0,
+        1,
+        empty=N_("none"),
+    ),
 )
+MILLIMETRE_FIELDS = ("flatness", "control_sigma")
+"""Fields of a target that are shown in millimetres."""
 EDIT_NAMES = N_("Line {line:n}: {field}"), N_("{target}: {field}")
 """Names of the edits of a line and of a target."""
 MIN_BALL_DIAMETER_M = 0.04
@@ -224,7 +239,7 @@ class TargetsList(QWidget):
                 gettext("Another target has the name {name}. Choose another name.", name=value)
             )
             return
-        if name == "flatness" and value is not None:
+        if name in MILLIMETRE_FIELDS and value is not None:
             value /= 1000.0
 
         def change(each: PlacedTarget) -> PlacedTarget:
@@ -251,11 +266,13 @@ def _length_text(metres: float) -> str:
 
 
 def _target_cells(each: PlacedTarget) -> tuple[float | str | None, ...]:
-    flatness = None if each.flatness is None else 1000 * each.flatness
+    sigmas = tuple(
+        None if value is None else 1000 * value for value in (each.flatness, each.control_sigma)
+    )
     place = (each.name, each.along, each.off, each.up)
     if each.ball:
-        return (*place, "", "", each.width, "", flatness)
-    return (*place, each.lean, each.facing, each.width, each.height, flatness)
+        return (*place, "", "", each.width, "", *sigmas)
+    return (*place, each.lean, each.facing, each.width, each.height, *sigmas)
 
 
 def _button_row(*buttons) -> QHBoxLayout:

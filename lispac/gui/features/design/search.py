@@ -23,6 +23,7 @@ from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
 from lispac.present.tables import DEGREES
+from lispac.simulation.closed_form_survey import Board
 
 # name of the attribute of `Site`: (label, unit, smallest value, largest value, tip)
 LIST_FIELDS = {
@@ -214,8 +215,12 @@ class LimitsForm(QWidget):
         if self._file is None:
             plan = titled.plan
             title = titled.title
+            sigmas = [each.control_sigma for each in plan.targets if isinstance(each, Board)]
+            known = [sigma for sigma in sigmas if sigma is not None]
+            # Boards of a search are all alike: surveyed if all boards of the plan are
+            control = max(known) if known and len(known) == len(sigmas) else None
             base = Site(titled.wall.middle, titled.wall.facing_deg, system=plan.system,
-                        flatness=plan.flatness)  # fmt: skip
+                        flatness=plan.flatness, control_sigma=control)  # fmt: skip
             base = replace(base, minutes_per_line=plan.interval / 60, time_on_site=float("inf"))
         else:
             title, base = self._file

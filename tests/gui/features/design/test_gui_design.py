@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEd
 
 from lispac.design.prediction import predict
 from lispac.gui.features.design import edits
+from lispac.gui.features.design.plan_tables import TARGET_FIELDS
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.viewport.base import PickedPoint
 from lispac.io.config.plan_file import read_plan
@@ -152,6 +153,25 @@ def test_boards_of_one_orientation_give_a_warning(driver: Driver, design: Design
     driver.bot.keyClick(editor, Key.Key_Return)
     driver.bot.waitUntil(lambda: "the same orientation" in design.results.messages.text())
     assert design.results.messages.property("role") == "warning"
+
+
+def test_surveyed_control_is_edited_and_its_effect_is_shown(
+    driver: Driver, design: DesignWindow
+) -> None:
+    design.tabs.setCurrentWidget(design.targets)
+    column = next(k for k, each in enumerate(TARGET_FIELDS) if each.name == "control_sigma")
+    editor = type_cell(driver, design.targets.table, 0, column, "3")
+    driver.bot.keyClick(editor, Key.Key_Return)
+    sigmas = [0.003, None]
+    driver.bot.waitUntil(lambda: [each.control_sigma for each in plan(design).targets] == sigmas)
+    wait_for_plan(design)
+    driver.bot.waitUntil(
+        lambda: is_shown("plan_survey.control_gain", design.results.messages.text())
+    )
+    editor = type_cell(driver, design.targets.table, 0, column, "")
+    driver.bot.keyClick(editor, Key.Key_Delete)
+    driver.bot.keyClick(editor, Key.Key_Return)
+    driver.bot.waitUntil(lambda: plan(design).surveyed_targets == ())
 
 
 def test_an_invalid_number_is_reported_while_typing_and_not_accepted(
