@@ -82,6 +82,8 @@ class Wall:
             Width and height.
         facing_deg : float, degrees, optional
             Azimuth that the board faces; by default that of the wall.
+        flatness, control_sigma : float, metres, optional
+            See `Board`.
         """
         facing = self if facing_deg is None else replace(self, facing_deg=facing_deg)
         lean = np.radians(inclination_deg)
