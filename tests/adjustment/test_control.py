@@ -109,6 +109,30 @@ def test_the_truth_is_recovered_without_noise(model: str, radius_known: bool) ->
     assert len(result.control) == len(control)
 
 
+@pytest.mark.parametrize("radius", [0.05, 0.2])
+def test_position_errors_of_half_the_radius_of_spheres_have_linear_effects(radius: float) -> None:
+    """The positions of an exact survey are displaced; the control is at the true centres.
+
+    The adjustment removes the displacement except for a small share, because its expectation is
+    zero. That share does not depend on its size, although it changes the normals of the spheres.
+    """
+    places = ((1.5, 12.0, 3.0), (-2.0, 13.0, 6.0), (0.5, 14.0, 9.0))
+    balls = tuple(Ball(f"S{k}", place, radius) for k, place in enumerate(places, start=1))
+    control = joined(*map(centre_of, balls))
+    exact = error_free_survey(TRUTH, balls, six_courses(), radius / 10, np.random.default_rng(3))
+    effects = []
+    for share in (0.005, 0.5):
+        shift = share * radius * np.array([0.6, 0.64, 0.48])
+        displaced = replace(
+            exact, position=exact.position + shift, control=control,
+            sigma_position=np.full_like(exact.sigma_position, 0.1),
+        )  # fmt: skip
+        result = adjust(displaced, PRIOR, MODEL, diagnostics=False)
+        effects.append((result.boresight - TRUTH.boresight) / share)
+    np.testing.assert_allclose(effects[1], effects[0], rtol=0, atol=0.01 * np.abs(effects).max())
+    assert np.abs(effects[1] * 0.5).max() < 0.2 * result.sigma[2]
+
+
 def test_jacobians_agree_with_differences() -> None:
     ball = replace(BALL, name="S2")
     control = joined(

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from lispac.adjustment.model.condition_equations import (
     MountingArrays,
     PointArrays,
-    point_pose,
 )
 from lispac.adjustment.model.robust_loss import loss_weight
 from lispac.adjustment.model.threads import run_in_chunks
@@ -18,6 +17,7 @@ from lispac.adjustment.solve.group_sums import (
     EffectArrays,
     PointWeights,
     WeightArrays,
+    linearisation_pose,
     point_misclosure,
     write_group_row,
 )
@@ -182,7 +182,7 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target_of_sighting[sighting[i]]
-            pose = point_pose(i, points)
+            pose = linearisation_pose(i, g, points, effects)
             misclosure, variance = point_misclosure(
                 i, g, pose, points, placing, effects, out, lidar
             )

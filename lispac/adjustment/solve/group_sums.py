@@ -200,13 +200,45 @@ class WeightArrays(NamedTuple):
 
 
 @kernel(inline="always")
+def linearisation_pose(i, g, points, effects):  # type: ignore[no-untyped-def]
+    """Pose of point ``i`` of group ``g`` at which its condition is linearised; see `point_pose`.
+
+    On a sphere, it contains the POS corrections: an error of the position that is not small
+    compared with the radius changes the normal (Pope 1972). On a plane it does not, since the
+    condition is linear in the position.
+    """
+    pose = point_pose(i, points)
+    sphere = points.spheres[points.target_of_sighting[points.sighting[i]]]
+    knot, fraction, pos = effects.knot, effects.fraction, effects.pos
+    if len(fraction) == 0 or not sphere:
+        return pose
+    px, py, pz, cr, sr, cp, sp, ch, sh = pose
+    u, k = fraction[i], knot[g]
+    roll = (1 - u) * pos[k, 3] + u * pos[k + 1, 3]
+    pitch = (1 - u) * pos[k, 4] + u * pos[k + 1, 4]
+    heading = (1 - u) * pos[k, 5] + u * pos[k + 1, 5]
+    c0, s0, c1, s1 = np.cos(roll), np.sin(roll), np.cos(pitch), np.sin(pitch)
+    c2, s2 = np.cos(heading), np.sin(heading)
+    return (
+        px + (1 - u) * pos[k, 0] + u * pos[k + 1, 0],
+        py + (1 - u) * pos[k, 1] + u * pos[k + 1, 1],
+        pz + (1 - u) * pos[k, 2] + u * pos[k + 1, 2],
+        cr * c0 - sr * s0, sr * c0 + cr * s0,
+        cp * c1 - sp * s1, sp * c1 + cp * s1,
+        ch * c2 - sh * s2, sh * c2 + ch * s2,
+    )  # fmt: skip
+
+
+@kernel(inline="always")
 def point_misclosure(  # type: ignore[no-untyped-def]
     i, g, pose, points, placing, effects, out, lidar
 ):
     """Misclosure of point ``i`` of group ``g`` including form and POS errors, and its variance.
 
-    ``out`` and ``lidar`` are written as in `condition_row`.
+    ``pose`` is that of `linearisation_pose`; ``out`` and ``lidar`` are written as in
+    `condition_row`.
     """
+    sphere = points.spheres[points.target_of_sighting[points.sighting[i]]]
     condition_row(i, lidar_point(i, points), pose, points, placing, out, lidar)
     xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
     sigma_position, sigma_attitude = points.sigma_position, points.sigma_attitude
@@ -222,8 +254,9 @@ def point_misclosure(  # type: ignore[no-untyped-def]
         misclosure += out[9 + k] * surface[s, k]
     if len(fraction) > 0:
         u, before = fraction[i], knot[g]
-        for k in range(6):
-            misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
+        if not sphere:  # the pose on a sphere contains the corrections
+            for k in range(6):
+                misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # Variance of the POS error about the linear interpolation between two knots
         for k in range(3):
             between = bridge_factor[k] * bridge_variance[i]
@@ -274,7 +307,7 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
             for place in range(count):
                 i = begin + place
                 t = target_of_sighting[sighting[i]]
-                pose = point_pose(i, points)
+                pose = linearisation_pose(i, g, points, effects)
                 misclosure, variance = point_misclosure(
                     i, g, pose, points, placing, effects, out, lidar
                 )
@@ -330,12 +363,18 @@ def _residuals_kernel(  # type: ignore[no-untyped-def]
     first, last, points, placing, effects, found
 ):
     start = effects.start
+    sighting, target_of_sighting = points.sighting, points.target_of_sighting
+    spheres = points.spheres
     out, lidar = np.empty(20), np.empty(3)
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
-            pose = point_pose(i, points)
+            pose = linearisation_pose(i, g, points, effects)
             misclosure, variance = point_misclosure(
                 i, g, pose, points, placing, effects, out, lidar
             )
+            if spheres[target_of_sighting[sighting[i]]]:
+                condition_row(
+                    i, lidar_point(i, points), point_pose(i, points), points, placing, out, lidar
+                )
             found[0, i] = out[19]
             found[1, i] = misclosure / np.sqrt(variance)
