@@ -420,6 +420,13 @@ TEXTS: Mapping[str, Template] = {
         N_("Measure this parameter again."),
     ),
     # -- causes of the residuals -------------------------------------------------------------
+    "adjustment.explained_by_value": Advised(
+        N_(
+            "The given {parameter} causes most of the residuals, so that messages on residuals, "
+            "sightings and differences between parts of the data are omitted."
+        ),
+        N_("Correct or estimate it, then estimate again."),
+    ),
     **{f"adjustment.contradicted_{name}": _CONTRADICTED_TEXT for name in _MOUNTING_PARAMETERS},
     **{
         f"adjustment.contradicted_{name}_alone": _CONTRADICTED_ALONE_TEXT

@@ -216,6 +216,10 @@ TEXTS: Mapping[str, Template] = {
         "offset of two lines on {planes:names} (up to {value:mm.1|limit} mm, limit "
         "{limit:mm.1|value} mm)"
     ),
+    "acceptance.cause_given_value": Advised(
+        N_("Probable cause: the given {parameter} disagrees with the data."),
+        N_("Correct or estimate it, then estimate again."),
+    ),
     "acceptance.cause_geometry": Advised(
         N_(
             "Probable cause: the targets and lines do not determine {angles:names} precisely "

@@ -7,6 +7,7 @@ module use the report content only, with one function for each rule.
 from collections.abc import Iterator, Sequence
 from statistics import NormalDist
 
+from lispac.adjustment.diagnostics.cause_warnings import without_explained
 from lispac.adjustment.diagnostics.warnings import LARGE_RESIDUAL_CODES
 from lispac.adjustment.model.parameters import (
     OUTPUT_UNITS,
@@ -72,33 +73,32 @@ def report_warnings(
     if content.calibrated:  # the warnings on the acceptance give the shifts on the other planes
         explained = planes_with_pos_errors(content.acceptance, content.validation)
         others = [plane for plane in content.validation if plane not in explained]
-    return sort_by_importance(
-        [
-            *_calibration_warnings(content),
-            *(
-                each
-                for each in _fit_warnings(content)
-                if not (has_small_residuals_explained and each.code in CHI_SQUARE_LOW_CODES)
-            ),
-            *warnings_found,
-            *_parameter_warnings(content),
-            *_sighting_warnings(content),
-            *_target_warnings(content),
-            *_validation_warnings(content),
-            *(
-                acceptance_warnings(content.acceptance, content.validation, content.cross_checks)
-                if content.calibrated
-                else ()
-            ),
-            *distribution_warnings(content.validation),
-            *offset_notes(content.validation, others),
-            *peak_notes(content.validation, others),
-            *surface_model_warnings(content.validation),
-            *absolute_check_warnings(content.absolute),
-            *_method_warnings(content),
-            *_file_warnings(content),
-        ]
-    )
+    found = [
+        *_calibration_warnings(content),
+        *(
+            each
+            for each in _fit_warnings(content)
+            if not (has_small_residuals_explained and each.code in CHI_SQUARE_LOW_CODES)
+        ),
+        *warnings_found,
+        *_parameter_warnings(content),
+        *_sighting_warnings(content),
+        *_target_warnings(content),
+        *_validation_warnings(content),
+        *(
+            acceptance_warnings(content.acceptance, content.validation, content.cross_checks)
+            if content.calibrated
+            else ()
+        ),
+        *distribution_warnings(content.validation),
+        *offset_notes(content.validation, others),
+        *peak_notes(content.validation, others),
+        *surface_model_warnings(content.validation),
+        *absolute_check_warnings(content.absolute),
+        *_method_warnings(content),
+        *_file_warnings(content),
+    ]
+    return sort_by_importance(without_explained(found))
 
 
 def _calibration_warnings(content: ReportContent) -> Iterator[Message]:

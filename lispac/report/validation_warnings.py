@@ -113,9 +113,21 @@ def _halves_note(values: AcceptanceValues, checks: CrossCheckValues | None) -> I
 
 
 def probable_causes(
-    values: AcceptanceValues, planes: Sequence[ValidationPlane]
+    values: AcceptanceValues, planes: Sequence[ValidationPlane], wrong: Message | None = None
 ) -> tuple[Message, ...]:
-    """Probable causes of the criteria that are not met; the subject is where to correct each."""
+    """Probable causes of the criteria that are not met; the subject is where to correct each.
+
+    Parameters
+    ----------
+    wrong : warning about the given value of the mounting that causes most of the residuals
+    """
+    if wrong is not None:
+        return (
+            note(
+                "acceptance.cause_given_value",
+                parameter=wrong.params["parameter"], subject=wrong.subject,
+            ),
+        )  # fmt: skip
     failed = _failed_planes(values)
     shifted = [each for each in distribution_warnings(planes) if each.params["target"] in failed]
     return (*shifted, *_cause_notes(values, planes))

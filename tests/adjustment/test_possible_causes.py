@@ -6,7 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.diagnostics.cause_warnings import warnings_about_causes
+from lispac.adjustment.diagnostics.cause_warnings import (
+    main_wrong_value,
+    warnings_about_causes,
+    without_explained,
+)
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
@@ -16,6 +20,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, note, warning
+from lispac.present.calibration.adjustment import large_residuals_text
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
     add_errors,
@@ -207,6 +212,33 @@ def test_advice_on_targets_is_omitted_if_a_wrong_value_causes_most_of_the_residu
     assert "adjustment.large_sigma" in {
         each.code for each in warnings_about_causes(few, None, others)
     }
+
+
+def test_one_note_replaces_what_a_wrong_value_explains() -> None:
+    data, _ = survey("lever_y", 1)
+    result = adjust(data, PRIOR, MODEL)
+    assert result.causes is not None
+    ((cause,),) = result.causes
+    others = [
+        note("acceptance.cause_geometry"), note("report.noise_differs"),
+        note("project.poor_sighting"), note("report.not_validated"),
+    ]  # fmt: skip
+    for share, is_explained in ((0.9, True), (0.3, False)):
+        some = replace(result, causes=((replace(cause, effect=share * result.rms_after),),))
+        messages = (*warnings_about_causes(some, None, []), *others)
+        found = without_explained(messages)
+        assert (main_wrong_value(found) is not None) == is_explained
+        if is_explained:
+            assert [each.code for each in found] == [
+                "adjustment.contradicted_lever_y", "report.not_validated",
+                "adjustment.explained_by_value",
+            ]  # fmt: skip
+            assert found[-1].subject == Cause.of_parameter("lever_y")
+            assert without_explained(found) == found
+        else:
+            assert found == messages
+        text = str(large_residuals_text(some))
+        assert ("lever arm Y" in text) == is_explained
 
 
 @pytest.mark.parametrize(("kind", "is_far"), [("lever_z", True), ("latency", False)])

@@ -44,6 +44,20 @@ CONSEQUENCE_CODES = (
 )  # fmt: skip
 """Codes of messages that recommend other points or targets. A wrong value of the mounting that
 causes most of the residuals causes them too."""
+EXPLAINED_CODES = frozenset(
+    {
+        "acceptance.cause_geometry", "acceptance.cause_pos", "acceptance.cause_scatter",
+        "acceptance.halves_differ", "adjustment.cross_check", "adjustment.line_jumped",
+        "adjustment.noise", "project.doubtful_sighting", "project.doubtful_sightings",
+        "project.poor_sighting", "report.chi_square_high", "report.chi_square_high_assumed",
+        "report.chi_square_high_classical", "report.chi_square_high_noise",
+        "report.noise_differs", "report.noise_differs_given", "report.sightings",
+    }
+)  # fmt: skip
+"""Codes of messages on residuals, sightings, parts of the data and probable causes, which a wrong
+value of the mounting that causes most of the residuals explains."""
+CONTRADICTION_PREFIX = "adjustment.contradicted_"
+"""Start of the codes of the warnings that the data contradict a given value of the mounting."""
 MIN_EFFECT_RATIO = 0.5
 """Smallest ratio of the effect of a known error to that of a candidate which it explains."""
 
@@ -78,6 +92,26 @@ class KnownError:
     def explains(self, effect: float) -> bool:
         """Whether the error is large enough to cause displacements of ``effect`` metres."""
         return self.effect >= MIN_EFFECT_RATIO * effect
+
+
+def main_wrong_value(messages: Iterable[Message]) -> Message | None:
+    """Warning about the given value of the mounting that causes most of the residuals, if any."""
+    for each in messages:
+        share = each.params.get("share_of_rms", 0.0)
+        is_main = isinstance(share, float) and share >= MIN_EFFECT_RATIO
+        if is_main and each.code.startswith(CONTRADICTION_PREFIX):
+            return each
+    return None
+
+
+def without_explained(messages: Sequence[Message]) -> tuple[Message, ...]:
+    """Messages without those that a wrong value of the mounting explains; a note names it."""
+    if (wrong := main_wrong_value(messages)) is None:
+        return tuple(messages)
+    kept = tuple(each for each in messages if each.code not in EXPLAINED_CODES)
+    parameter = wrong.params["parameter"]
+    explained = note("adjustment.explained_by_value", parameter=parameter, subject=wrong.subject)
+    return kept if len(kept) == len(messages) or explained in kept else (*kept, explained)
 
 
 def point_displacement(message: Message) -> float | None:
@@ -120,7 +154,7 @@ def warnings_about_causes(
     wrong = [group[0] for group in causes if len(group) == 1 and group[0].kind in OPTIONAL_NAMES]
     if wrong:
         follows: tuple[str, ...] = FORM_ERROR_CODES
-        is_named = any(each.code.startswith("adjustment.contradicted_") for each in found)
+        is_named = any(each.code.startswith(CONTRADICTION_PREFIX) for each in found)
         if is_named and wrong[0].effect >= MIN_EFFECT_RATIO * result.rms_after:
             follows += CONSEQUENCE_CODES
         others = [each for each in others if each.code not in follows]
@@ -210,7 +244,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Mess
         for angle, moved, its_sigma in zip(ANGLES, cause.angle_change, result.sigma, strict=True)
         if abs(moved) > MIN_ANGLE_CHANGE_SIGMAS * its_sigma
     ]
-    code = f"adjustment.contradicted_{cause.kind}"
+    code = f"{CONTRADICTION_PREFIX}{cause.kind}"
     return warning(
         code if moves else f"{code}_alone",
         parameter=mounting_value_name(cause.kind),
@@ -221,6 +255,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Mess
         sigma=amount_with_unit(cause.kind, sigma),
         w=size / sigma,
         angles=moves,
+        share_of_rms=float(min(cause.effect / result.rms_after, 1.0)) if result.rms_after else 0.0,
         subject=Cause.of_parameter(cause.kind),
     )
 

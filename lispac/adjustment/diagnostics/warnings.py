@@ -9,7 +9,11 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.diagnostics.cause_warnings import KnownError, warnings_about_causes
+from lispac.adjustment.diagnostics.cause_warnings import (
+    KnownError,
+    main_wrong_value,
+    warnings_about_causes,
+)
 from lispac.adjustment.diagnostics.control_tests import contradicting_control
 from lispac.adjustment.diagnostics.sighting_warnings import (
     contradicted_sighting_warnings,
@@ -79,6 +83,11 @@ def result_warnings(
     if any(each.code in LARGE_RESIDUAL_CODES for each in all_found):
         all_found = tuple(each for each in all_found if each.code not in LIDAR_NOISE_CODES)
     return sort_by_importance(all_found)
+
+
+def wrong_value_of(result: AdjustmentResult) -> Message | None:
+    """Warning about the given value of the mounting that causes most residuals, if any."""
+    return main_wrong_value(result_warnings(result, None))
 
 
 def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:

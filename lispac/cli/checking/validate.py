@@ -121,6 +121,7 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
 
 def _warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the project and about the validation, as in the report."""
+    from lispac.adjustment.diagnostics.cause_warnings import without_explained
     from lispac.duplicate_targets import project_warnings
     from lispac.present.calibration.cross_checks import cross_check_values
     from lispac.present.checking.acceptance import AcceptanceValues
@@ -133,9 +134,11 @@ def _warnings(project: Project) -> tuple[Message, ...]:
 
     planes = [ValidationPlane.of(each) for each in project.validation]
     checks = None if project.cross_checks is None else cross_check_values(project.cross_checks)
-    return (
-        *project_warnings(project),
-        *acceptance_warnings(AcceptanceValues.of(project.judgement), planes, checks),
-        *distribution_warnings(planes),
-        *surface_model_warnings(planes),
+    return without_explained(
+        (
+            *project_warnings(project),
+            *acceptance_warnings(AcceptanceValues.of(project.judgement), planes, checks),
+            *distribution_warnings(planes),
+            *surface_model_warnings(planes),
+        )
     )

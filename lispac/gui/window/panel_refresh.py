@@ -4,6 +4,8 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QObject
 
+from lispac.adjustment.diagnostics.cause_warnings import main_wrong_value
+from lispac.duplicate_targets import all_warnings
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.docks import DockLayout
 from lispac.gui.app.settings import AppSettings
@@ -104,6 +106,8 @@ class PanelRefresh(QObject):
         """Show in step 2 whether sightings of the adjustment are rated poor."""
         project = self._document.project
         targets = () if project is None else project.targets_of_role("target")
+        if project is not None and main_wrong_value(all_warnings(project)) is not None:
+            targets = ()  # it explains the poor qualities
         poor = tuple(
             gettext("{target} on {line}", target=target.name, line=sighting.line)
             for target in targets if target.used

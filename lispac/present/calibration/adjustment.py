@@ -12,8 +12,12 @@ from typing import Literal
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value
-from lispac.adjustment.diagnostics.warnings import has_form_errors, has_raised_sigmas
-from lispac.adjustment.model.parameters import OUTPUT_UNITS
+from lispac.adjustment.diagnostics.warnings import (
+    has_form_errors,
+    has_raised_sigmas,
+    wrong_value_of,
+)
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, mounting_value_name
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
@@ -33,6 +37,7 @@ from lispac.language import (
     gettext_lazy,
     join_sentences,
 )
+from lispac.message_texts import TEXTS
 from lispac.message_texts.report_warnings import NOISE_DIFFERS_GIVEN_TEXT, NOISE_DIFFERS_TEXT
 from lispac.messages import Message
 from lispac.present.angles import (
@@ -126,6 +131,10 @@ TOO_LARGE_CLASSICAL_TEXT = N_(
     "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
     "angles are then too small as well."
 )
+TOO_LARGE_WRONG_VALUE_TEXT = N_(
+    "The residuals are larger than the standard deviations used allow, because the given "
+    "{parameter} disagrees with the data."
+)
 TOO_LARGE_ASSUMED_TEXT = Advised(
     N_("The residuals are larger than the assumed sigmas allow."),
     N_("Give the sigmas of the data sheet or of the processing report."),
@@ -216,6 +225,10 @@ def small_residuals_template(result: AdjustmentResult) -> Template:
 
 def large_residuals_text(result: AdjustmentResult) -> LazyText:
     """Text of residuals that are larger than predicted."""
+    if (wrong := wrong_value_of(result)) is not None:
+        assert wrong.subject is not None
+        name = gettext_lazy(TEXTS[mounting_value_name(wrong.subject.name).code])
+        return gettext_lazy(TOO_LARGE_WRONG_VALUE_TEXT, parameter=name)
     if result.unestimated_sigmas:
         return gettext_lazy(TOO_LARGE_ASSUMED_TEXT)
     if not result.model.correlated:

@@ -10,6 +10,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 
+from lispac.adjustment.diagnostics.cause_warnings import without_explained
 from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.duplicate_targets import all_warnings
 from lispac.messages import Level, Message, note, sort_by_importance, warning
@@ -72,7 +73,7 @@ def warnings_of(
         *_reading_notes(project, survey),
         *_targets_not_found(project),
     ]
-    return sort_by_importance(found)
+    return sort_by_importance(without_explained(found))
 
 
 def _storage_warning(storage: Message | None) -> Iterator[Message]:

@@ -3,7 +3,11 @@
 from collections.abc import Sequence
 from html import escape
 
-from lispac.adjustment.diagnostics.warnings import has_form_errors, result_warnings
+from lispac.adjustment.diagnostics.warnings import (
+    has_form_errors,
+    result_warnings,
+    wrong_value_of,
+)
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
@@ -118,6 +122,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
     elif test.outcome == "conservative":
         title, colour = gettext("conservative"), theme.MUTED
         interval = N_("{value}, below {lower} to {upper}: residuals smaller than expected")
+    elif wrong_value_of(result) is not None:
+        title, colour = gettext("failed, a given value disagrees"), theme.WARNING
     elif result.unestimated_sigmas:
         title, colour = gettext("assumed values too small"), theme.MUTED
     elif targets_with_larger_noise(result):

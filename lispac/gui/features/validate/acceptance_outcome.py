@@ -5,6 +5,8 @@ from collections.abc import Iterable
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from lispac.adjustment.diagnostics.cause_warnings import main_wrong_value
+from lispac.duplicate_targets import all_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
@@ -24,6 +26,7 @@ from lispac.warning_causes import Cause, CauseKind
 
 CAUSE_BUTTONS: dict[CauseKind, str] = {
     "field": N_("Show the POS accuracy"),
+    "parameter": N_("Show the additional parameters"),
     "line": N_("Show line {name}"),
     "page": N_("Show the cross-checks"),
     "target": N_("Show {name}"),
@@ -103,7 +106,9 @@ class AcceptanceOutcome(QWidget):
         self._show_notes(notes)
         self._show_style(*VERDICT_STYLES.get(values.verdict, ("", "")))
         planes = [ValidationPlane.of(each) for each in project.validation]
-        self._show_causes(probable_causes(values, planes) if values.verdict == "fail" else ())
+        wrong = main_wrong_value(all_warnings(project))
+        failed = values.verdict == "fail"
+        self._show_causes(probable_causes(values, planes, wrong) if failed else ())
 
     def _show_without_verdict(self, text: str, role: str) -> None:
         """Show that there is no verdict; the text above gives the reason."""

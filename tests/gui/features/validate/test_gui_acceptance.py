@@ -11,7 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
-from lispac.adjustment.result import CrossCheck, CrossChecks
+from lispac.adjustment.diagnostics.cause_warnings import EXPLAINED_CODES
+from lispac.adjustment.result import CrossCheck, CrossChecks, PossibleCause
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.features.validate.histograms_panel import (
@@ -211,6 +212,30 @@ def test_a_failed_calibration_names_its_cause_and_goes_there(judged: Driver) -> 
     first = window.data.pos_sigmas.position.fields[0]
     assert window.workflow.isAncestorOf(first)
     judged.bot.waitUntil(first.isVisible, timeout=WAIT_MS)
+
+
+def test_a_wrong_given_value_is_the_only_cause_of_a_failed_calibration(judged: Driver) -> None:
+    window, project = judged.window, judged.project
+    assert project.result is not None
+    cause = PossibleCause(
+        "lever_z", "", "", np.array([0.5]), np.array([0.01]), np.zeros(3),
+        project.result.rms_after, 2500.0,
+    )  # fmt: skip
+    wrong = replace(project.result, causes=((cause,),))
+    limit = replace(project.acceptance, roll_sigma_deg=1e-6, offset=1e-6)
+    window.document.edit("wrong", replace(project, result=wrong, acceptance=limit))
+    judged.rest()
+    outcome = window.validate.outcome
+    (button,) = outcome.buttons
+    assert "lever arm Z" in button.toolTip()
+    click(judged, button)
+    judged.rest()
+    estimates = window.adjust.parameters.switches["lever_z"]
+    judged.bot.waitUntil(estimates.isVisible, timeout=WAIT_MS)
+    judged.bot.waitUntil(lambda: window.warning_list.is_current, timeout=WAIT_MS)
+    codes = {each.code for each in window.warnings.messages}
+    assert "adjustment.explained_by_value" in codes
+    assert not codes & EXPLAINED_CODES
 
 
 def test_the_report_step_shows_a_failed_calibration(judged: Driver, tmp_path: Path) -> None:
