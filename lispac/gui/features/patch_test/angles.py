@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 
 from lispac.gui import widgets
+from lispac.gui.widgets.elided_label import ElidedLabel
 from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext, join_items
@@ -49,10 +50,10 @@ class PatchAngles(QWidget):
         self.sliders: list[QSlider] = []
         self.fields: list[NumberField] = []
         self.find_buttons: list[widgets.Button] = []
-        self.result_labels = [
-            widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found")
-            for angle in ANGLE_NAMES
-        ]
+        self.result_labels = [ElidedLabel() for _ in ANGLE_NAMES]
+        for angle, label in zip(ANGLE_NAMES, self.result_labels, strict=True):
+            label.setObjectName(f"patch_{angle}_found")
+            label.setProperty("role", "muted")
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(0)
@@ -140,9 +141,10 @@ class PatchAngles(QWidget):
             label.setText(join_items((text, effect)))
             label.setToolTip(
                 gettext(
-                    "{effect}: an error of 0.01° in this angle misaligns the lines by this "
-                    "distance on the objects",
-                    effect=effect,
+                    "{result}. An error of 0.01° in this angle misaligns the lines by {distance} "
+                    "on the objects.",
+                    result=text,
+                    distance=distance,
                 )
             )
 

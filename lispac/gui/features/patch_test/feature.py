@@ -30,7 +30,7 @@ FEATURE = Feature(
         PanelRecord(
             "patch_test",
             WindowPlace(
-                N_("Patch test"), 830, 520, "patch_test", spares_view=True, narrow_width=440
+                N_("Patch test"), 830, 520, "patch_test", spares_view=True, narrow_width=456
             ),
             PatchTestPanel,
             _connect,

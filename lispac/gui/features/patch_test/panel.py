@@ -399,7 +399,7 @@ def _create_list(name: str, title: str) -> QListWidget:
     made.setObjectName(name)
     made.setAccessibleName(title)
     made.setToolTip(title)
-    made.setMinimumSize(90, 100)
+    made.setMinimumSize(90, 76)
     # Its preferred height would scroll the panel in a low window
     made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
     return made

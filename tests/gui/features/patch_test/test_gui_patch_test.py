@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QListWidget, QScrollArea, QSlider, QStyle, QStyleOptionSlider
 
 from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
 from lispac.gui.features.patch_test.pictures import CurvePicture
-from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
+from tests.gui.support import Control, Driver, Key, Left, click, finish_layouts, press, type_into
 from tests.support.message_codes import is_shown
 
 ROLL, PITCH, YAW = range(3)
@@ -85,8 +85,14 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     area = shown.findChild(QScrollArea)
     assert area.verticalScrollBar().maximum() == area.horizontalScrollBar().maximum() == 0
     assert shown.picture.mapTo(shown, QPoint()).y() > shown.go.mapTo(shown, QPoint()).y()
-    for label in shown.angles.result_labels:
-        assert label.height() >= label.heightForWidth(label.width())
+    own_window = window.panel_windows["Patch test"]
+    size = own_window.size()
+    for narrow in (QSize(456, 640), size):  # beside the view at 1366 x 768, and as it was
+        own_window.resize(narrow)
+        finish_layouts()
+        assert area.verticalScrollBar().maximum() == area.horizontalScrollBar().maximum() == 0
+        for part in (*shown.angles.result_labels, *shown.angles.find_buttons, shown.all):
+            assert part.height() >= part.sizeHint().height()
     assert "result" in shown.angles.result_labels[PITCH].text()
     assert is_shown("patch_test.basis", shown.message_label.text())
     truth = np.radians(opened.project.truth_deg)
