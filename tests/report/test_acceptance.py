@@ -366,6 +366,15 @@ def test_one_criterion_is_singular_in_french(project: Project) -> None:
             assert words in text.split()
 
 
+def test_a_single_value_beyond_a_limit_is_not_omitted(project: Project) -> None:
+    plane = project.validation[0]
+    for planes, shown in ((3, 3), (4, 4), (5, 3)):
+        some = tuple(replace(plane, name=f"V{k}") for k in range(planes))
+        judged = replace(project, validation=some, acceptance=NO_CRITERIA.changed(rms=1e-5))
+        checks = decisive_checks(AcceptanceValues.of(judged.judgement), 3)
+        assert len(checks) == shown
+
+
 def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project) -> None:
     rms = {plane.name: plane.after.rms for plane in project.validation}
     for limit, expected in (

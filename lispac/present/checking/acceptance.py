@@ -172,7 +172,8 @@ def decisive_checks(
     Parameters
     ----------
     max_failed : largest number of failed checks of each criterion, those with the largest values;
-        None for all
+        None for all. A single one more is not omitted, since it needs no more space than the
+        sentence that it is omitted.
     """
     order: list[Verdict] = ["fail", "not judged", "pass"]
     decisive: dict[Quantity, list[AcceptanceCheckValues]] = {
@@ -183,7 +184,9 @@ def decisive_checks(
     ):
         if not decisive[check.quantity] or check.verdict == "fail":
             decisive[check.quantity].append(check)
-    return [check for checks in decisive.values() for check in checks[:max_failed]]
+    shown = [check for checks in decisive.values() for check in checks[:max_failed]]
+    every = [check for checks in decisive.values() for check in checks]
+    return every if len(every) == len(shown) + 1 else shown
 
 
 def check_format(check: AcceptanceCheckValues | CriterionResult) -> Format:
