@@ -47,14 +47,18 @@ def crossing_lines_with_control(control_sigma: float | None) -> Plan:
 
 
 def test_the_adjustment_with_control_has_the_predicted_sigmas() -> None:
+    """The mean of ten surveys without waves: the noise of a sphere is estimated within 3 %."""
     plan, without = crossing_lines_with_control(0.002), crossing_lines_with_control(None)
-    observations = simulate_plan(plan, np.random.default_rng(5), calm=True)
-    assert observations.control is not None
-    assert len(observations.control) == 4 + 4 + 1
     pos = plan.system.pos
     model = StochasticModel("correlated", pos.time_position, pos.time_attitude, plan.flatness)
-    result = adjust(observations, plan.system.mounting, model, diagnostics=False)
-    assert predict(plan).sigma == pytest.approx(result.sigma, rel=0.01)
+    sigmas = []
+    for seed in range(10):
+        observations = simulate_plan(plan, np.random.default_rng(seed), calm=True)
+        assert observations.control is not None
+        assert len(observations.control) == 4 + 4 + 1
+        result = adjust(observations, plan.system.mounting, model, diagnostics=False)
+        sigmas.append(result.sigma)
+    assert predict(plan).sigma == pytest.approx(np.mean(sigmas, axis=0), rel=0.01)
     assert (predict(plan).sigma < 0.97 * predict(without).sigma).any()
     assert predict(plan.without_control()).sigma == pytest.approx(predict(without).sigma)
 

@@ -15,6 +15,7 @@ class Unavailable(Enum):
     NO_TARGET = N_("Pick a target first.")
     NO_PLANE = N_("Pick a validation plane first.")
     NO_RESULT = N_("Estimate the boresight first.")
+    NO_REPORT = N_("Export a report first.")
     WAITING = N_("The result is being updated.")
     NO_CANDIDATE = N_("No detected target is waiting to be accepted.")
     POOR_CANDIDATE = N_(

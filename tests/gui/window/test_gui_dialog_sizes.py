@@ -87,7 +87,7 @@ def test_the_study_of_visibility_stays_on_the_screen(
 def test_the_columns_of_a_survey_plan_show_their_texts(qtbot: QtBot) -> None:
     table = NumberTable("targets", "Targets", TARGET_FIELDS)
     qtbot.addWidget(table)
-    table.show_rows([["T1", -0.8, 0.0, 5.0, 90.0, 270.0, 1.23, 1.22, None]], 0)
+    table.show_rows([["T1", -0.8, 0.0, 5.0, 90.0, 270.0, 1.23, 1.22, None, None]], 0)
     table.resize(985, 170)
     table.show()
     header = table.horizontalHeader()

@@ -92,7 +92,7 @@ class ReportPanel(QWidget):
         self.opens.setObjectName("report_opens")
         self.opens.toggled.connect(lambda _checked: self.changed.emit())
         layout.addWidget(self.opens)
-        layout.addWidget(self._create_exported_row())
+        layout.addLayout(self._create_exported_row())
         layout.addWidget(self.lines)
         # Texts that change are below the controls, which then stay in place
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
@@ -179,24 +179,25 @@ class ReportPanel(QWidget):
             button.set_reason(reason_text(status.reason or busy))
         self.lines.set_reason(reason_text(no_data or busy))
         self._exported = None if state.report is None else state.report.path
-        self.exported.setVisible(self._exported is not None)
+        no_report = first_reason((self._exported is None, Unavailable.NO_REPORT))
         for each in (self.open_report, self.open_folder):
-            each.setToolTip(widgets.plain_tip(str(self._exported or "")))
+            each.set_reason(reason_text(no_report))
 
-    def _create_exported_row(self) -> QWidget:
-        self.exported = QWidget()
-        row = QHBoxLayout(self.exported)
-        row.setContentsMargins(0, 0, 0, 0)
-        self.open_report = widgets.button(gettext("Open report"), "report_open", icon="open-in-new")
+    def _create_exported_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        self.open_report = widgets.button(
+            gettext("Open report"), "report_open", icon="open-in-new",
+            tip=gettext("Open the report that was exported last"),
+        )  # fmt: skip
         self.open_folder = widgets.button(
-            gettext("Open folder"), "report_open_folder", icon="folder-open-outline"
-        )
+            gettext("Open folder"), "report_open_folder", icon="folder-open-outline",
+            tip=gettext("Open the folder of the report that was exported last"),
+        )  # fmt: skip
         self.open_report.clicked.connect(lambda: self.open_requested.emit(self._exported))
         self.open_folder.clicked.connect(lambda: self.open_requested.emit(self._exported.parent))
         row.addWidget(self.open_report, 1)
         row.addWidget(self.open_folder, 1)
-        self.exported.hide()
-        return self.exported
+        return row
 
     def _create_choice_form(self) -> QFormLayout:
         self.extent = widgets.ChoiceBox(

@@ -144,7 +144,7 @@ def test_the_exported_report_and_its_folder_are_opened_from_the_panel(
     panel.opens.setChecked(False)
     dialogs.path, dialogs.fills_in_details = tmp_path / "report.html", True
     assert adjusted.project.identity.missing
-    assert not panel.exported.isVisible()
+    assert not panel.open_report.isEnabled()
     click(adjusted, panel.report)
     adjusted.rest()
     click(adjusted, panel.open_report)
