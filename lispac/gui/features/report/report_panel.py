@@ -186,11 +186,11 @@ class ReportPanel(QWidget):
     def _create_exported_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         self.open_report = widgets.button(
-            gettext("Open report"), "report_open", icon="open-in-new",
+            gettext("Open report"), "report_open",
             tip=gettext("Open the report that was exported last"),
         )  # fmt: skip
         self.open_folder = widgets.button(
-            gettext("Open folder"), "report_open_folder", icon="folder-open-outline",
+            gettext("Open folder"), "report_open_folder",
             tip=gettext("Open the folder of the report that was exported last"),
         )  # fmt: skip
         self.open_report.clicked.connect(lambda: self.open_requested.emit(self._exported))
