@@ -422,7 +422,7 @@ TEXTS: Mapping[str, Template] = {
     # -- causes of the residuals -------------------------------------------------------------
     "adjustment.explained_by_value": Advised(
         N_(
-            "The given {parameter} causes most of the residuals, so that messages on residuals, "
+            "The given {parameter} causes most of the residuals, so that notes on residuals, "
             "sightings and differences between parts of the data are omitted."
         ),
         N_("Correct or estimate it, then estimate again."),

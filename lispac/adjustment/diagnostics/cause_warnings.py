@@ -50,12 +50,12 @@ EXPLAINED_CODES = frozenset(
         "acceptance.halves_differ", "adjustment.cross_check", "adjustment.line_jumped",
         "adjustment.noise", "project.doubtful_sighting", "project.doubtful_sightings",
         "project.poor_sighting", "report.chi_square_high", "report.chi_square_high_assumed",
-        "report.chi_square_high_classical", "report.chi_square_high_noise",
-        "report.noise_differs", "report.noise_differs_given", "report.sightings",
+        "report.chi_square_high_noise", "report.noise_differs", "report.noise_differs_given",
+        "report.sightings",
     }
 )  # fmt: skip
-"""Codes of messages on residuals, sightings, parts of the data and probable causes, which a wrong
-value of the mounting that causes most of the residuals explains."""
+"""Codes of notes on residuals, sightings, parts of the data and probable causes, which a wrong value
+of the mounting that causes most of the residuals explains."""
 CONTRADICTION_PREFIX = "adjustment.contradicted_"
 """Start of the codes of the warnings that the data contradict a given value of the mounting."""
 MIN_EFFECT_RATIO = 0.5
@@ -105,10 +105,13 @@ def main_wrong_value(messages: Iterable[Message]) -> Message | None:
 
 
 def without_explained(messages: Sequence[Message]) -> tuple[Message, ...]:
-    """Messages without those that a wrong value of the mounting explains; a note names it."""
+    """Messages without the notes that a wrong value of the mounting explains; a note names it.
+
+    Warnings are never omitted.
+    """
     if (wrong := main_wrong_value(messages)) is None:
         return tuple(messages)
-    kept = tuple(each for each in messages if each.code not in EXPLAINED_CODES)
+    kept = tuple(each for each in messages if each.is_serious or each.code not in EXPLAINED_CODES)
     parameter = wrong.params["parameter"]
     explained = note("adjustment.explained_by_value", parameter=parameter, subject=wrong.subject)
     return kept if len(kept) == len(messages) or explained in kept else (*kept, explained)
@@ -154,8 +157,7 @@ def warnings_about_causes(
     wrong = [group[0] for group in causes if len(group) == 1 and group[0].kind in OPTIONAL_NAMES]
     if wrong:
         follows: tuple[str, ...] = FORM_ERROR_CODES
-        is_named = any(each.code.startswith(CONTRADICTION_PREFIX) for each in found)
-        if is_named and wrong[0].effect >= MIN_EFFECT_RATIO * result.rms_after:
+        if main_wrong_value(found) is not None:
             follows += CONSEQUENCE_CODES
         others = [each for each in others if each.code not in follows]
     if known is None:

@@ -129,6 +129,7 @@ class PatchAngles(QWidget):
         for name, label in zip(ANGLE_NAMES, self.result_labels, strict=True):
             if values is None:
                 label.setText("")
+                label.setToolTip("")
                 continue
             angle = local_amount(getattr(values.boresight_deg, name), DEGREES.signed)
             if values.sigma_deg is None:

@@ -185,9 +185,9 @@ class ReportExport(QObject):
         The report on a simulated survey is not signed, and needs none.
         """
         project, asked = self._document.project, self._document.folders_asked_for_details
-        if project is None or not project.identity.missing or project.folder in asked:
+        if project is None or project.truth_deg is not None:
             return True
-        if project.truth_deg is not None:
+        if not project.identity.missing or project.folder in asked:
             return True
         if not self.ask_details(project.identity.missing, continues=True):
             return False
