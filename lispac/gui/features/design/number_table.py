@@ -300,16 +300,14 @@ class _Delegate(QStyledItemDelegate):
         else:
             box = _CellEditor(self, field, parent)
             box.input_checked.connect(self._table.input_error)
-            box.destroyed.connect(self._on_editor_closed)
         title = gettext(field.title)
         box.setAccessibleName(f"{title}, {field.sign}" if field.unit else title)
         return box
 
-    def _on_editor_closed(self) -> None:
-        try:
-            self._table.input_error.emit("")
-        except RuntimeError:  # the table was deleted before its editor
-            return
+    def destroyEditor(self, editor, index) -> None:
+        """Destroy a closed editor, whose text is not wrong any more."""
+        self._table.input_error.emit("")
+        super().destroyEditor(editor, index)
 
     def setEditorData(self, editor, index) -> None:
         if isinstance(editor, QComboBox):

@@ -4,6 +4,7 @@ import gc
 from pathlib import Path
 
 import numpy as np
+from PySide6.QtWidgets import QLineEdit
 
 from lispac.design.objective import PlanObjective
 from lispac.gui.features.design.search import SearchResult
@@ -109,6 +110,22 @@ def test_results_of_a_plan_survive_a_change_of_theme(hands: Hands) -> None:
     hands.bot.waitUntil(lambda: len(figure.axes) == 3, timeout=WAIT_MS)
     assert "0.0363" in dark.search.message_label.text()
     assert "250" in dark.search.message_label.text()
+
+
+def test_the_theme_changes_while_a_closed_window_has_a_wrong_number(hands: Hands) -> None:
+    design = opened_by_keys(hands)
+    titled = design.workspace.titled
+    table = design.lines.table
+    table.setFocus()
+    table.setCurrentCell(0, 2)
+    hands.bot.keyClicks(table, "-5")
+    assert table.findChild(QLineEdit).property("wrong")
+    design.close()
+    choose(hands.bot, open_menu(hands.bot, hands.window, "View"), "heme", "Dark")
+    hands.to_next_window()
+    assert opened_by_keys(hands).workspace.titled is titled
+    del design, table
+    gc.collect()  # an exception while the editor is destroyed fails the test
 
 
 def test_a_plan_in_a_closed_window_survives_a_change_of_theme(hands: Hands) -> None:
