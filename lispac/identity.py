@@ -89,6 +89,11 @@ _DATE_PATTERN = re.compile(
     r"(?<!\d)(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d{1,2})(?P=sign)(?P<day>\d[\da-z]?)(?!\d)",
     re.ASCII | re.IGNORECASE,
 )
+_YEAR_LAST_PATTERN = re.compile(
+    r"(?<![\d.])(?P<first>\d{1,2})(?P<sign>[-/.])(?P<second>\d{1,2})(?P=sign)(?P<year>\d{4})(?!\d)",
+    re.ASCII,
+)
+"""Date with the day or the month first, which depends on the country."""
 FIELD_NAMES = tuple(field.name for field in fields(Identity))
 
 FIELD_GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
@@ -179,7 +184,7 @@ def _clean_text(name: str, text: str) -> str:
 
 
 def _require_dates(field: Message, text: str) -> None:
-    """Refuse numbers that are written as a date, such as 2026-13-45, but are none.
+    """Refuse numbers that are written as a date, such as 2026-13-45 or 31/31/2026, but are none.
 
     Raises
     ------
@@ -187,10 +192,20 @@ def _require_dates(field: Message, text: str) -> None:
         If there is such a number.
     """
     for found in _DATE_PATTERN.finditer(text):
-        try:
-            date(*(int(found[part]) for part in ("year", "month", "day")))
-        except ValueError:
-            raise InputError(error("identity.no_date", field=field, text=found[0])) from None
+        if not _is_date(found["year"], found["month"], found["day"]):
+            raise InputError(error("identity.no_date", field=field, text=found[0]))
+    for found in _YEAR_LAST_PATTERN.finditer(text):
+        year, first, second = found["year"], found["first"], found["second"]
+        if not (_is_date(year, first, second) or _is_date(year, second, first)):
+            raise InputError(error("identity.no_date", field=field, text=found[0]))
+
+
+def _is_date(year: str, month: str, day: str) -> bool:
+    try:
+        date(int(year), int(month), int(day))
+    except ValueError:
+        return False
+    return True
 
 
 def cleaned_text(field: Message, text: str, *, longest: int, several_lines: bool = False) -> str:

@@ -88,6 +88,8 @@ def test_details_are_saved_and_keep_the_results(tmp_path: Path) -> None:
         ({"dates": "2026-13-45"}, "no_date", {"text": "2026-13-45"}),
         ({"dates": "2026-02-28 to 2026-02-30"}, "no_date", {"text": "2026-02-30"}),
         ({"dates": "2026/3/0"}, "no_date", {"text": "2026/3/0"}),
+        ({"dates": "31/31/2026"}, "no_date", {"text": "31/31/2026"}),
+        ({"dates": "1 and 30.2.2026"}, "no_date", {"text": "30.2.2026"}),
         ({"dates": "2026-11-2x"}, "no_date", {"text": "2026-11-2x"}),
         ({"epoch": "2010-00-01"}, "no_date", {"text": "2010-00-01"}),
     ],
@@ -108,6 +110,9 @@ def test_texts_that_cannot_be_printed_are_refused(
         {"dates": "2028-02-29"},
         {"dates": "4 and 5 March 2026"},
         {"dates": "2026-03-04/05"},
+        {"dates": "29/02/2028 to 03/13/2028"},
+        {"site": "31/31/2026"},
+        {"remarks": "31/31/2026"},
         {"dates": ""},
         {"epoch": "2010.0"},
         {"scanner_serial": "2026-13-45"},
@@ -310,8 +315,8 @@ def test_dates_without_a_day_are_reported(
 ) -> None:
     folder = sample_project(tmp_path / "harbour").folder
     write_project(sample_project(folder))
-    code, _, err = run(capsys, "identity", folder, "--dates", "32/13/2026")
+    code, _, err = run(capsys, "identity", folder, "--dates", "March 2026")
     assert code == 0
-    assert "the survey dates (32/13/2026) contain no date of the form 2026-03-04" in err
+    assert "the survey dates (March 2026) contain no date of the form 2026-03-04" in err
     _, _, err = run(capsys, "identity", folder, "--dates", "2026-03-04 and 2026-03-05")
     assert err == ""
