@@ -65,9 +65,8 @@ class PlanObjective:
         """Objective value of a plan, radians."""
         return self._mean_over_pos_factors(plan, None)
 
-    def if_determined(self, plan: Plan) -> float:
-        """Objective value, radians; infinite if the plan does not determine all angles."""
-        found = predict(plan)
+    def of_prediction(self, plan: Plan, found: Prediction) -> float:
+        """Objective value of a predicted plan, radians; infinite if an angle is undetermined."""
         return self._mean_over_pos_factors(plan, found) if found.determined else float("inf")
 
     def _mean_over_pos_factors(self, plan: Plan, nominal: Prediction | None) -> float:

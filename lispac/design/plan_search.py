@@ -47,13 +47,26 @@ MIN_RELATIVE_GAIN = 1e-3
 
 @dataclass(frozen=True)
 class InformationGain:
-    """Information gain of a target or line, as the objective value of the plan without it.
+    """Information gain of a target or line, as the precision of the plan without it.
 
-    ``without`` is in radians; infinite if an angle would not be determined.
+    Attributes
+    ----------
+    without : float, radians
+        Value of the objective; infinite if an angle would not be determined.
+    sigma : tuple of float, radians
+        Standard deviations of roll, pitch and yaw; infinite if one would not be determined.
     """
 
     name: str
     without: float
+    sigma: tuple[float, ...]
+
+    @classmethod
+    def of(cls, name: str, others: Plan, objective: PlanObjective) -> "InformationGain":
+        """Information gain of the part ``name``, from the plan of all other parts."""
+        found = predict(others)
+        sigma = tuple(map(float, found.sigma))
+        return cls(name, objective.of_prediction(others, found), sigma)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,11 +181,11 @@ def information_gains(
     for k, target in enumerate(plan.targets):
         progress(len(found) / every)
         others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
-        found.append(InformationGain(target.name, objective.if_determined(others)))
+        found.append(InformationGain.of(target.name, others, objective))
     for k, course in enumerate(plan.courses):
         progress(len(found) / every)
         others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
-        found.append(InformationGain(course.name, objective.if_determined(others)))
+        found.append(InformationGain.of(course.name, others, objective))
     return tuple(sorted(found, key=lambda each: -each.without))
 
 

@@ -82,7 +82,7 @@ class AnglesRow:
 
 
 def angle_columns(
-    path: str, form: Format | Callable[[Any], Format], suffix: str = "", unknown: str = ""
+    path: str, form: Format | Callable[[Any], Format], unknown: str = ""
 ) -> tuple[Column[Any], ...]:
     """Column for each angle.
 
@@ -90,14 +90,11 @@ def angle_columns(
     ----------
     path : str
         Path of the field of the row that contains the `Angles`.
-    suffix : str
-        Text after the name of the angle in the title.
     unknown : str
         English text for unknown values; a dash if empty.
     """
     return tuple(
-        Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form, unknown=unknown)
-        for name in ANGLES
+        Column(f"{path}.{name}", VALUE_TITLES[name], form, unknown=unknown) for name in ANGLES
     )
 
 

@@ -111,7 +111,11 @@ def test_information_gain_is_the_loss_without_the_part(best) -> None:
     without = best.plan.with_lines(best.plan.lines[1:])
     assert found["L1"] == pytest.approx(PlanObjective().of(without))
     assert all(value >= best.value for value in found.values())
-    assert best.gains == information_gains(best.plan, PlanObjective())
+    gains = information_gains(best.plan, PlanObjective())
+    assert best.gains == gains
+    sigma = {each.name: each.sigma for each in gains}
+    assert sigma["L1"] == pytest.approx(predict(without).sigma)
+    assert all(np.all(np.array(each) >= best.prediction.sigma) for each in sigma.values())
 
 
 def test_less_time_is_never_better(best) -> None:
@@ -215,6 +219,11 @@ def test_an_indispensable_line_has_an_infinite_gain(best) -> None:
     found = {each.name: each.without for each in information_gains(two, PlanObjective())}
     assert np.isinf(found["L1"])
     assert np.isinf(found["L2"])
+    assert all(
+        np.isinf(each.sigma).all()
+        for each in information_gains(two, PlanObjective())
+        if each.name in ("L1", "L2")
+    )
 
 
 def test_a_board_is_at_the_given_place() -> None:

@@ -88,7 +88,7 @@ def run(arguments: Namespace) -> None:
     print_table(PLANNED_LINES_TABLE, values.lines)
     print_table(
         design_results.with_objective(design_results.GAINS_TABLE, objective.criterion),
-        design_results.gain_rows(found.gains, values.value_deg),
+        design_results.gain_rows(found.gains, values.sigma_deg),
     )
     print_table(
         design_results.with_objective(design_results.SHORTER_PLANS_TABLE, objective.criterion),

@@ -28,8 +28,7 @@ def run(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     plan = titled.plan
     values = design_results.PredictionValues.of(predicted(plan))
-    largest = None if values.sigma_deg is None else max(values.sigma_deg)
-    gains = design_results.gain_rows(information_gains(plan, PlanObjective()), largest)
+    gains = design_results.gain_rows(information_gains(plan, PlanObjective()), values.sigma_deg)
     messages = (*plan_warnings(titled), *observability_messages(plan))
     if arguments.json:
         from lispac.cli.json_outputs import PredictOutput, extended

@@ -137,30 +137,38 @@ def points_table(plan: Plan, found: PredictionValues) -> tuple[Table[PointsRow],
 
 @dataclass(frozen=True)
 class GainRow:
-    """Table row with the objective of a plan without a target or line.
+    """Table row with the precision of a plan without a target or line.
 
-    ``factor`` is the objective divided by that of the whole plan.
+    ``without_deg`` is the value of the objective; ``factors`` are the standard deviations of the
+    angles divided by those of the whole plan.
     """
 
     name: str
     without_deg: float | None
-    factor: float | None
+    factors: Angles | None
 
 
-def gain_rows(gains: Iterable[InformationGain], whole_deg: float | None) -> list[GainRow]:
+def gain_rows(gains: Iterable[InformationGain], sigma_deg: Angles | None) -> list[GainRow]:
     """Rows of the information gain of each target and line.
 
     Parameters
     ----------
-    whole_deg : float or None
-        Objective of the whole plan; None if it is not determined.
+    sigma_deg : Angles or None
+        Standard deviations of the whole plan; None if they are not determined.
     """
     rows = []
     for each in gains:
-        without = finite_or_none(np.degrees(each.without))
-        factor = None if without is None or whole_deg is None else without / whole_deg
-        rows.append(GainRow(each.name, without, factor))
+        without, factors = finite_or_none(np.degrees(each.without)), None
+        if without is not None and sigma_deg is not None:
+            factors = angles(np.degrees(each.sigma) / list(sigma_deg))
+        rows.append(GainRow(each.name, without, factors))
     return rows
+
+
+FACTOR_TIP = N_(
+    "Standard deviation of this angle if the target or line is omitted, divided by that of the "
+    "whole plan"
+)
 
 
 GAINS_TABLE = Table[GainRow](
@@ -175,13 +183,9 @@ GAINS_TABLE = Table[GainRow](
             N_("Largest of the three standard deviations if this target or line is omitted"),
             unknown=NOT_DETERMINED_TEXT,
         ),
-        Column(
-            "factor", N_("Factor"), ratio(2),
-            N_(
-                "Largest standard deviation if this target or line is omitted, divided by that of "
-                "the whole plan"
-            ),
-        ),
+        Column("factors.roll", N_("Factor\nroll"), ratio(2), FACTOR_TIP),
+        Column("factors.pitch", N_("Factor\npitch"), ratio(2), FACTOR_TIP),
+        Column("factors.yaw", N_("Factor\nyaw"), ratio(2), FACTOR_TIP),
     ),
 )  # fmt: skip
 
@@ -399,14 +403,14 @@ class SimulationValues:
         quotient = _quotient(self.scatter_deg, self.predicted_sigma_deg)
         sigma = angles(np.divide([*quotient], np.sqrt(2 * self.adjusted)))
         return _formatted_rows(
-            (N_("RMS error (deg)"), self.scatter_deg, DEGREES_WITHOUT_UNIT),
-            (N_("σ from the adjustment (deg)"), self.formal_sigma_deg, DEGREES_WITHOUT_UNIT),
-            (N_("predicted σ (deg)"), self.predicted_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("RMS error (°)"), self.scatter_deg, DEGREES_WITHOUT_UNIT),
+            (N_("σ from the adjustment (°)"), self.formal_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("predicted σ (°)"), self.predicted_sigma_deg, DEGREES_WITHOUT_UNIT),
             (N_("RMS error / predicted σ"), quotient, ratio(2)),
             (N_("σ of this ratio"), sigma, ratio(2)),
             (N_("coverage of the 95 % intervals (%)"), self.coverage_95, Format("", 1, 100.0)),
-            (N_("mean error (deg)"), self.bias_deg, DEGREES_WITHOUT_UNIT.signed),
-            (N_("σ of mean error (deg)"), self.bias_sigma_deg, DEGREES_WITHOUT_UNIT),
+            (N_("mean error (°)"), self.bias_deg, DEGREES_WITHOUT_UNIT.signed),
+            (N_("σ of mean error (°)"), self.bias_sigma_deg, DEGREES_WITHOUT_UNIT),
         )
 
     @property

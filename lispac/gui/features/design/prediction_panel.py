@@ -66,11 +66,6 @@ class PredictedPrecision:
             return (UNKNOWN_TEXT,) * 3
         return tuple(local_number(value, DEGREES) for value in sigma)
 
-    @property
-    def largest_deg(self) -> float | None:
-        """Largest of the standard deviations; None if they are not determined."""
-        return None if self.prediction.sigma_deg is None else max(self.prediction.sigma_deg)
-
 
 @dataclass(frozen=True, eq=False)
 class SlowResults:
@@ -360,7 +355,7 @@ class PredictionPanel(QScrollArea):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
-        rows = design_results.gain_rows(gains, self._last.largest_deg)
+        rows = design_results.gain_rows(gains, self._last.prediction.sigma_deg)
         table = self.gain_table
         table.show_rows(window_rows(design_results.GAINS_TABLE, rows))
         # The panel scrolls; a second scroll bar in it would be in the way
