@@ -1,6 +1,6 @@
 """Distances between the lines on validation planes, as values and tables."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, sqrt
 from operator import attrgetter
@@ -260,18 +260,20 @@ class ValidationPlane:
     @property
     def largest_offset(self) -> PairOffset | None:
         """Largest offset of two lines after the calibration; None if none is known."""
-        known = [
-            PairOffset(pair.line_a, pair.line_b, abs(pair.after.signed.median_m))
-            for pair in self.pairs
-            if pair.after.signed is not None
-        ]
-        return max(known, key=attrgetter("absolute_m"), default=None)
+        return self._largest_offset(attrgetter("after.signed"))
 
     @property
-    def former_offset(self) -> PairOffset | None:
-        """Offset before the calibration of the lines of `largest_offset`; None if not known."""
-        largest, former = self.largest_offset, self.former_offset_m
-        return None if largest is None or former is None else replace(largest, absolute_m=former)
+    def largest_offset_before(self) -> PairOffset | None:
+        """Largest offset of two lines before the calibration, which may be of other lines."""
+        return self._largest_offset(attrgetter("before.signed"))
+
+    def _largest_offset(self, signed_of: Callable[[PairValues], Any]) -> PairOffset | None:
+        known = [
+            PairOffset(pair.line_a, pair.line_b, abs(signed.median_m))
+            for pair in self.pairs
+            if (signed := signed_of(pair)) is not None
+        ]
+        return max(known, key=attrgetter("absolute_m"), default=None)
 
     @property
     def largest_offset_m(self) -> float | None:

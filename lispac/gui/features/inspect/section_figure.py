@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui.appearance import quantities, theme
-from lispac.gui.features.inspect.section_titles import ACROSS_TITLES, ALONG_TITLE, LOW_TITLES
+from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLE, LOW_TITLES
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
@@ -28,11 +28,11 @@ AXIS_INCHES, LOW_AXIS_INCHES = (0.8, 0.8), (0.6, 0.5)
 figure, whose horizontal axis has its title inside."""
 CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 CUT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: {lines} {offset} apart"),
-    "estimated": N_("After: {lines} {offset} apart"),
+    "prior": N_("Before: largest offset {offset} ({lines})"),
+    "estimated": N_("After: largest offset {offset} ({lines})"),
 }
 SHORT_TITLES_WITH_OFFSET = {
-    "prior": N_("Before: {lines} {offset}"), "estimated": N_("After: {lines} {offset}"),
+    "prior": N_("Before: {offset} ({lines})"), "estimated": N_("After: {offset} ({lines})"),
 }  # fmt: skip
 """Titles where the others do not fit."""
 MIN_TITLE_LENGTH = 14
@@ -73,7 +73,7 @@ def draw_section(
     ----------
     colours : colour of each line
     titles : English titles of the horizontal and vertical axis
-    offsets : offset of two lines in the validation, of each cut that has one
+    offsets : largest offset of two lines in the validation, of each cut that has one
     exaggeration : factor across the surface, or of the vertical axis without a plane; None for
         the smallest automatic one, or that of each cut if small distances would not be visible
     starts_at_left : whether the horizontal axis begins with zero at the left, not in the middle
@@ -170,7 +170,7 @@ def _is_across_upward(cut: SectionPoints) -> bool:
 
 
 def cut_title(which: BoresightChoice, offset: PairOffset | None, length: int) -> str:
-    """Title of a cut: before or after, with the offset of two lines and their names if known.
+    """Title of a cut: before or after, with the largest offset and its lines if known.
 
     Parameters
     ----------
@@ -193,9 +193,12 @@ class _CutView:
     Attributes
     ----------
     rotation : ndarray of shape (2, 2)
-        Axes of the drawn picture in that of the cut, as columns.
+        Axes of the drawn picture in that of the cut, as columns; that across the surface points
+        towards the vessel.
     vertical : whether the vertical axis is exaggerated, instead of the horizontal one
     is_natural : whether the axes are those of the section, instead of along and across a plane
+    is_reversed : whether the axis across the surface has its larger values at the left or bottom,
+        so that the vessel is on the same side as in a picture at true scale
     start : coordinate of the middle of the horizontal axis, metres
     half_across : half of the extent of the picture across the surface, metres
     centre : distance across the plane of the middle of the picture, metres
@@ -206,6 +209,7 @@ class _CutView:
     rotation: Array
     vertical: bool
     is_natural: bool
+    is_reversed: bool = False
     start: float = 0.0
     half_across: float = 0.0
     centre: float = 0.0
@@ -214,11 +218,12 @@ class _CutView:
     def of(cls, cut: SectionPoints, factor: float, start: float, *, is_natural: bool) -> "_CutView":
         vertical = _is_across_upward(cut)
         if cut.normal is None or is_natural:
-            return cls(cut, factor, np.eye(2), vertical, True, start)
-        across = cut.normal * np.sign(cut.normal[int(vertical)]) / np.linalg.norm(cut.normal)
-        along = np.array([across[1], -across[0]]) if vertical else np.array([-across[1], across[0]])
-        axes = (along, across) if vertical else (across, along)
-        return cls(cut, factor, np.column_stack(axes), vertical, False)
+            return cls(cut, factor, np.eye(2), vertical, True, start=start)
+        across = cut.normal / np.linalg.norm(cut.normal)
+        is_reversed = bool(across[int(vertical)] < 0)
+        x, y = -across if is_reversed else across
+        axes = (np.array([y, -x]), across) if vertical else (across, np.array([-y, x]))
+        return cls(cut, factor, np.column_stack(axes), vertical, False, is_reversed)
 
     @property
     def _across(self) -> dict[str, Array]:
@@ -280,8 +285,11 @@ class _CutView:
         """Ends of the horizontal and vertical axis, metres."""
         middle = np.array([self.start, 0.0])
         middle[int(self.vertical)] += self.centre
-        low, high = (middle - self.half_extent).tolist(), (middle + self.half_extent).tolist()
-        return (low[0], high[0]), (low[1], high[1])
+        ends = np.stack([middle - self.half_extent, middle + self.half_extent])
+        if self.is_reversed:
+            ends[:, int(self.vertical)] = ends[::-1, int(self.vertical)]
+        (left, bottom), (right, top) = ends.tolist()
+        return (left, right), (bottom, top)
 
     def lines_outside(self) -> tuple[int, int]:
         """Number of lines out of the picture across the surface, and of all lines."""
@@ -309,10 +317,7 @@ class _CutView:
     def axis_titles(self, titles: tuple[str, str], *, is_low: bool) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
         if not self.is_natural:
-            normal = self.cut.normal
-            is_towards = normal is not None and bool(normal[int(self.vertical)] > 0)
-            across = ACROSS_TITLES[is_towards]
-            titles = (ALONG_TITLE, across) if self.vertical else (across, ALONG_TITLE)
+            titles = (ALONG_TITLE, ACROSS_TITLE) if self.vertical else (ACROSS_TITLE, ALONG_TITLE)
         if is_low:
             return [gettext(LOW_TITLES.get(title, title)) for title in titles]
         texts = [gettext(title) for title in titles]

@@ -6,17 +6,13 @@ AHEAD_LABEL = N_("From the middle, away from the vessel (m)")
 RIGHT_LABEL = N_("From the middle to the right (m)")
 HEIGHT_LABEL = N_("Height above the middle (m)")
 ALONG_LABEL = N_("Distance from the first point (m)")
-ACROSS_TITLES = {
-    True: N_("Across the surface, + towards the vessel (m)"),
-    False: N_("Across the surface, − towards the vessel (m)"),
-}
-"""Title of the axis across a plane in an exaggerated picture, by whether it points to the vessel.
-"""
+ACROSS_TITLE = N_("Across the surface, + towards the vessel (m)")
+"""Title of the axis across a plane in an exaggerated picture; signs as in the tables."""
 ALONG_TITLE = N_("Along the surface (m)")
 LOW_TITLES = {
     HEIGHT_LABEL: N_("Height (m)"),
     AHEAD_LABEL: N_("Away (m)"),
-    **dict.fromkeys(ACROSS_TITLES.values(), N_("Across (m)")),
+    ACROSS_TITLE: N_("Across (m)"),
     ALONG_TITLE: N_("Along (m)"),
 }
 """Titles of the axes in a low picture, which have one line; the title of the cut contains the

@@ -284,13 +284,10 @@ class SectionTool(QObject):
 
 
 def _largest_offsets(project: Project, name: str) -> dict[BoresightChoice, PairOffset]:
-    """Offsets of the pair with the largest one after the calibration, before and after.
-
-    As in the report: the same two lines, so that the figures can be compared.
-    """
+    """Largest offset of two lines in each picture; the lines before and after may differ."""
     found: dict[BoresightChoice, PairOffset] = {}
     for plane in (ValidationPlane.of(each) for each in project.validation if each.name == name):
-        if (before := plane.former_offset) is not None:
+        if (before := plane.largest_offset_before) is not None:
             found["prior"] = before
         if (after := plane.largest_offset) is not None:
             found["estimated"] = after

@@ -154,7 +154,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
 def test_the_section_gives_the_offsets_of_the_table_of_pairs(
     demo: Demo, validated: Project, driver: Driver
 ) -> None:
-    """The titles before and after are of one pair, as in the report and the table of pairs."""
+    """The titles give the largest offset before and after, and its lines."""
     window = driver.window
     window.document.open(validated, demo.survey)
     wait_until_idle(driver)
@@ -166,21 +166,25 @@ def test_the_section_gives_the_offsets_of_the_table_of_pairs(
     (plane,) = [each for each in validated.validation if each.name == "V1"]
     histograms = window.histograms
     columns = [column.value for column in WINDOW_PAIRS_TABLE.columns]
-    pair = max(plane.pairs, key=lambda each: abs(each.after.signed.median))
+    pairs = {
+        state: max(plane.pairs, key=lambda each: abs(getattr(each, state).signed.median))
+        for state in ("before", "after")
+    }
     texts = [
         [histograms.pairs.item(row, column).text() for column in range(len(columns))]
         for row in range(histograms.pairs.rowCount())
     ]
-    (row,) = [each for each in texts if {pair.line_a, pair.line_b} <= set(each[0].split())]
     for height in (420, 150):
         window.resizeDocks([window.docks["Section"]], [height], Qt.Orientation.Vertical)
         driver.rest()
-        for axes, state in zip(panel.canvas.figure.axes, ("before", "after"), strict=True):
+        for axes, (state, pair) in zip(panel.canvas.figure.axes, pairs.items(), strict=True):
             offset = f"{1000 * abs(getattr(pair, state).signed.median):.1f}"
             title = axes.get_title(loc="left")
             assert offset in title
             assert f"{pair.line_a} / {pair.line_b}" in " ".join(title.split())
             column = columns.index(f"{state}.signed.median_m")
+            lines = {pair.line_a, pair.line_b}
+            (row,) = [each for each in texts if lines <= set(each[0].split())]
             assert row[column].strip("+−-") == offset
     window._select("T1", "")
     driver.rest()
@@ -213,19 +217,19 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
         factor = 1 / axes.get_aspect()
         width = np.ptp(axes.get_xlim())
         assert factor > 1
+        assert axes.xaxis_inverted() == (cut.normal[0] < 0), "the vessel stays on its side"
         assert axes.get_ylim() == pytest.approx(np.array([-0.5, 0.5]) * panel.size.value())
-        sign = "+" if cut.normal[0] > 0 else "−"
-        title = f"Across the surface, {sign} towards the vessel, enlarged {factor:.0f} times (m)"
+        title = f"Across the surface, + towards the vessel, enlarged {factor:.0f} times (m)"
         assert axes.get_xlabel() == title
         assert cut.spread < width
         for drawn in axes.lines:
             points = cut.points[drawn.get_gid()] @ cut.normal / np.linalg.norm(cut.normal)
-            assert np.abs(drawn.get_xdata()) == pytest.approx(np.abs(points))
+            assert drawn.get_xdata() == pytest.approx(points)
     assert cuts[1].spread * panel.size.value() / np.ptp(after.get_xlim()) > 0.1
     exaggerate(adjusted, "50")
     for axes, cut in zip(panel.canvas.figure.axes, window.tools.sections._cuts, strict=True):
         assert axes.get_aspect() == 1 / 50
-        low, high = axes.get_xlim()
+        low, high = sorted(axes.get_xlim())
         middles = [np.median(drawn.get_xdata()) for drawn in axes.lines]
         outside = sum(not low <= middle <= high for middle in middles)
         assert outside < len(middles), "at least one line is in the picture"
@@ -268,6 +272,7 @@ def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -
                 each for each in labels if box.x0 - 1 <= 0.5 * (each.x0 + each.x1) <= box.x1 + 1
             ]
             assert len(labels) > 1
+            labels.sort(key=lambda each: each.x0)
             assert all(a.x1 < b.x0 for a, b in pairwise(labels))
     flat = replace(near, normal=np.array([0.0, 1.0]))
     for language, height in product(LANGUAGES, (2.4, 3.0)):
@@ -367,6 +372,8 @@ def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
             ]
             assert across
             assert upward_boxes
+            across.sort(key=lambda each: each.x0)
+            upward_boxes.sort(key=lambda each: each.y0)
             assert all(a.x1 + 2 < b.x0 for a, b in pairwise(across))
             assert all(a.y1 < b.y0 for a, b in pairwise(upward_boxes))
         before, after = figure.axes
@@ -513,8 +520,9 @@ def test_the_section_is_zoomed_and_moved_with_the_mouse(picked: Driver) -> None:
     picked.bot.mousePress(canvas, Qt.MouseButton.LeftButton, pos=spot)
     picked.bot.mouseMove(canvas, spot + QPoint(20, 0))
     picked.bot.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=spot + QPoint(20, 0))
-    metres = 20 * 0.8 * whole / (right - left)
+    metres = 20 * 0.8 * whole / (right - left) * (-1 if axes.xaxis_inverted() else 1)
     assert middle - np.mean(axes.get_xlim()) == pytest.approx(metres, rel=0.05)
+    assert axes.xaxis_inverted(), "the board is to the right of the vessel"
     picked.bot.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=spot)
     assert np.ptp(axes.get_xlim()) == pytest.approx(whole)
 
