@@ -54,8 +54,8 @@ EXPLAINED_CODES = frozenset(
         "report.sightings",
     }
 )  # fmt: skip
-"""Codes of notes on residuals, sightings, parts of the data and probable causes, which a wrong value
-of the mounting that causes most of the residuals explains."""
+"""Codes of notes on residuals, sightings, parts of the data and probable causes, which a wrong
+value of the mounting that causes most of the residuals explains."""
 CONTRADICTION_PREFIX = "adjustment.contradicted_"
 """Start of the codes of the warnings that the data contradict a given value of the mounting."""
 MIN_EFFECT_RATIO = 0.5

@@ -20,8 +20,9 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause
 from lispac.adjustment.solve.solver import SolverSettings, estimate
 from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
 from lispac.messages import Message, note
-from lispac.progress import Progress, no_progress, sub_progress
+from lispac.progress import Progress, no_progress, sub_progress, without_steps
 from lispac.survey.georeferencing import Mounting
 from lispac.warning_causes import Cause
 
@@ -57,8 +58,9 @@ def find_failure_causes(
         errors would explain nearly any residuals.
     """
     found: list[tuple[float, Message]] = []
+    steps = _equal_steps(progress, len(WRONG_SIGN_CONVENTIONS) + len(TESTED_PARAMETERS))
     for code, some, also in _candidates(observations, parameters):
-        result = _estimate(some, mounting, model, (*parameters, *also), progress)
+        result = _estimate(some, mounting, model, (*parameters, *also), next(steps))
         if result is not None and not result.is_model_rejected(REJECTION_LEVEL):
             message = _value_message(result, also[0].name) if also else note(code)
             found.append((result.variance_factor, message))
@@ -92,9 +94,10 @@ def find_wrong_value(
         error model.
     """
     found: list[tuple[float, Parameter, AdjustmentResult]] = []
+    steps = _equal_steps(progress, len(TESTED_PARAMETERS))
     for _, _, also in _candidates(observations, parameters):
         if also:
-            freed = _estimate(observations, mounting, model, (*parameters, *also), progress)
+            freed = _estimate(observations, mounting, model, (*parameters, *also), next(steps))
             if freed is not None:
                 found.append((freed.rms_after, also[0], freed))
     found.sort(key=lambda each: each[0])
@@ -125,12 +128,19 @@ def _estimate(
 ) -> AdjustmentResult | None:
     """Result with the correlated model; None if it does not converge or a value is undetermined."""
     model = replace(model, pos_errors="correlated", loss="tukey")
+    progress(0.0, gettext_lazy("Searching for a wrong value of the mounting or a wrong sign"))
     with suppress(AdjustmentError, np.linalg.LinAlgError):
         settings = SolverSettings(model, parameters=parameters, accept_single_orientation=True)
-        result = estimate(observations, mounting, settings, sub_progress(progress, 0.9, 0.9))
+        result = estimate(observations, mounting, settings, without_steps(progress))
         if all(each.value is not None for each in result.parameters):
             return result
     return None
+
+
+def _equal_steps(progress: Progress, most: int) -> Iterator[Progress]:
+    """Progress of each of at most ``most`` candidates."""
+    for k in range(most):
+        yield sub_progress(progress, k / most, (k + 1) / most)
 
 
 def _candidates(

@@ -381,12 +381,12 @@ def adjust_selected(
     )
     observations = observations.without_targets(result.excluded_targets)
     # A linear estimate of a wrong value is itself wrong if the residuals are implausibly large
-    result = _with_wrong_value(project, survey, result, progress)
+    result = _with_wrong_value(project, survey, result, sub_progress(progress, 0.4, 0.7))
     if advise:
         result = _with_advice(result, observations)
     solved = project.with_result(result)
     return (
-        _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
+        _with_cross_checks(solved, observations, sub_progress(progress, 0.7, 1.0))
         if cross_check
         else solved
     )
