@@ -74,8 +74,7 @@ class ReportExport(QObject):
         panel.report_requested.connect(actions["report"].trigger)
         panel.preview_requested.connect(actions.guarded(self.preview))
         panel.template_requested.connect(self.ask_template)
-        panel.details_requested.connect(lambda: self.ask_details())
-        panel.missing_requested.connect(self.ask_missing)
+        panel.details_requested.connect(self.ask_missing)
         panel.open_requested.connect(actions.guarded(self._open_exported))
         panel.opens.setChecked(settings.opens_report)
         panel.changed.connect(self._store_choice)
@@ -93,7 +92,7 @@ class ReportExport(QObject):
         return astuple(self._panel.choice)
 
     def ask_missing(self) -> None:
-        """Ask for the details that a signed report needs and that are missing."""
+        """Ask for the details for the report, first for the missing ones."""
         if (project := self._document.project) is not None:
             self.ask_details(project.identity.missing)
 

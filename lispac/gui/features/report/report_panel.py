@@ -41,8 +41,6 @@ class ReportPanel(QWidget):
     report_requested = Signal()
     lines_requested = Signal()
     details_requested = Signal()
-    missing_requested = Signal()
-    """The missing details are to be filled in."""
     preview_requested = Signal()
     template_requested = Signal()
     open_requested = Signal(object)
@@ -98,13 +96,7 @@ class ReportPanel(QWidget):
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
         self.missing = widgets.label("", "muted", wrap=True, name="report_missing")
         self.template_error = widgets.label("", "error", wrap=True, name="report_message")
-        self.fill_in = widgets.button(
-            gettext("Enter missing details…"), "report_fill_in",
-            icon="card-account-details-outline",
-            tip=gettext("Open the details for the report at the first missing one"),
-        )  # fmt: skip
-        self.fill_in.clicked.connect(self.missing_requested)
-        for each in (self.template_error, self.advice, self.missing, self.fill_in):
+        for each in (self.template_error, self.advice, self.missing):
             layout.addWidget(each)
         self.show_template(None)
 
@@ -173,8 +165,7 @@ class ReportPanel(QWidget):
         self.details.set_reason(reason_text(no_data))
         missing = () if state.project is None else state.project.identity.missing
         self.missing.setText(missing_details_text(missing, in_form=False) if missing else "")
-        for each in (self.missing, self.fill_in):
-            each.setVisible(bool(missing))
+        self.missing.setVisible(bool(missing))
         for button in (self.preview, self.report):
             button.set_reason(reason_text(status.reason or busy))
         self.lines.set_reason(reason_text(no_data or busy))

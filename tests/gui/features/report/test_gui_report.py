@@ -129,10 +129,9 @@ def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
     use_next_dialog(fill_in_last)
-    click(adjusted, panel.fill_in)
+    click(adjusted, panel.details)
     assert adjusted.project.identity.missing == ()
     assert not panel.missing.isVisible()
-    assert not panel.fill_in.isVisible()
 
 
 def test_the_exported_report_and_its_folder_are_opened_from_the_panel(
@@ -170,7 +169,7 @@ def test_only_the_form_of_the_details_refers_to_its_asterisks(adjusted: Driver) 
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
     use_next_dialog(look)
-    click(adjusted, adjusted.window.report.fill_in)
+    click(adjusted, adjusted.window.report.details)
 
 
 def test_the_missing_details_are_counted_while_they_are_typed(adjusted: Driver) -> None:
@@ -196,7 +195,7 @@ def test_the_missing_details_are_counted_while_they_are_typed(adjusted: Driver) 
         discard_details(adjusted, dialog)
 
     use_next_dialog(fill_in)
-    click(adjusted, adjusted.window.report.fill_in)
+    click(adjusted, adjusted.window.report.details)
 
 
 def test_details_are_one_undo_step(adjusted: Driver) -> None:
