@@ -387,9 +387,9 @@ def capitalised(text: str) -> str:
 
 ASCII_REPLACEMENTS = {
     "\u2212": "-", "\u2013": "-", "\u03c3": "sigma", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2",
-    "\u00b0": " deg",
+    "(\u00b0": "(deg", "\u00b0": " deg",
 }  # fmt: skip
-"""ASCII texts for characters that some terminals cannot show."""
+"""ASCII texts for characters that some terminals cannot show, replaced in this order."""
 
 
 def to_plain_text(text: str) -> str:

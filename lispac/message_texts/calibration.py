@@ -199,8 +199,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "budget.boresight": N_(
         '"Boresight before calibration" is the distance between points computed with the prior and '
-        'with the estimated angles, not a standard deviation. "Boresight after calibration" is '
-        "computed from the covariance of the estimated angles."
+        "with the estimated angles, not a standard deviation, so that the total before calibration "
+        'is a root mean square error. "Boresight after calibration" is computed from the '
+        "covariance of the estimated angles."
     ),
     "budget.lidar_per_axis": N_(
         "The LiDAR noise has fixed values along x, y and z, so it does not grow with the distance. "

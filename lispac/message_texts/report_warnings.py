@@ -229,9 +229,10 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.cause_pos": Advised(
         N_(
-            "Probable cause: errors of POS and boresight, which explain the shifts of the lines "
-            "from the others (positive towards the vessel; the largest is {ratio:x.1|limit} σ, "
-            "the limit for all planes together {limit:x.1|ratio} σ): {planes:names}."
+            "Probable cause: errors of POS and boresight, which explain the shift of each line, "
+            "its mean distance from all other lines (positive towards the vessel; the largest is "
+            "{ratio:x.1|limit} σ, the limit for all planes together {limit:x.1|ratio} σ): "
+            "{planes:names}."
         ),
         N_(
             "Process the trajectory again with a more accurate solution, or check the given POS "

@@ -24,7 +24,7 @@ def table_as_text(table: Table[Row], rows: Sequence[Row]) -> str:
     lines = [heads, *([cell_text(column, row) for column in table.columns] for row in rows)]
     lines = [[to_plain_text(cell) for cell in line] for line in lines]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    texts = [title_text(table.title)]
+    texts = [to_plain_text(title_text(table.title))]
     for line in lines:
         cells = (
             cell.ljust(width) if column.is_text else cell.rjust(width)

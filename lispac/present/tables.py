@@ -16,8 +16,8 @@ from lispac.language import (
 )
 from lispac.messages import Message
 from lispac.present.text_format import (
+    DEGREE_SIGN,
     UNKNOWN_TEXT,
-    degrees_unit,
     fixed_number,
     grouped_number,
     interval_text,
@@ -250,7 +250,7 @@ def title_text(title: str | LazyText) -> str:
 def unit_text(unit: Unit) -> str:
     """Name of a unit in the language in use."""
     if unit == "deg":
-        return degrees_unit()
+        return DEGREE_SIGN
     return with_unit(fixed_number(0.001, 3), "deg") if unit == "mdeg" else unit
 
 

@@ -12,7 +12,7 @@ from lispac.messages import Message
 
 UNKNOWN_TEXT = "\u2013"
 """Dash for an unknown value."""
-MINUS_SIGN = "\u2212"
+MINUS_SIGN, DEGREE_SIGN = "\u2212", "\u00b0"
 MINUS_PATTERN = re.compile(r"(?<![^\s(])-(?=\d)")
 """Pattern of a hyphen that stands for the minus sign of a number."""
 
@@ -107,11 +107,6 @@ def title_with_unit(title: str, unit: str) -> str:
     return f"{title}\n({unit})"
 
 
-def degrees_unit() -> str:
-    """Unit of angles, as written below the title of a column or beside an axis."""
-    return gettext("deg")
-
-
 def sentence_text(message: Message) -> str:
     """Text of a message with minus signs instead of hyphens, as in the tables."""
     return with_minus_signs(message_text(message))
@@ -177,10 +172,7 @@ def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
 
 def with_unit(number: str, unit: str) -> str:
     """A number with its unit."""
-    # The space before the unit depends on the language.
-    if unit == "deg":
-        return gettext("{number}\u00a0deg", number=number)
-    return f"{number}\u00a0{unit}"
+    return f"{number}{DEGREE_SIGN}" if unit == "deg" else f"{number}\u00a0{unit}"
 
 
 def time_text(stamp: str) -> str:

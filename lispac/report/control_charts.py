@@ -23,7 +23,7 @@ from lispac.report.figures import (
 from lispac.validation.repeatability import NORMAL_QUANTILE_975
 
 AXIS_LABELS: Mapping[str, str] = {
-    "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
+    "roll": N_("Roll (°)"), "pitch": N_("Pitch (°)"), "yaw": N_("Yaw (°)")
 }  # fmt: skip
 LIMITS_COLOUR = "#dbe4ee"
 """Colour of the band between the control limits of a calibration."""

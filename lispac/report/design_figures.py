@@ -59,7 +59,7 @@ def scenario_figure(outcomes: Sequence[ScenarioOutcome], figure: Figure | None =
             axes.text(x, 0.03 * highest, gettext("not determined"), rotation=90,
                       fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, ha="center",
                       va="bottom")  # fmt: skip
-        style_axes(axes, "", gettext("1 sigma (deg)"))
+        style_axes(axes, "", gettext("1 sigma (°)"))
         axes.set_title(
             gettext(POS_ERROR_MODEL_NAMES[model]), fontsize=TEXT_SIZE, color=INK_COLOUR, loc="left"
         )
@@ -94,7 +94,7 @@ def pareto_front_figure(
         size = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
         axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points",
                       fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)  # fmt: skip
-    quantity = gettext("{quantity} (deg)", quantity=gettext(label))
+    quantity = gettext("{quantity} (°)", quantity=gettext(label))
     style_axes(axes, gettext("Minutes on site (labels: targets × lines)"), quantity)
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure

@@ -75,11 +75,11 @@ def visibility_figure(
         axes.plot(
             inclinations, values[k], color=line_colour(k), linewidth=CURVE_WIDTHS[k],
             marker="o", markersize=CURVE_WIDTHS[k] + 1.5,
-            label=gettext("{heading:n} deg", heading=heading),
+            label=gettext("{heading:n}°", heading=heading),
         )  # fmt: skip
     style_axes(
         axes,
-        gettext("Inclination of the board (deg; positive: tilted towards the vessel)"),
+        gettext("Inclination of the board (°; positive: tilted towards the vessel)"),
         gettext(shown.label),
     )
     if criterion == "type-one":

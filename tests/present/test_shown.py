@@ -30,6 +30,7 @@ from lispac.present.calibration.parameters import PARAMETERS_TABLE, parameter_va
 from lispac.present.json_values import json_values
 from lispac.present.tables import Format
 from lispac.present.targets.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
+from lispac.present.targets.targets import target_finding, target_values
 from lispac.present.text_format import (
     fixed_number,
     grouped_number,
@@ -72,7 +73,7 @@ def test_a_value_is_shown_equally_everywhere(
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
     assert MOUNTING_PARAMETERS[name].amount(value) == in_window
     shown_text = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
-    assert shown_text == printed.replace(" ", "\u00a0")
+    assert shown_text == in_window
 
 
 def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
@@ -319,3 +320,16 @@ def test_a_number_that_rounds_to_zero_has_no_sign(value: float, sign: bool, lang
         assert grouped_number(value, 4).strip("0.,") == ""
     assert units.figure(value, "m", f"{plus}.4f") == "0.0000"
     assert shortest_number(-0.0) == "0"
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "has_finding"), [(0.0031, 0.0166, True), (0.0031, 0.0033, False)]
+)
+def test_a_target_that_the_calibration_makes_worse_is_pointed_out(
+    sample: Sample, before: float, after: float, has_finding: bool
+) -> None:
+    (first, *others) = sample[0].targets
+    first = replace(first, rms_before=before, rms_after=after, noise=1.0)
+    result = replace(sample[0], targets=(first, *others), sightings=())
+    (values, *_) = target_values(result)
+    assert bool(target_finding(values)) == has_finding

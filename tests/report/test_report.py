@@ -366,7 +366,7 @@ def test_tables_have_the_numbers_of_the_json(content: ReportContent, tmp_path: P
     assert names == sorted(names)
     assert len(names) > 10
     boresight = tables["02-boresight.csv"]
-    assert boresight[0][:3] == ["Angle", "Prior (deg)", "Estimated (deg)"]
+    assert boresight[0][:3] == ["Angle", "Prior (°)", "Estimated (°)"]
     for row, name in zip(boresight[1:], ("roll", "pitch", "yaw"), strict=True):
         assert float(row[2]) == pytest.approx(data["adjustment"]["boresight_deg"][name], abs=5e-5)
         assert float(row[4]) == pytest.approx(data["adjustment"]["interval95_deg"][name], abs=5e-5)

@@ -160,7 +160,7 @@ def test_the_table_of_planes_states_the_pairs_of_its_values(project: Project) ->
 @pytest.mark.parametrize(
     ("settings", "shown"),
     [
-        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg (given)"),
+        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200° (given)"),
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm (given)"),
     ],
 )

@@ -379,7 +379,7 @@ def test_figures_have_all_lines_and_can_be_drawn_again(
     figure = visibility_figure(terrestrial, "lever_z", criterion)
     assert visibility_figure(terrestrial, "pitch", criterion, figure) is figure
     (axes,) = figure.axes
-    drawn = [line for line in axes.lines if line.get_label() in map("{} deg".format, HEADINGS_DEG)]
+    drawn = [line for line in axes.lines if line.get_label() in map("{}°".format, HEADINGS_DEG)]
     values = CRITERIA[criterion].values(terrestrial)[TERRESTRIAL_SITE.errors.index("pitch")]
     for line, expected in zip(drawn, values, strict=True):
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)

@@ -19,7 +19,7 @@ def text_of(boresight: np.ndarray) -> str:
 
 def rotations_in(boresight: np.ndarray) -> list[tuple[str, str]]:
     """Angles and directions in the text about a boresight, in their order."""
-    return re.findall(r"([\d.]+) deg (bow \w+|to \w+|\w+ side up)", text_of(boresight))
+    return re.findall(r"([\d.]+)° (bow \w+|to \w+|\w+ side up)", text_of(boresight))
 
 
 def offsets_in(lever_arm: tuple[float, float, float]) -> list[tuple[str, str]]:
@@ -34,8 +34,7 @@ def test_at_a_steep_pitch_the_text_gives_the_axes() -> None:
     cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
     off = f"{np.degrees(np.arccos(cosine)):.3f}"
     assert text_of(rotation_angles(rotation)) == (
-        f"Directions of the scanner axes: X down, Y port, Z forward, with deviations up to {off} "
-        "deg."
+        f"Directions of the scanner axes: X down, Y port, Z forward, with deviations up to {off}°."
     )
 
 

@@ -106,7 +106,9 @@ def print_conversion(
     sentences = [str(orientation_text(mounting.without_nominal_axes.boresight))]
     if conversion_input.has_lever_arm:
         sentences.append(str(position_text(mounting.lever_arm)))
-    print("\n".join(textwrap.fill(each, TEXT_WIDTH) for each in sentences), end="\n\n")
+    print(
+        "\n".join(textwrap.fill(to_plain_text(each), TEXT_WIDTH) for each in sentences), end="\n\n"
+    )
     print_facts(f"To {values.name}", convention_facts(values))
     if values.angles:
         print_table(

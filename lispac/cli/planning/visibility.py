@@ -6,6 +6,7 @@ from pathlib import Path
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, print_json, print_table
 from lispac.cli.messages import console_text
+from lispac.language import to_plain_text
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -79,6 +80,6 @@ def run(arguments: Namespace) -> None:
         print_table(visibility.CONFIGURATIONS_TABLE, compared)
         for row in compared:
             if row.thesis.reason is not None:
-                print(f"{row.name}: {console_text(row.thesis.reason)}")
+                print(f"{to_plain_text(row.name)}: {console_text(row.thesis.reason)}")
         print(visibility.fewest_lines_text(found))
     print(f"{len(written)} files in {arguments.output}")

@@ -321,7 +321,9 @@ def _adjust_status(
     reason = first_reason((not used, Unavailable.NO_TARGET), (survey is None, Unavailable.READING))
     if project.result is not None:
         factor = project.result.variance_factor
-        fits = not project.result.are_sigmas_too_small
+        # A default that nobody entered may be wrong, which is no reason for a warning
+        assumed = bool(project.result.unestimated_sigmas)
+        fits = project.result.chi_square.outcome != "failed" or assumed
         serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings (F12)")

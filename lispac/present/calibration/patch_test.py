@@ -122,7 +122,7 @@ PATCH_TEST_TABLES = (
         angle_columns("separate_boresight_deg", DEGREES.signed),
     ),
     Table[PatchTestValues](
-        gettext_lazy("Misalignment of the lines by {angle:x} deg", angle=EFFECT_ANGLE_DEG),
+        gettext_lazy("Misalignment of the lines by {angle:x}°", angle=EFFECT_ANGLE_DEG),
         angle_columns("misalignment_m", MILLIMETRES),
     ),
 )

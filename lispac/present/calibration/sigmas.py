@@ -150,12 +150,12 @@ def _values_text(sigmas: SigmaValues, values: tuple[float, ...]) -> str:
     if sigmas.group == "POS position":
         return gettext("{values} m", values=triple_text(values, 3))
     if sigmas.group == "POS attitude":
-        return gettext("{values} deg", values=triple_text(values, 4))
+        return gettext("{values}°", values=triple_text(values, 4))
     if len(values) == 1:
         return gettext("{sigma:mm.1} mm on each axis", sigma=values[0])
     if "deg" in sigmas.units:
         return gettext(
-            "range {range:mm.1} mm, beam direction {angle} deg",
+            "range {range:mm.1} mm, beam direction {angle}°",
             range=values[0], angle=fixed_number(values[1], 4),
         )  # fmt: skip
     x, y, z = values
@@ -178,7 +178,7 @@ def _ranges_text(group: SigmaGroup, errors: Sequence[PosErrorValues]) -> str:
     texts = gettext("{x}, {y}, {z}", x=x, y=y, z=z)
     if is_position:
         return gettext("{values} m", values=texts)
-    return gettext("{values} deg", values=texts)
+    return gettext("{values}°", values=texts)
 
 
 def sigma_facts(

@@ -116,15 +116,15 @@ PLANNED_TARGETS_TABLE = Table[PlannedTarget](
         Column("off_m", N_("from wall (m)"), lambda row: _signed_unless_zero(row.off_m)),
         Column("up_m", N_("above POS (m)"), METRES),
         Column(_size_text, N_("size (m)")),
-        Column(_inclination_text, N_("inclination (deg)")),
-        Column("facing_deg", N_("azimuth (deg)"), COUNT),
+        Column(_inclination_text, N_("inclination (°)")),
+        Column("facing_deg", N_("azimuth (°)"), COUNT),
     ),
 )
 PLANNED_LINES_TABLE = Table[PlannedLine](
     N_("Lines in survey order"),
     (
         Column("number", N_("line"), COUNT),
-        Column("heading_deg", N_("heading (deg)"), COUNT),
+        Column("heading_deg", N_("heading (°)"), COUNT),
         Column(lambda row: shortest_number(row.distance_m), N_("distance (m)")),
         Column(
             "site_on", N_("side facing site"),

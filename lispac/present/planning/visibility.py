@@ -65,7 +65,7 @@ CRITERIA: Mapping[str, Criterion] = {
     ),
     "angular-deviation": Criterion(
         N_("Type II criterion: rotation of the board"),
-        N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
+        N_("Angular deviation (°)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
     ),
 }  # fmt: skip
 
@@ -75,7 +75,7 @@ def systematic_error_label(error: str) -> str:
     size = ERROR_SIZES[error]
     if error.startswith(("lever", "range")):
         return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
-    return gettext("{error} {size:deg.0} deg", error=title(error), size=size)
+    return gettext("{error} {size:deg.0}°", error=title(error), size=size)
 
 
 def _whole_degrees(angle: float) -> int:
@@ -151,10 +151,10 @@ def criterion_table(
 ) -> tuple[Table[CriterionRow], list[CriterionRow]]:
     """Table of a criterion for an error, by inclination and line, and its rows."""
     shown = CRITERIA[criterion]
-    columns = [Column[CriterionRow](itemgetter(0), N_("Inclination (deg)"), COUNT)]
+    columns = [Column[CriterionRow](itemgetter(0), N_("Inclination (°)"), COUNT)]
     columns += [
         Column(
-            itemgetter(k), gettext_lazy("{heading:n} deg", heading=heading),
+            itemgetter(k), gettext_lazy("{heading:n}°", heading=heading),
             Format("", decimals), unknown=N_("no points"),
         )
         for k, heading in enumerate(HEADINGS_DEG, start=1)
@@ -178,7 +178,7 @@ def values_at_inclination(
     j = int(np.argmin(np.abs(np.degrees(study.site.inclinations) - inclination_deg)))
     table, rows = criterion_table(study, error, criterion, shown.decimals)
     return gettext(
-        "{quantity} with targets inclined by {inclination:deg.0} deg, by heading of the line: "
+        "{quantity} with targets inclined by {inclination:deg.0}°, by heading of the line: "
         "{values}",
         quantity=gettext(shown.label), inclination=study.site.inclinations[j],
         values=join_items(
@@ -299,7 +299,7 @@ CONFIGURATIONS_TABLE = Table[ComparedConfiguration](
     (
         Column("name", N_("Error"), tip=N_("Systematic error and its size")),
         Column(
-            _accepted_text, N_("Accepted inclinations (deg)"),
+            _accepted_text, N_("Accepted inclinations (°)"),
             tip=N_(
                 "Inclinations at which the points still form the board (type I criterion of "
                 "Shahraji's thesis)"
@@ -307,20 +307,20 @@ CONFIGURATIONS_TABLE = Table[ComparedConfiguration](
         ),
         Column(
             lambda row: _range_text(*row.thesis.suitable_inclinations_deg),
-            N_("Accepted, Shahraji (deg)"),
+            N_("Accepted, Shahraji (°)"),
             tip=N_("Accepted inclinations in appendix C and section 3.9 of Shahraji's thesis"),
         ),
         Column(
-            "best.inclination_deg", N_("Best inclination (deg)"), COUNT,
+            "best.inclination_deg", N_("Best inclination (°)"), COUNT,
             N_("Inclination at which the lines differ most"), unknown=NOT_VISIBLE_TEXT,
         ),
         Column(
-            _thesis_inclination_text, N_("Best, Shahraji (deg)"),
+            _thesis_inclination_text, N_("Best, Shahraji (°)"),
             tip=N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
             unknown=NOT_VISIBLE_TEXT,
         ),
         Column(
-            _groups_text, N_("Headings (deg)"),
+            _groups_text, N_("Headings (°)"),
             tip=N_(
                 "Headings of the lines that show the error. Lines joined by / show the same, so "
                 "one of them is sufficient."
@@ -328,7 +328,7 @@ CONFIGURATIONS_TABLE = Table[ComparedConfiguration](
             unknown=NOT_VISIBLE_TEXT,
         ),
         Column(
-            lambda row: _headings_text(row.thesis.lines) or None, N_("Headings, Shahraji (deg)"),
+            lambda row: _headings_text(row.thesis.lines) or None, N_("Headings, Shahraji (°)"),
             tip=N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
             unknown=NOT_VISIBLE_TEXT,
         ),

@@ -63,6 +63,11 @@ def target_values(result: AdjustmentResult) -> tuple[TargetValues, ...]:
     return tuple(found)
 
 
+RMS_INCREASE_LIMIT = 1.5
+"""Ratio of the RMS after the calibration to that before it, above which a target is pointed out:
+more than averages of correlated errors change."""
+
+
 def shape_text(shape: str, radius_m: float | None) -> str:
     """Shape of a surface with its radius, in the language in use."""
     if shape != "sphere":
@@ -76,6 +81,8 @@ def target_finding(target: TargetValues) -> str:
     """Finding about a target in the language in use; empty if there is none."""
     if target.rejected_lines:
         return gettext("rejected in {lines:names}", lines=target.rejected_lines)
+    if target.rms_after_m > RMS_INCREASE_LIMIT * target.rms_before_m:
+        return gettext("RMS larger than before")
     if target.noise_factor is not None and target.noise_factor > NOISE_FACTOR_LIMIT:
         return gettext("noise larger than given")
     return ""

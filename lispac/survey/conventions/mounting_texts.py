@@ -18,7 +18,7 @@ The text of a value that rounds to zero is empty."""
 
 CHECK_FIRST_NOTE = note("convention.check_first")
 UNCORRELATED_WARNING = warning("convention.uncorrelated")
-_DEGREES_TEXTS = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
+_DEGREES_TEXTS = {3: N_("{value:deg.3}°"), 4: N_("{value:deg.4}°")}
 _METRES_TEXTS = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
 """Texts of an angle or a length by the number of decimals."""
 LARGE_ANGLE_RAD = np.radians(10.0)

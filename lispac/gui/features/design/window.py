@@ -299,7 +299,7 @@ class DesignWindow(QMainWindow):
     def show_comparison(self, comparison: PlanComparison, project: str, titled: TitledPlan) -> None:
         """Show the comparison of a plan with the survey of a project."""
         head = gettext_lazy(
-            "Standard deviations (deg) of the project {project} compared with the survey plan "
+            "Standard deviations (°) of the project {project} compared with the survey plan "
             "{plan}",
             project=project, plan=titled.title,
         )  # fmt: skip

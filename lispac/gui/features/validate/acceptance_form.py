@@ -58,6 +58,8 @@ LABEL_COLUMN, LIMIT_COLUMN, RESULT_COLUMN = range(3)
 VERDICT_STYLES = {"pass": ("good", "success"), "fail": ("poor", "error")}
 """Icon and role of the text of each verdict; one that is not judged has none."""
 ICON_SIZE_PX = 16
+MAX_NAMED_PLANES = 2
+"""Largest number of planes beside a value, for whose names there is space."""
 
 
 class AcceptanceForm(QWidget):
@@ -166,7 +168,7 @@ class CriterionResultLabel(QWidget):
         self.icon.setVisible(bool(icon))
         if icon:
             self.icon.setPixmap(theme.quality_icon(icon).pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
-        self.text.setText("" if result is None else _result_text(result))
+        self.text.setText("" if result is None else _short_result_text(result))
         tip = ""
         if result is not None:
             tip = gettext(
@@ -189,6 +191,16 @@ def _result_text(result: CriterionResult) -> str:
     if not result.planes:
         return value
     return gettext("{value} ({planes})", value=value, planes=", ".join(result.planes))
+
+
+def _short_result_text(result: CriterionResult) -> str:
+    """Text as in `_result_text`, with the number of the planes instead of more than two names."""
+    if result.value is None or len(result.planes) <= MAX_NAMED_PLANES:
+        return _result_text(result)
+    return gettext(
+        "{value} ({count:n} planes)",
+        value=local_number(result.value, check_format(result)), count=len(result.planes),
+    )  # fmt: skip
 
 
 class SourceField(PanelEntry, QLineEdit):

@@ -154,6 +154,8 @@ PAIRS_HINT = N_(
     "Offsets are positive if the first line is nearer to the vessel. ⇄: reciprocal lines, run in "
     "opposite directions."
 )
+PAIR_COLOURS_HINT = N_("Orange: larger than before the calibration. Red: larger than the limit.")
+"""Added if a value has one of these colours."""
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 LEGEND_TEMPLATES = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
@@ -207,6 +209,7 @@ class HistogramsPanel(QWidget):
         self._fitted_width = 0
         self._listed: tuple[PlaneComparison | None, AcceptanceCriteriaValues | None] = None, None
         """Plane and criteria of the listed pairs of lines."""
+        self._has_coloured_pairs = False
         self.canvas: QWidget | None = None
         self._drawn: tuple[PlaneComparison | None, int] = None, 0
         """Plane and index of the plot of the picture."""
@@ -446,11 +449,13 @@ class HistogramsPanel(QWidget):
         comparison, values = self._current_comparison, self._values
         if comparison is None or values is None:
             return
-        self._show_idle_reading()
         listed, criteria = self._listed
         if listed is not comparison or criteria != values.criteria:
             self._listed = comparison, values.criteria
-            self.pairs.show_rows(pairs_table.pair_rows(comparison, values.criteria))
+            rows = pairs_table.pair_rows(comparison, values.criteria)
+            self.pairs.show_rows(rows)
+            self._has_coloured_pairs = any(row.quality for row in rows)
+        self._show_idle_reading()
 
     def _show_idle_reading(self) -> None:
         """Show the values that exceed a limit, and the signs of pairs or what the mouse does."""
@@ -459,7 +464,10 @@ class HistogramsPanel(QWidget):
             () if comparison is None or values is None else failed_texts(values, comparison.name)
         )
         is_table = self.plot.currentIndex() == PAIRS_VIEW
-        texts = [*failures, gettext(PAIRS_HINT)] if is_table else failures or [gettext(ZOOM_HINT)]
+        texts = [*failures] if is_table or failures else [gettext(ZOOM_HINT)]
+        if is_table:
+            colours = [gettext(PAIR_COLOURS_HINT)] if self._has_coloured_pairs else []
+            texts.append(" ".join([gettext(PAIRS_HINT), *colours]))
         self.reading.setText("\n".join(texts))
         self.reading.setToolTip(widgets.wrapped_tip("\n".join(texts if is_table else failures)))
 

@@ -9,13 +9,16 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel
+from pytestqt.qtbot import QtBot
 
 from lispac.acceptance import NO_CRITERIA, AcceptanceCriteria, largest_offset
 from lispac.adjustment.diagnostics.cause_warnings import EXPLAINED_CODES
 from lispac.adjustment.result import CrossCheck, CrossChecks, PossibleCause
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
+from lispac.gui.features.validate.acceptance_form import CriterionResultLabel
 from lispac.gui.features.validate.histograms_panel import (
+    PAIR_COLOURS_HINT,
     PAIRS_HINT,
     PAIRS_VIEW,
     HistogramsPanel,
@@ -26,7 +29,7 @@ from lispac.gui.project.status import REPORT, VALIDATE, step_statuses
 from lispac.io.project.project_file import read_project
 from lispac.language import gettext
 from lispac.messages import note
-from lispac.present.checking.acceptance import AcceptanceValues
+from lispac.present.checking.acceptance import AcceptanceValues, CriterionResult
 from lispac.present.checking.validation import ValidationPlane
 from lispac.project import Project
 from lispac.report.validation_warnings import probable_causes
@@ -431,6 +434,18 @@ def test_failing_values_of_selected_rows_keep_their_colour(
         assert np.count_nonzero(redder < -20) >= 100, "background of a selected row"
 
 
+@pytest.mark.parametrize(
+    ("count", "short"), [(0, "3.1"), (2, "3.1 (V1, V2)"), (3, "3.1 (3 planes)")]
+)
+def test_many_planes_beside_a_value_are_counted(qtbot: QtBot, count: int, short: str) -> None:
+    label = CriterionResultLabel("result", "Offset")
+    qtbot.addWidget(label)
+    names = tuple(f"V{k + 1}" for k in range(count))
+    label.show_result(CriterionResult("offset", "m", 0.0031, 0.002, "fail", names))
+    assert label.text.text() == short
+    assert all(name in label.toolTip() for name in names)
+
+
 def test_the_signs_of_the_pairs_are_explained_beside_them(judged: Driver) -> None:
     panel = show_panel(judged.window, "Histograms").widget()
     assert isinstance(panel, HistogramsPanel)
@@ -439,10 +454,11 @@ def test_the_signs_of_the_pairs_are_explained_beside_them(judged: Driver) -> Non
     judged.rest()
     text = gettext(PAIRS_HINT)
     for limit in (None, 0.0001):
-        criteria = NO_CRITERIA.changed(rms=limit)
+        criteria = NO_CRITERIA.changed(rms=limit, offset=limit)
         judged.window.document.edit("limits", judged.project.with_acceptance(criteria))
         judged.rest()
         assert text in panel.reading.text()
+        assert (gettext(PAIR_COLOURS_HINT) in panel.reading.text()) == (limit is not None)
         assert text.split()[0] in panel.reading.toolTip()
     heads = [panel.pairs.horizontalHeaderItem(k) for k in range(panel.pairs.columnCount())]
     assert "reciprocal" in heads[0].text()
