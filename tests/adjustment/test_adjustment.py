@@ -225,6 +225,7 @@ def test_incidence_is_the_angle_between_beam_and_normal() -> None:
         assert fit.incidence == pytest.approx(angles.mean(), abs=1e-6)
 
 
+@LONG
 @pytest.mark.parametrize(
     "model",
     [

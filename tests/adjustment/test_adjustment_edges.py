@@ -46,7 +46,7 @@ from lispac.survey.georeferencing import Mounting
 from tests.adjustment.test_robustness import PRIOR, TRUTH, shifted, survey, with_outliers
 from tests.studies import coverage_of_errors
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.surveys import planar_survey
 
 MODEL = StochasticModel()
@@ -411,6 +411,7 @@ def test_the_surface_sigma_maximises_the_restricted_likelihood(few: Observations
     assert unlikely(found) < min(unlikely(0.8 * found), unlikely(1.25 * found))
 
 
+@LONG
 def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None:
     """As when none of its points agrees with the other targets; cross-checks exclude it too."""
     prior, model = coverage_of_errors.PRIOR, coverage_of_errors.MODEL

@@ -78,7 +78,7 @@ def test_sigmas_that_the_data_do_not_determine_are_named_in_a_note() -> None:
     assert "item.assumed_attitude" in {each.code for each in found.params["groups"]}
 
 
-@pytest.mark.parametrize("scale", [0.2, 3.0])
+@pytest.mark.parametrize("scale", others_long([0.2, 3.0]))
 @pytest.mark.parametrize("components", [None, False])
 def test_a_wrong_assumed_lidar_noise_gives_no_warning(
     scale: float, components: bool | None

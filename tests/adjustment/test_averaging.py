@@ -17,7 +17,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -64,6 +64,7 @@ def test_averages_span_a_short_time_only(survey) -> None:
     assert fewer[0] > 1.5 * fewer[1] > 1.5 * fewer[2]
 
 
+@LONG
 def test_sigmas_do_not_depend_on_the_distance() -> None:
     """From 4 to 20 cm the change is below a tenth; a selection of points would double them."""
     model, distances, sigmas = StochasticModel(loss="tukey"), (0.0, 0.05, 0.1, 0.2), []
@@ -100,6 +101,7 @@ def with_outliers(observations, share: float, generator):
     return replace(observations, points_lidar=points), hit
 
 
+@LONG
 @pytest.mark.parametrize("spacing", others_long([0.02, 0.04]))
 def test_outliers_are_excluded_from_averages(spacing) -> None:
     """Of dense points one in twenty is an outlier: without a test, at least one in each average."""

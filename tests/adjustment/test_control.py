@@ -44,6 +44,7 @@ from tests.studies.control_coverage import (
     control_on,
     study,
 )
+from tests.support.long_runs import others_long
 from tests.support.surveys import TARGETS, disturbed, planar_survey
 
 BALL = Ball("S1", (1.5, 12.0, 3.0), 0.1, radius_known=False)
@@ -410,7 +411,7 @@ def test_control_on_vertical_targets_does_not_determine_the_height_of_the_lever_
 # -- contradictions --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("size", [0.03, 0.5])
+@pytest.mark.parametrize("size", others_long([0.03, 0.5]))
 def test_a_wrong_point_is_named(size: float) -> None:
     control = control_on(BOARDS, generator=np.random.default_rng(7))
     shifts = np.zeros((len(control), 3))

@@ -71,6 +71,7 @@ def test_sigmas_do_not_depend_on_subsampling(times: tuple[float, float]) -> None
     assert (most < 1.10).all(), table
 
 
+@LONG
 @pytest.mark.parametrize("kind", ["none", pytest.param("POS time / 10", marks=pytest.mark.long)])
 def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> None:
     """Three surveys; an angle misses two of the intervals with a probability of 1/46."""
@@ -82,6 +83,7 @@ def test_the_sigmas_are_realistic_with_other_correlation_times(kind: str) -> Non
     assert all(shortened) if kind == "POS time / 10" else not any(shortened)
 
 
+@LONG
 @pytest.mark.parametrize(
     ("kind", "is_raised"), others_long([("turned line", True), ("none", False)])
 )

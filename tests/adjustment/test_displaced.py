@@ -53,6 +53,7 @@ def few_are_rejected(results: list[AdjustmentResult]) -> None:
     assert ((spread > lower) & (spread < upper)).all(), spread
 
 
+@LONG
 def test_good_sightings_of_displaced_boards_are_not_rejected() -> None:
     """With one sigma for offsets and tilts, four surveys of five would reject sightings."""
     results = [
@@ -93,6 +94,7 @@ def test_one_displaced_sighting_is_a_blunder_and_no_offset_sigma(boards) -> None
     assert found.rejected_sightings == (clean.sightings[8],)
 
 
+@LONG
 def test_a_displaced_line_is_rejected_and_no_offset_sigma() -> None:
     clean = survey(700)
     found = adjust(jumped(clean, "L6", [0.0, 0.1, 0.05]), PRIOR, MODEL)
@@ -100,6 +102,7 @@ def test_a_displaced_line_is_rejected_and_no_offset_sigma() -> None:
     assert found.rejected_lines == ("L6",)
 
 
+@LONG
 @pytest.mark.parametrize("boards", [pytest.param(THESIS_BOARDS, marks=LONG), FIVE_BOARDS])
 def test_a_wrong_lever_arm_is_not_mistaken_for_displaced_targets(boards) -> None:
     wrong_prior = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
@@ -124,6 +127,7 @@ def test_cross_checks_use_the_sigmas_of_the_whole_survey() -> None:
     assert not checks.disagreements
 
 
+@LONG
 def test_the_estimated_offset_sigma_can_be_given() -> None:
     data = survey(407, 0.005)
     whole = adjust(data, PRIOR, MODEL, diagnostics=False)

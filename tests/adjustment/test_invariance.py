@@ -12,7 +12,7 @@ from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from tests.adjustment.test_robustness import PRIOR, shifted, survey, with_outliers
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 MODEL = StochasticModel(loss="tukey")
 MAX_DIFFERENCE_SIGMAS = np.radians(1e-9)
@@ -30,7 +30,7 @@ def mixed(observations: Observations, seed: int) -> Observations:
     )
 
 
-@pytest.mark.parametrize("spacing", [0.0, 0.1])
+@pytest.mark.parametrize("spacing", others_long([0.0, 0.1]))
 @pytest.mark.parametrize("order", others_long([1, 2]))
 def test_order_does_not_change_the_result(spacing, order) -> None:
     """The observations contain outliers and a blunder; with a spacing they are averaged."""
@@ -47,6 +47,7 @@ def test_order_does_not_change_the_result(spacing, order) -> None:
     assert np.abs(other.sigma - first.sigma).max() < MAX_DIFFERENCE_SIGMAS
 
 
+@LONG
 def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
     points = survey(5, 0.025)
     assert len(points) > kernel_threads.MIN_PARALLEL_POINTS
@@ -60,6 +61,7 @@ def test_the_number_of_threads_does_not_change_the_result(monkeypatch) -> None:
         assert np.abs(other - results[0]).max() < MAX_DIFFERENCE_SIGMAS
 
 
+@LONG
 @pytest.mark.parametrize("sighting", others_long([1, 5, 9]))
 def test_outliers_and_a_shifted_sighting_are_rejected(sighting) -> None:
     """The result agrees with that of a clean survey without the shifted sighting."""

@@ -38,7 +38,7 @@ from lispac.survey.trajectory import Poses
 from lispac.warning_causes import Cause
 from tests.adjustment.test_robustness import shifted
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import codes
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -133,6 +133,7 @@ def test_parallel_targets_are_refused_for_any_headings(pos_errors, targets, code
         adjust(survey(targets), PRIOR, StochasticModel(pos_errors), diagnostics=False)
 
 
+@LONG
 @pytest.mark.parametrize("accepted", others_long([False, True]))
 def test_planes_made_parallel_by_a_wrong_lever_arm_are_no_reason(accepted: bool) -> None:
     """The boards differ by 45 deg; only the adjusted planes have one orientation."""
@@ -440,6 +441,7 @@ def test_a_rejected_sighting_does_not_affect_the_prediction() -> None:
         np.testing.assert_allclose(sigma, expected[heading], rtol=0.005)
 
 
+@LONG
 def test_the_advice_says_if_no_line_helps() -> None:
     twice = six_courses() + tuple(
         replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()

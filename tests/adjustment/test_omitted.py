@@ -19,11 +19,11 @@ from tests.adjustment.test_parameters import (
     TRUE_MOUNTING,
     survey,
 )
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 
 @pytest.mark.parametrize("seed", others_long(range(2)))
-@pytest.mark.parametrize("name", ["lever_x", "lever_y", "range_offset"])
+@pytest.mark.parametrize("name", others_long(["lever_x", "lever_y", "range_offset"]))
 def test_a_harmful_wrong_value_is_named_first(name, seed) -> None:
     """The chi-square test passes despite an error of 10 cm, because sigmas are estimated."""
     result = adjust(survey(MOUNTINGS_WITH_ERROR[name], seed), PRIOR, MODEL)
@@ -43,11 +43,13 @@ def test_a_harmful_wrong_value_is_named_first(name, seed) -> None:
 
 @pytest.mark.parametrize(
     ("wrong", "names"),
-    [
-        ((0.05, 0.05, 0.0), {"lever_x", "lever_y"}),
-        ((0.05, -0.05, 0.0), {"lever_x", "lever_y"}),
-        ((0.04, 0.0, 0.0), {"lever_x"}),
-    ],
+    others_long(
+        [
+            ((0.05, 0.05, 0.0), {"lever_x", "lever_y"}),
+            ((0.05, -0.05, 0.0), {"lever_x", "lever_y"}),
+            ((0.04, 0.0, 0.0), {"lever_x"}),
+        ]
+    ),
 )
 @pytest.mark.parametrize("seed", others_long(range(200, 203)))
 def test_a_wrong_lever_arm_causes_no_rejected_sightings(wrong, names, seed) -> None:
@@ -97,6 +99,7 @@ def solved_equations(data: Observations) -> SolvedEquations:
     return solved
 
 
+@LONG
 @pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.long), 0.003])
 def test_correct_values_are_not_contradicted(bent) -> None:
     """Form errors of 3 mm per line must not look like a lever arm; 1 in 100 by chance."""

@@ -21,7 +21,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUE_MOUNTING.with_boresight(np.zeros(3))
@@ -54,6 +54,7 @@ def test_an_inserted_error_is_found_within_three_sigma(name, seed) -> None:
     assert result.mounting.values[Parameter(name).index] == found.value
 
 
+@LONG
 @pytest.mark.parametrize("count", others_long([10, 24]))
 def test_an_estimated_range_offset_is_unbiased_with_correct_sigmas(count: int) -> None:
     """The curvature of a flat board determines the range offset, so small biases matter."""

@@ -38,6 +38,7 @@ from tests.studies.corrected_trajectories import (
     rms_ratio,
     study,
 )
+from tests.support.long_runs import LONG
 from tests.support.surveys import disturbed, planar_survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -248,6 +249,7 @@ def test_corrections_are_stored_without_a_loss(linearised) -> None:
     assert not replace(found, time=found.time[::-1]).is_sound
 
 
+@LONG
 def test_corrected_points_are_nearer_to_the_truth_in_ten_surveys() -> None:
     """With short correlation times, so that each survey has many independent errors."""
     results = study(CORRELATION_TIMES[2], 10, workers=1)

@@ -118,7 +118,9 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
 @pytest.mark.parametrize(
     "seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in (1, 2))]
 )
-@pytest.mark.parametrize("kind", ["line_boresight", "line_position", "line_time", "sighting_shift"])
+@pytest.mark.parametrize(
+    "kind", others_long(["line_boresight", "line_position", "line_time", "sighting_shift"])
+)
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
@@ -259,12 +261,14 @@ def test_an_estimated_lever_arm_far_from_the_given_one_is_a_warning(
 
 @pytest.mark.parametrize(
     ("code", "effect", "explained"),
-    [
-        ("recovery.height_offset", 0.6, True),
-        ("audit.several_scanners", None, True),
-        ("audit.time_resolution", 0.001, False),
-        ("audit.noise_classes", None, False),
-    ],
+    others_long(
+        [
+            ("recovery.height_offset", 0.6, True),
+            ("audit.several_scanners", None, True),
+            ("audit.time_resolution", 0.001, False),
+            ("audit.noise_classes", None, False),
+        ]
+    ),
 )
 def test_an_error_known_from_the_data_replaces_a_contradicted_value(
     code: str, effect: float | None, explained: bool

@@ -35,6 +35,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.adjustment.test_robustness import shifted, survey
+from tests.support.long_runs import LONG
 from tests.support.surveys import disturbed, planar_survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -316,6 +317,7 @@ def test_variance_components_recover_too_small_position_sigmas() -> None:
     assert np.exp(np.mean(np.log(factors))) == pytest.approx(2.5, rel=0.35)
 
 
+@LONG
 def test_variance_components_recover_too_small_attitude_sigmas() -> None:
     """Attitudes are four times worse than given, and the search begins at the given sigmas."""
     normalised, logs = [], []

@@ -21,7 +21,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -150,6 +150,7 @@ def test_steps_with_updated_weights_converge_to_the_irls_result(loss) -> None:
     assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9
 
 
+@LONG
 def test_outliers_of_metres_with_a_loss_that_keeps_them_do_not_break_the_adjustment() -> None:
     """A trial without the cause of the residuals diverges; it is then not considered."""
     data, chance = survey(5, 0.1), np.random.default_rng(5)

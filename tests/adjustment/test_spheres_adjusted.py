@@ -28,7 +28,7 @@ from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration import picking
 from lispac.workflow.project.projects import open_project, save_project
 from tests.support.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball_survey
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
@@ -64,7 +64,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
     ("known", "with_board", "start_deg"),
     # Angles of zero displace the points by 0.7 m. With a board and balls of unknown radius (true
     # radius 0.1 m) the prior must be correct to a few tenths of a degree.
-    [(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)],
+    others_long([(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)]),
 )
 def test_true_boresight_is_recovered_without_noise(model, known, with_board, start_deg):
     targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
@@ -135,6 +135,7 @@ def test_mean_and_shift_on_a_ball_are_presented_positive_if_nearer_to_the_vessel
     assert nearer.w > clean.w + 3.0
 
 
+@LONG
 def test_a_ball_is_picked_in_every_line(balls, picked):
     for name, (_, radius) in BALLS.items():
         target = picked.target(name)
@@ -152,7 +153,7 @@ def test_a_ball_is_picked_in_every_line(balls, picked):
             assert patch.share == visible_share(patch.sphere, points)
 
 
-@pytest.mark.parametrize("board", [False, True])
+@pytest.mark.parametrize("board", others_long([False, True]))
 def test_balls_determine_the_boresight_and_are_saved(balls, picked, board):
     project = picked if board else picked.without_target("T1")
     project = calibration.estimate(project, balls.survey, reselections=1, cross_check=False)
@@ -227,6 +228,7 @@ def test_a_project_edited_by_hand_is_checked(balls, picked, wrong):
         open_project(balls.project.folder)
 
 
+@LONG
 def test_the_command_line_picks_balls(balls, capsys):
     save_project(balls.project)
     words = ["pick", str(balls.project.folder), "--seed", *map(str, balls.seed("S1"))]

@@ -18,6 +18,7 @@ from lispac.messages import error, note
 from lispac.project import Project
 from tests.documents.schemas import followed_output
 from tests.support.command_errors import codes_of, command_error, refused_with
+from tests.support.long_runs import others_long
 
 
 @pytest.fixture(scope="module")
@@ -275,15 +276,17 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
 
 @pytest.mark.parametrize(
     ("kind", "code"),
-    [
-        ("truncated trajectory", "file.partial_record"),
-        ("empty trajectory", "file.empty"),
-        ("nan in trajectory", "file.record_not_finite"),
-        ("no gps_time", "las.no_gps_time"),
-        ("outside the trajectory", "import.after_trajectory"),
-        ("empty line", "file.no_points"),
-        ("missing column", "text.no_number_rows"),
-    ],
+    others_long(
+        [
+            ("truncated trajectory", "file.partial_record"),
+            ("empty trajectory", "file.empty"),
+            ("nan in trajectory", "file.record_not_finite"),
+            ("no gps_time", "las.no_gps_time"),
+            ("outside the trajectory", "import.after_trajectory"),
+            ("empty line", "file.no_points"),
+            ("missing column", "text.no_number_rows"),
+        ]
+    ),
 )
 def test_bad_input_is_refused_and_no_project_is_left(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path, kind: str, code: str

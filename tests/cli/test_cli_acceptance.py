@@ -13,6 +13,7 @@ from lispac.project import Project
 from lispac.workflow.output.script import script_of
 from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import refused_with
+from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project
 
 
@@ -65,6 +66,7 @@ def test_a_limit_that_is_not_positive_is_wrong_usage(folder: Path, word: str) ->
     assert read_project(folder).acceptance == NO_CRITERIA
 
 
+@LONG
 def test_validate_prints_the_verdict_and_its_warnings(
     capsys: pytest.CaptureFixture[str],
     denser_calibrated: tuple[Project, object],

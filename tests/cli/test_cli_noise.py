@@ -10,6 +10,7 @@ import pytest
 from lispac.project import Project
 from lispac.workflow.project import projects
 from tests.cli.test_cli import new_words, run, run_json
+from tests.support.long_runs import LONG
 
 SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}
 WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
@@ -39,6 +40,7 @@ def angles(numbers: dict[str, Any], what: str = "boresight_deg") -> np.ndarray:
     return np.array(list(numbers[what].values()))
 
 
+@LONG
 def test_noise_and_offsets_of_a_project(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
@@ -115,6 +117,7 @@ def test_invalid_noise_options_are_refused(capsys: pytest.CaptureFixture[str], w
     assert err
 
 
+@LONG
 def test_assumed_noise_is_estimated_unless_refused(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:

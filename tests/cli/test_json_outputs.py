@@ -27,6 +27,7 @@ from lispac.workflow.project.projects import save_project
 from lispac.workflow.project.survey import Survey
 from tests.cli.test_cli import import_workflow, run, run_json
 from tests.documents.schemas import COMMANDS_PATH, commands_schema_text, followed_output
+from tests.support.long_runs import LONG, others_long
 
 import_workflow()
 PLAN = Path(__file__).parents[1] / "data" / "port-plan.toml"
@@ -185,13 +186,15 @@ def printed_warnings(
 
 @pytest.mark.parametrize(
     "change",
-    [
-        lambda data: data.pop("warnings"),
-        lambda data: data.update(warnings=None),
-        lambda data: data.update(others=[]),
-        lambda data: data["warnings"][0].pop("code"),
-        lambda data: data["warnings"][0].update(level="grave"),
-    ],
+    others_long(
+        [
+            lambda data: data.pop("warnings"),
+            lambda data: data.update(warnings=None),
+            lambda data: data.update(others=[]),
+            lambda data: data["warnings"][0].pop("code"),
+            lambda data: data["warnings"][0].update(level="grave"),
+        ]
+    ),
 )
 def test_other_outputs_are_refused(
     change: Callable[[dict[str, Any]], object], printed_warnings: str
@@ -280,6 +283,7 @@ def test_estimate_prints_the_values_of_the_report(
     assert set(printed) == {*report["adjustment"], *others, *settings}
 
 
+@LONG
 def test_validate_prints_the_values_of_the_report(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -18,6 +18,7 @@ from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.planning.simulated_setup import read_simulation
 from lispac.workflow.project.projects import open_project
 from tests.support.command_errors import command_error
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 
 BORESIGHT_DEG = (0.8, -0.5, 1.1)
@@ -208,6 +209,7 @@ def recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[Trajecto
     return read_sbet(project.trajectory), float(read_scan(project.lines[0].path).time[0])
 
 
+@LONG
 def test_a_recorded_trajectory_is_replayed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -45,6 +45,7 @@ from tests.support.cluster_tasks import (
 from tests.support.clusters import Clusters
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import codes
 
 PORT = Path(__file__).parents[1] / "data" / "port-plan.toml"
@@ -70,6 +71,7 @@ def are_identical(one: MonteCarloResult, other: MonteCarloResult) -> bool:
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
 
+@LONG
 def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     here = run_monte_carlo(SMALL, 6)
     with process_pool_mapper(2) as mapper:
@@ -243,6 +245,7 @@ def test_workers_of_another_version_are_refused(
     assert raised.value.code == "cluster.late_worker_version"
 
 
+@LONG
 def test_a_cluster_without_workers_is_refused_without_waiting(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -383,6 +386,7 @@ def test_chi_square_uses_the_correlation_of_the_angles() -> None:
     assert found.chi_square == pytest.approx(sum(each), rel=1e-9)
 
 
+@LONG
 def test_a_cancelled_campaign_reports_its_finished_surveys_if_enough() -> None:
     def cancelled_after(count: int) -> Callable[[float, str], None]:
         def progress(fraction: float, step: Step | None = None) -> None:
@@ -483,7 +487,8 @@ def test_tls_is_the_protocol_to_other_computers(address: str, url: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "address", ["tcp://192.168.1.20:8786", "tcp://office-7:8786", "tcp://localhost.evil.org:1"]
+    "address",
+    others_long(["tcp://192.168.1.20:8786", "tcp://office-7:8786", "tcp://localhost.evil.org:1"]),
 )
 def test_plain_tcp_to_other_computers_requires_an_option(
     address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

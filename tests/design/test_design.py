@@ -16,7 +16,7 @@ from lispac.errors import Cancelled, InputError, RankDeficient
 from lispac.progress import Step
 from lispac.simulation.closed_form_survey import Board
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SMALL = Site(
     (0.0, -15.0, 0.0),
@@ -39,6 +39,7 @@ def best():
     return search(SMALL)
 
 
+@LONG
 def test_a_small_site_is_searched_exactly(best) -> None:
     assert best.exact
     assert best.evaluated == 28 * 3**3 <= MAX_EXHAUSTIVE_PLANS
@@ -73,6 +74,7 @@ def test_evolution_finds_what_an_exhaustive_search_finds(
     assert beyond.max() < 0.05
 
 
+@LONG
 def test_the_result_does_not_depend_on_the_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
@@ -83,6 +85,7 @@ def test_the_result_does_not_depend_on_the_mapper(best, monkeypatch: pytest.Monk
     assert one.value == other.value
 
 
+@LONG
 @pytest.mark.parametrize("criterion", ["largest", pytest.param("A", marks=pytest.mark.long)])
 def test_the_search_finds_better_plans_than_the_thesis(criterion: Criterion) -> None:
     """Two boards and six lines, as the thesis recommends, but at other places."""
@@ -98,6 +101,7 @@ def test_the_search_finds_better_plans_than_the_thesis(criterion: Criterion) -> 
         assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the face of the wall is at -15
 
 
+@LONG
 def test_the_search_never_returns_a_worse_plan_than_the_start() -> None:
     site = replace(LARGE, along=(-0.8, 0.8), heights=(5.0,), distances=(15.0, 20.0))
     start = thesis_plan(site)
@@ -127,6 +131,7 @@ def test_less_time_is_never_better(best) -> None:
     assert best.front[0].minutes == 3 * SMALL.minutes_per_line + 2 * SMALL.minutes_per_board
 
 
+@LONG
 def test_existing_planes_are_used() -> None:
     """Part of a tower 30 m behind the wall and 35 m up, and a roof: better than the thesis plan."""
     tower = Board("tower", (0.0, -45.0, 35.0), (0.0, 1.0, 0.0), 6.0, 6.0, 0.003)

@@ -19,6 +19,7 @@ from lispac.simulation.scanner import Scanner, scan_scene
 from lispac.simulation.scene import Scene, upright_rectangle
 from tests.studies.prediction_study import PLAN, compared
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 
 @pytest.mark.parametrize(("model", "perfect"), [("correlated", False), ("independent", True)])
@@ -79,6 +80,7 @@ def test_planned_control_without_errors_lies_on_the_targets() -> None:
     )
 
 
+@LONG
 @pytest.mark.parametrize(
     ("count", "workers"), [(30, 1), pytest.param(300, 2, marks=pytest.mark.long)]
 )

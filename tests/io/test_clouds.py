@@ -48,7 +48,7 @@ def to_las(
     return laspy.read(path)
 
 
-@pytest.mark.parametrize("ending", ["las", "laz"])
+@pytest.mark.parametrize("ending", others_long(["las", "laz"]))
 @pytest.mark.parametrize("number", TIMED_FORMATS)
 def test_all_attributes_of_all_point_formats_are_kept(
     tmp_path: Path, number: int, ending: str
@@ -140,7 +140,7 @@ def test_old_point_formats_in_version_14_have_geotiff_keys(tmp_path: Path) -> No
     assert not after.header.global_encoding.wkt
 
 
-@pytest.mark.parametrize("number", [3, 6])
+@pytest.mark.parametrize("number", others_long([3, 6]))
 @pytest.mark.parametrize(
     ("code", "height"),
     others_long(

@@ -17,6 +17,7 @@ from lispac.io.point_reader_common import crs_of_options
 from lispac.messages import note
 from lispac.survey.crs import coordinate_system
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 
@@ -151,21 +152,23 @@ def test_heights_above_a_geoid_file(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "options", "code"),
-    [
-        ("", {}, "crs.none_given"),
-        ("EPSG:999999", {}, "crs.unknown"),
-        ("nowhere", {}, "crs.unknown"),
-        ('LOCAL_CS["site",UNIT["metre",1]]', {}, "crs.not_tied_to_earth"),
-        ("EPSG:6347+5703", {}, "crs.grids_missing_geoid"),
-        ("EPSG:2949", {"height": "6647"}, "crs.grid_missing_geoid"),
-        ("EPSG:32619", {"height": "EPSG:32619"}, "crs.not_vertical"),
-        ("EPSG:32619", {"height": "absent.gtx"}, "crs.geoid_not_found"),
-        ("EPSG:32619", {"height_unit": "fathom"}, "crs.unknown_unit"),
-        ("EPSG:27700", {}, "crs.other_ellipsoid"),
-        ("EPSG:27700", {"trajectory_datum": "EPSG:4979"}, "crs.grids_missing"),
-        ("EPSG:6347", {"trajectory_datum": "EPSG:7912"}, "crs.epoch_missing"),
-        ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "crs.not_geographic"),
-    ],
+    others_long(
+        [
+            ("", {}, "crs.none_given"),
+            ("EPSG:999999", {}, "crs.unknown"),
+            ("nowhere", {}, "crs.unknown"),
+            ('LOCAL_CS["site",UNIT["metre",1]]', {}, "crs.not_tied_to_earth"),
+            ("EPSG:6347+5703", {}, "crs.grids_missing_geoid"),
+            ("EPSG:2949", {"height": "6647"}, "crs.grid_missing_geoid"),
+            ("EPSG:32619", {"height": "EPSG:32619"}, "crs.not_vertical"),
+            ("EPSG:32619", {"height": "absent.gtx"}, "crs.geoid_not_found"),
+            ("EPSG:32619", {"height_unit": "fathom"}, "crs.unknown_unit"),
+            ("EPSG:27700", {}, "crs.other_ellipsoid"),
+            ("EPSG:27700", {"trajectory_datum": "EPSG:4979"}, "crs.grids_missing"),
+            ("EPSG:6347", {"trajectory_datum": "EPSG:7912"}, "crs.epoch_missing"),
+            ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "crs.not_geographic"),
+        ]
+    ),
 )
 def test_unusable_systems_are_refused(text: str, options: dict[str, str], code: str) -> None:
     with pytest.raises(InputError, check=has_code(code)) as refused:

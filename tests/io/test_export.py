@@ -32,7 +32,7 @@ from lispac.workflow.project.output_crs import output_system_of
 from lispac.workflow.project.survey import Survey
 from tests.support.command_errors import refused_with
 from tests.support.few_lines import picked
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 UTM = "EPSG:32619"
 
@@ -253,6 +253,7 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     np.testing.assert_allclose(again.height, before.height, rtol=0, atol=1e-5)
 
 
+@LONG
 def test_exports_from_the_command_line(
     copy: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -33,7 +33,7 @@ from lispac.workflow.importing.line_import import import_lines, line_folder
 from lispac.workflow.planning.plan_checks import write_scenarios
 from lispac.workflow.planning.simulate import replaced_survey
 from lispac.workflow.project.survey import load_survey
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 
 @pytest.mark.parametrize(
@@ -96,6 +96,7 @@ def test_settings_beyond_what_is_possible_are_refused(values: dict[str, object])
     Settings((0.0, 0.0, 0.0)).require_sound()
 
 
+@LONG
 def test_implausible_standard_deviations_give_a_warning(copy: Project) -> None:
     def codes() -> list[str]:
         return [message.code for message in load_survey(copy).messages]
@@ -113,6 +114,7 @@ def test_a_copy_has_a_separate_folder(copy: Project) -> None:
     assert Path(copy.accuracy).is_relative_to(copy.folder), "the test above changes it"
 
 
+@LONG
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode")
 @pytest.mark.parametrize("ending", others_long(["pdf", "html", "json"]))
 def test_reports_of_folders_whose_names_are_not_utf8(copy: Project, ending: str) -> None:
@@ -268,6 +270,7 @@ def test_records_with_denormal_times_raise_no_other_error(tmp_path: Path) -> Non
         return
 
 
+@LONG
 def test_stored_points_beyond_the_range_of_the_scanner_give_a_warning(copy: Project) -> None:
     import_lines(copy)
     line = copy.lines[0]

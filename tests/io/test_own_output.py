@@ -123,7 +123,7 @@ def test_exported_plane_files_are_read_back_as_a_line(
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
 
 
-@pytest.mark.parametrize("form", ["sbet", "text"])
+@pytest.mark.parametrize("form", others_long(["sbet", "text"]))
 @pytest.mark.parametrize("place_deg", [(46.8, -71.2), (0.02, 0.03), (-33.9, 179.999)])
 def test_exported_trajectories_are_read_back(
     tmp_path: Path, form: Any, place_deg: tuple[float, float]

@@ -126,7 +126,7 @@ def test_correct_counts_have_no_message(
 @pytest.mark.parametrize(
     ("counted", "stored"), others_long([(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
 )
-@pytest.mark.parametrize("point_format", [1, 6])
+@pytest.mark.parametrize("point_format", others_long([1, 6]))
 def test_laz_points_are_counted_over_several_chunks(
     tmp_path: Path, point_format: int, counted: int, stored: int
 ) -> None:

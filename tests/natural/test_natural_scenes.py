@@ -23,7 +23,7 @@ from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.checking.validation import validate
 from tests.studies.natural_scenes import form_factors, natural_site, opened, study
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SCENE_GOOD = 6
 """Six lines and many flat surfaces."""
@@ -72,6 +72,7 @@ def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None
         assert (part.sigma < 5 * result.sigma).all()
 
 
+@LONG
 def test_a_plane_with_points_of_a_target_is_not_proposed_for_validation() -> None:
     """In this scene, a detected plane continues a target on all lines."""
     site = natural_site(SCENE_OVERLAP)
@@ -84,6 +85,7 @@ def test_a_plane_with_points_of_a_target_is_not_proposed_for_validation() -> Non
             assert one.line != other.line or not np.isin(one.indices, other.indices).any()
 
 
+@LONG
 def test_missing_validation_planes_are_reported() -> None:
     project, survey = opened(natural_site(SCENE_THREE_SURFACES), np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
@@ -91,6 +93,7 @@ def test_missing_validation_planes_are_reported() -> None:
     assert [message.code for message in proposal.warnings] == ["targets.no_validation_plane"]
 
 
+@LONG
 @pytest.mark.parametrize(("scene", "rough"), others_long([(41, {"T1", "T3"}), (37, set())]))
 def test_form_factors_of_simulated_surfaces(scene: int, rough: set[str]) -> None:
     """In scene 37 all proposed surfaces are flat, in scene 41 T1 and T3 are rough."""
@@ -123,6 +126,7 @@ def test_parallel_lines_are_refused_and_the_targetless_method_works() -> None:
     assert (np.abs(found.boresight - site.boresight) < 3 * found.sigma).all()
 
 
+@LONG
 def test_targets_without_mutual_control_are_reported() -> None:
     """The scene has two flat surfaces only, and neither alone determines the angles."""
     project, survey = opened(natural_site(SCENE_TWO_SURFACES), np.zeros(3))
@@ -133,6 +137,7 @@ def test_targets_without_mutual_control_are_reported() -> None:
     assert "targets.proposal_unchecked" in codes
 
 
+@LONG
 @pytest.mark.parametrize(
     ("scene", "bent"), [(64, ()), pytest.param(73, ("T1", "T3"), marks=pytest.mark.long)]
 )

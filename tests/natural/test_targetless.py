@@ -27,6 +27,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run, run_json
+from tests.support.long_runs import LONG
 from tests.support.sharing import make_once
 from tests.workflow.test_reference_surveys import angles, make
 
@@ -98,6 +99,7 @@ def test_eigenvalues_of_the_observability_match_the_covariance(clean: Targetless
     np.testing.assert_allclose(1 / observability.eigenvalues, spread[::-1], rtol=1e-9)
 
 
+@LONG
 @pytest.mark.parametrize(
     "off", [(2.0, -2.0, 2.0), pytest.param((-2.0, 2.0, -2.0), marks=pytest.mark.long)]
 )
@@ -165,6 +167,7 @@ def test_foliage_and_water_have_little_effect(thinned: Opened, clean: Targetless
     assert not ((np.abs(planes[:, 2]) > 0.95) & (heights < 0.5)).any(), "water was taken"
 
 
+@LONG
 def test_a_line_with_a_position_jump_is_named(thinned: Opened, clean: TargetlessResult) -> None:
     project, survey = thinned
     wrong = list(survey.scans)[2]
@@ -200,6 +203,7 @@ def test_one_line_and_lines_without_overlap_are_refused(thinned: Opened) -> None
     assert raised.value.code == "targetless.few_surfaces"
 
 
+@LONG
 def test_two_lines_give_a_warning(denser_project: Project) -> None:
     """On the two real surveys of two lines the result is off by several sigmas."""
     project, survey = denser_project, load_survey(denser_project)
@@ -231,6 +235,7 @@ def test_harbour_from_the_command_line(
     assert open_project(project).result is None
 
 
+@LONG
 def test_targets_and_natural_surfaces_are_combined(thinned: Opened) -> None:
     """Points of a target's board are not used twice."""
     project, survey = thinned

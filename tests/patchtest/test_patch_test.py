@@ -39,6 +39,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run_json
 from tests.support.command_errors import refused_with
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 from tests.support.message_codes import codes
 from tests.workflow.test_reference_surveys import angles, make
 
@@ -114,6 +115,7 @@ def test_objects_placed_with_a_wrong_boresight_are_cut_again(
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
+@LONG
 def test_a_box_placed_with_a_wrong_boresight_is_moved(
     thinned: Opened, placed_objects: PlacedObjects
 ) -> None:
@@ -312,6 +314,7 @@ def test_a_box_without_a_size_is_refused() -> None:
         object_of_box("pole", ObjectBox(np.array([np.nan, 0, 0]), np.ones(3)))
 
 
+@LONG
 def test_the_patchtest_command_gives_the_same_result(
     capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTestResult
 ) -> None:
@@ -332,6 +335,7 @@ def test_the_patchtest_command_gives_the_same_result(
     )
 
 
+@LONG
 def test_a_result_with_sigmas_is_saved(
     capsys: pytest.CaptureFixture[str],
     thinned: Opened,

@@ -14,6 +14,7 @@ from lispac.language import in_language
 from lispac.language import to_plain_text as console_text
 from tests.support.bad_files import REFUSED, WITH_WARNING, Scene
 from tests.support.bad_places import ACTIONS
+from tests.support.long_runs import others_long
 
 Run = Callable[[Sequence[str] | None], None]
 MANUAL = Path(__file__).resolve().parents[2] / "resources" / "manual"
@@ -116,7 +117,7 @@ def plain(text: str) -> str:
     return re.sub("[\u00a0\u202f]", " ", text)
 
 
-@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("language", others_long(["en", "fr"]))
 @pytest.mark.parametrize("name", WITH_WARNING)
 def test_bad_input_gives_the_documented_warning(
     scene: Scene, capsys: pytest.CaptureFixture[str], name: str, language: str

@@ -13,6 +13,7 @@ import pytest
 from lispac import caches, installation_paths
 from lispac.errors import InputError
 from lispac.messages import error, note
+from tests.support.long_runs import LONG
 
 
 @pytest.fixture
@@ -227,6 +228,7 @@ def test_without_a_home_the_command_line_works_and_warns_once(
     assert not no_home.is_dir() or not any(no_home.iterdir())
 
 
+@LONG
 @linux
 def test_compiled_code_is_reused_by_the_next_run_without_a_home(
     tmp_path: Path, temporary: Path

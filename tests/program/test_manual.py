@@ -15,6 +15,7 @@ from lispac.errors import Cancelled, InputError
 from lispac.installation_paths import resource_path
 from lispac.progress import Step
 from lispac.workflow.output import manual
+from tests.support.long_runs import LONG
 
 LOADED_ATTRIBUTES = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
 """Elements and attributes whose addresses a browser loads by itself."""
@@ -131,6 +132,7 @@ def test_the_page_of_the_command_line_names_every_command(language: str) -> None
     )
 
 
+@LONG
 def test_the_manual_is_rebuilt_only_after_changes(small: Path, tmp_path: Path) -> None:
     place = tmp_path / "cache"
     first = manual.manual_page("fr", sources=small, place=place)
@@ -149,6 +151,7 @@ def test_the_manual_is_rebuilt_only_after_changes(small: Path, tmp_path: Path) -
     assert {each.name for each in place.iterdir()} == {"made-by-lispac", second.parents[1].name}
 
 
+@LONG
 def test_the_manual_is_built_with_a_locale_that_is_not_installed(
     small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -181,6 +184,7 @@ def test_a_missing_builder_is_reported(
     assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
 
 
+@LONG
 def test_errors_of_the_builder_are_reported_and_leave_no_pages(small: Path, tmp_path: Path) -> None:
     (small / "en" / "index.md").write_text("# One\n\n![gone](gone.png)\n")
     with pytest.raises(InputError, match=r"gone\.png"):

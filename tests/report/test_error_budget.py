@@ -31,6 +31,7 @@ from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked_and_estimated
+from tests.support.long_runs import LONG
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 DRAWS = 5_000
@@ -202,6 +203,7 @@ def test_unknown_errors_are_reported_and_not_counted() -> None:
             error_budget(without, distances)
 
 
+@LONG
 def test_the_command_and_the_report_give_the_same_budget(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:

@@ -36,6 +36,7 @@ from lispac.workflow.project.survey_dates import survey_dates
 from tests.cli.test_cli import run
 from tests.report.test_report import _pdf_text
 from tests.support.command_errors import command_error
+from tests.support.long_runs import others_long
 from tests.support.report_sample import sample_content, sample_project
 
 FULL = Identity(
@@ -174,7 +175,7 @@ def test_the_command_sets_given_fields_and_shows_all(
     assert refusal.message == error("identity.not_printable", field=note("identity_field.vessel"))
 
 
-@pytest.mark.parametrize("extent", ["short", "full"])
+@pytest.mark.parametrize("extent", others_long(["short", "full"]))
 def test_each_detail_is_printed_once_and_vessel_and_company_on_every_page(
     tmp_path: Path, extent: Extent
 ) -> None:

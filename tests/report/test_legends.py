@@ -72,7 +72,7 @@ def comparison(tmp_path_factory: pytest.TempPathFactory) -> PlaneComparison:
 
 @pytest.mark.parametrize("size", [(6.3, 2.6), (4.2, 2.6), (2.6, 4.5)])
 @pytest.mark.parametrize("language", others_long(["en", "fr"], lambda language: language == "fr"))
-@pytest.mark.parametrize("share", [False, True])
+@pytest.mark.parametrize("share", others_long([False, True]))
 def test_the_texts_of_a_histogram_are_complete_and_apart(
     comparison: PlaneComparison, size: tuple[float, float], language: str, share: bool
 ) -> None:

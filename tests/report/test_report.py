@@ -39,6 +39,7 @@ from lispac.report.pdf import write_pdf
 from lispac.warning_causes import Cause
 from lispac.workflow.checking.warnings import warnings_of
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG, others_long
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 SPECIAL_CHARACTERS = (
@@ -397,7 +398,7 @@ def test_the_verdict_states_that_a_calibration_is_not_validated(project: Project
     assert document.status == "fair"
 
 
-@pytest.mark.parametrize("picked", [True, False])
+@pytest.mark.parametrize("picked", others_long([True, False]))
 def test_page_one_states_that_a_project_is_not_calibrated(
     project: Project, tmp_path: Path, picked: bool
 ) -> None:
@@ -431,6 +432,7 @@ def test_html_loads_no_other_files(content: ReportContent, tmp_path: Path) -> No
     assert "The view after" in page.words
 
 
+@LONG
 def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", target=SPECIAL_CHARACTERS)
     content = sample_content(project)

@@ -60,7 +60,7 @@ from lispac.validation.comparison_results import DistanceStatistics, SignedStati
 from tests.present.test_consistent_warnings import CASES
 from tests.report.test_error_budget import system
 from tests.report.test_report import _pdf_text
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.report_sample import FULL_REPORT, MADE, sample_project, undrawn_pictures
 from tests.support.report_variants import VARIANTS, content_of_sample, with_result, with_settings
 from tests.targets.test_quality import board, quality_of
@@ -291,6 +291,7 @@ def _numbers(text: str, decimal: str, group: str) -> list[str]:
 NUMBERS_OF_NAMES = re.compile(r"6\.1\.0|LISPAC \d+\.\d+\.\d+\w*|1980-\S+")
 
 
+@LONG
 @pytest.mark.parametrize("variant", others_long(["as it is", "thesis", "parameters", "components"]))
 def test_texts_tables_and_figures_use_the_decimal_comma(project: Project, variant: str) -> None:
     # Import notes are excluded: they quote units as written in the files.

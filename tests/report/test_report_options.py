@@ -37,7 +37,7 @@ from tests.report.test_identity import FULL
 from tests.report.test_report import _page, _pdf_text
 from tests.support.command_errors import codes_of, is_refusal, refused_with
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 
 LOGO = (
@@ -156,6 +156,7 @@ def test_an_invalid_logo_is_named(
     assert not output.exists()
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_letterhead_and_texts_are_in_pdf_and_html(
     project: Project, template: Path, tmp_path: Path
@@ -321,6 +322,7 @@ def test_report_has_values_and_their_uncertainty(
     assert bool(found.angles) == convention_of_key(key).has_angles
 
 
+@LONG
 def test_classical_model_warns_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
     content = sample_content(
         sample_project(tmp_path / "t", model="independent"), convention="qinsy"
@@ -332,6 +334,7 @@ def test_classical_model_warns_that_its_sigmas_are_too_small(tmp_path: Path) -> 
     )
 
 
+@LONG
 def test_matrix_equals_that_of_the_boresight(project: Project, tmp_path: Path) -> None:
     content = sample_content(project)
     assert content.matrix is not None

@@ -53,7 +53,7 @@ from lispac.report.short_report import (
 from lispac.validation.comparison_results import LineShift
 from tests.report.test_identity import FULL
 from tests.report.test_report import _pdf_text
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.report_sample import (
     FULL_REPORT,
     sample_content,
@@ -80,6 +80,7 @@ def _document(lines: int) -> Document:
     )  # fmt: skip
 
 
+@LONG
 @pytest.mark.usefixtures("usual_gaps")
 def test_headings_and_introductions_stay_with_what_follows(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -351,6 +352,7 @@ def test_the_short_report_of_each_verdict_has_at_most_four_well_filled_pages(
         assert sum(bool(line) for line in below) > 1, title  # more than the footer
 
 
+@LONG
 @pytest.mark.parametrize(
     ("language", "page"),
     others_long([("en", "a4"), ("fr", "letter"), ("en", "letter"), ("fr", "a4")]),
@@ -417,6 +419,7 @@ def test_the_figures_of_a_validation_plane_are_on_one_page(
             assert captioned or extent == "short"
 
 
+@LONG
 @pytest.mark.parametrize("page", others_long(PAGE_SIZES))
 def test_a_long_introduction_leaves_no_page_less_than_half_full(
     project: Project, monkeypatch: pytest.MonkeyPatch, page: Page
@@ -435,6 +438,7 @@ def test_a_long_introduction_leaves_no_page_less_than_half_full(
         assert min(_filled_shares(made.pages[1:-1], page)) >= 0.5, lines
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles")
 @pytest.mark.parametrize("planes", others_long([4, 2, 3, 5, 6]))
 @pytest.mark.parametrize("page", others_long(PAGE_SIZES))
@@ -459,6 +463,7 @@ def test_figures_of_planes_leave_no_page_less_than_half_full_wherever_they_begin
         assert min(_filled_shares(made.pages, page)) >= 0.5, lines
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_figures_of_planes_do_not_overlap_the_list_above_them(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -510,6 +515,7 @@ def test_the_short_report_names_the_colours_of_the_lines(
         assert ('class="swatch"' in text) == bool(pictures)
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles")
 def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project: Project) -> None:
     content = _survey_content(project, planes=40)
@@ -584,6 +590,7 @@ def _signed_page(content: ReportContent, path: Path, options: ReportOptions) -> 
     return number
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("warnings", others_long([3, 0]))
 @pytest.mark.parametrize("notes", others_long([8, 1, 2, 3, 4, 5, 6, 7]))
@@ -603,6 +610,7 @@ def test_the_short_report_is_signed_on_page_one_below_the_angles(
     assert _signed_page(content, tmp_path / "r.pdf", options) == 1
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles", "usual_gaps")
 @pytest.mark.parametrize("page", others_long(PAGE_SIZES))
 @pytest.mark.parametrize("planes", others_long([40, 5, 12]))
@@ -659,6 +667,7 @@ def test_the_report_has_no_columns_on_spheres_without_spheres(project: Project) 
     assert "Shape" in titles(replace(content, planes=(ball, *content.planes[1:])))
 
 
+@LONG
 @pytest.mark.usefixtures("rectangles", "usual_gaps")
 def test_degrees_are_written_in_one_way_in_print(project: Project, tmp_path: Path) -> None:
     for extent in EXTENTS:

@@ -25,6 +25,7 @@ from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.targets.sighting_quality import SightingQuality
+from tests.support.long_runs import LONG
 from tests.support.report_sample import (
     FULL_REPORT,
     LARGEST_INCREASES,
@@ -494,6 +495,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     assert [each["edited_by_hand"] for each in qualities] == [False, True]
 
 
+@LONG
 def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
     first, second = project.targets[:2]

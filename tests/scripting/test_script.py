@@ -27,6 +27,7 @@ from lispac.workflow.output.script_text import (
     split_text_code,
 )
 from lispac.workflow.planning.demo import demo_seeds
+from tests.support.long_runs import LONG
 from tests.support.script_runs import run, run_in_process, same_part
 
 
@@ -159,6 +160,7 @@ def test_points_of_proposed_targets_and_of_another_prior_are_kept(
     same_numbers(quay, script, tmp_path)
 
 
+@LONG
 def test_script_has_no_steps_that_were_not_done(quay: lispac.OpenProject, tmp_path: Path) -> None:
     before = quay.project
     seed_targets(quay, "T1")
@@ -169,6 +171,7 @@ def test_script_has_no_steps_that_were_not_done(quay: lispac.OpenProject, tmp_pa
     same_numbers(quay, script, tmp_path)
 
 
+@LONG
 def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> None:
     raw = demo_project.folder / "raw"
     quay = lispac.new(
@@ -227,6 +230,7 @@ def reference(folder: Path) -> Path:
     return path
 
 
+@LONG
 @pytest.mark.parametrize("beside", [pytest.param(True, marks=pytest.mark.long), False])
 def test_a_check_is_repeated_if_its_reference_exists(
     estimated_quay: lispac.OpenProject, tmp_path: Path, beside: bool
@@ -246,6 +250,7 @@ def test_a_check_is_repeated_if_its_reference_exists(
     assert message == note("script.no_reference", file="board.csv")
 
 
+@LONG
 def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
     estimated_quay: lispac.OpenProject, tmp_path: Path
 ) -> None:
@@ -258,6 +263,7 @@ def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
     assert message.params["system"] == "a system of one's own"
 
 
+@LONG
 def test_a_result_that_the_steps_do_not_reproduce_is_reported(
     estimated_quay: lispac.OpenProject,
 ) -> None:
@@ -270,6 +276,7 @@ def test_a_result_that_the_steps_do_not_reproduce_is_reported(
     assert english_text(message).split(":")[0] in project_script(quay).text.replace("\n# ", " ")
 
 
+@LONG
 def test_names_cannot_inject_code(quay: lispac.OpenProject, tmp_path: Path) -> None:
     """The name of the folder is written into comments and strings of the script."""
     quay.save_as(tmp_path / "a'b\"\nimport nothing_of_the_kind\n#")

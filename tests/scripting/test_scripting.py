@@ -17,6 +17,7 @@ from lispac.project import Project
 from lispac.value_conversion import encode_value
 from lispac.workflow.planning.demo import demo_seeds
 from tests.support.command_errors import is_refusal
+from tests.support.long_runs import LONG
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 MANUAL = CHECKOUT / "resources" / "manual"
@@ -61,6 +62,7 @@ def test_every_public_name_exists_and_is_typed() -> None:
         lispac.seeed  # noqa: B018
 
 
+@LONG
 def test_steps_give_the_results_of_the_command_line(
     quay: lispac.OpenProject, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -120,6 +122,7 @@ def test_the_example_of_the_manual_runs(language: str, pattern: str, tmp_path: P
     assert lispac.open(tmp_path / "quay").project.target("T2").sighting("L3_045").used is False
 
 
+@LONG
 def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Path) -> None:
     seed_targets(quay, "T1", "V1")
     before = quay.project

@@ -11,6 +11,7 @@ from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh, MeshCaster
 from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle
+from tests.support.long_runs import LONG
 
 DISTANT_PLACE = np.array([4_000.0, -7_000.0, 60.0])
 """A place where single precision has steps of 0.5 mm."""
@@ -145,6 +146,7 @@ def area(mesh: Mesh) -> float:
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
 
+@LONG
 def test_faces_with_more_than_three_corners_are_read(tmp_path: Path) -> None:
     """Areas computed by hand: 4 m by the root of 2**2 + 3**2, and half of 4 m by 2 m."""
     path = tmp_path / "house.obj"
@@ -210,6 +212,7 @@ def test_a_mesh_that_is_cut_short_is_refused(kind: str, reader: MeshReader, tmp_
         assert refused.value.code in codes
 
 
+@LONG
 def test_files_without_a_valid_mesh_are_refused(reader: MeshReader, tmp_path: Path) -> None:
     def of_triangle(first: str, last: str) -> Path:
         path = tmp_path / f"{first}.obj"

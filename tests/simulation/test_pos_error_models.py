@@ -12,6 +12,7 @@ from lispac.simulation.pos_error_models import (
     combine_models,
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from tests.support.long_runs import others_long
 
 DRAW_COUNT, INTERVAL, EPOCH_COUNT = 3000, 0.5, 241
 POSITION_SIGMA, ATTITUDE_SIGMA = (0.10, 0.20, 0.40), tuple(np.radians([0.01, 0.02, 0.08]))
@@ -29,7 +30,9 @@ def drawn(model: PosErrors, count: int = EPOCH_COUNT, draws: int = DRAW_COUNT) -
 
 @pytest.mark.parametrize(
     "model",
-    [NOISE, OUTAGE_UNSMOOTHED, OUTAGE_SMOOTHED, CombinedModel((NOISE, OUTAGE_SMOOTHED))],
+    others_long(
+        [NOISE, OUTAGE_UNSMOOTHED, OUTAGE_SMOOTHED, CombinedModel((NOISE, OUTAGE_SMOOTHED))]
+    ),
     ids=["white", "outage", "smoothed", "together"],
 )
 def test_errors_have_the_variance_of_the_model(model: PosErrors) -> None:

@@ -35,6 +35,7 @@ from lispac.workflow.planning.simulate import _surveyor_settings, require_replac
 from lispac.workflow.planning.simulated_setup import PART_KINDS, read_simulation, supplied_titles
 from tests.simulation.test_meshes import as_mesh, write_mesh
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 SCENE = """
 title = "A board"
@@ -150,6 +151,7 @@ def test_scanners_have_the_beams_of_their_files() -> None:
     )
 
 
+@LONG
 def test_a_mesh_is_read_beside_its_scene_and_occludes_the_board(tmp_path: Path) -> None:
     write_mesh(
         tmp_path / "hut.stl", as_mesh(tilted_rectangle("hut", (0.0, -8.0, 5.0), 3.0, 3.0, 270, 0))

@@ -62,6 +62,7 @@ def test_points_without_errors_are_on_their_surfaces(boresight_deg):
         np.testing.assert_allclose(points, line.true_points_local, atol=1e-8)
 
 
+@LONG
 def test_a_wrong_boresight_moves_points_off_their_surfaces():
     exact = port_survey(points_per_second=SPARSE_PULSES, noise=False, pos_errors=False)
     for angle in range(3):
@@ -235,6 +236,7 @@ def test_errors_of_the_reported_trajectory_follow_the_model(survey):
     assert 0.0005 < np.abs(difference).max() < 0.05
 
 
+@LONG
 def test_the_same_seed_gives_the_same_survey():
     first, second, other = (
         port_survey(points_per_second=SPARSE_PULSES, seed=seed) for seed in (5, 5, 6)

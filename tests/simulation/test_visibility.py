@@ -37,7 +37,7 @@ from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStu
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.cli.test_cli import run, run_json
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 ERROR = float(np.radians(2.0))
 UPRIGHT_BOARD = MARINE_SITE.board(0.0)
@@ -275,6 +275,7 @@ def test_best_configurations_compared_with_table_3_2(terrestrial: VisibilityStud
     assert rows["lever_z"].best.inclination is None
 
 
+@LONG
 @pytest.mark.parametrize("distance", others_long([4.0, 8.0]))
 def test_the_comparison_does_not_depend_on_values_missing_in_the_thesis(distance: float) -> None:
     """The thesis gives no distance for its terrestrial site; other values give the same results."""
@@ -295,6 +296,7 @@ def test_lines_for_all_errors_equal_those_of_table_3_3(terrestrial: VisibilitySt
     assert "the same as the 4" in fewest_lines_text(terrestrial)
 
 
+@LONG
 def test_the_marine_site_compared_with_section_3_9(marine: VisibilityStudy) -> None:
     rows = {each.best.error: each for each in compare_with_thesis(marine)}
     assert all(each.lines_agree for each in rows.values())
@@ -342,6 +344,7 @@ def test_the_command_writes_the_tables_it_prints(
     assert {r["Planarity"] for r in rows if r["Points"] == "0"} == {""}
 
 
+@LONG
 def test_a_real_board_is_not_compared_with_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -15,6 +15,7 @@ from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from tests.support import point_files
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 from tests.support.message_codes import codes
 
 STATES, SIGMAS = format_of("cidco-states"), format_of("cidco-sigmas")
@@ -127,6 +128,7 @@ def test_standard_deviations_of_zero_give_a_warning(tmp_path: Path) -> None:
     assert codes(SIGMAS.preview(path, {}).file_warnings) == ["accuracy.all_zero"]
 
 
+@LONG
 def test_the_vessel_is_calibrated_from_the_command_line(
     files: dict[str, Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -29,6 +29,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project import survey as survey_module
 from lispac.workflow.project.projects import create_project, new_project
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.support.long_runs import LONG
 
 
 def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:
@@ -62,6 +63,7 @@ def stored(project: Project) -> Survey:
     return load_survey(project)
 
 
+@LONG
 def test_imported_lines_are_opened_from_the_store(project: Project, stored: Survey) -> None:
     assert all(isinstance(cloud, CloudOnDisk) for cloud in stored.clouds.values())
     # A missing source file does not matter, but gives a note.
@@ -151,6 +153,7 @@ def test_a_thinned_sighting_has_a_note_and_stores_its_factor(
     assert [s.one_in for s in again.sightings] == [s.one_in for s in target.sightings]
 
 
+@LONG
 def test_one_seed_finds_the_same_points(
     calibrated: tuple[Project, Survey], project: Project, stored: Survey
 ) -> None:
@@ -181,6 +184,7 @@ def test_boresight_validation_and_exports_agree(
     assert report_content_of(validated, stored).warnings is not None
 
 
+@LONG
 def test_a_large_line_is_imported_when_the_project_is_opened(
     calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -27,6 +27,7 @@ from lispac.survey.scanner_frame_recovery import (
 )
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.message_codes import codes
 
 WRONG_BORESIGHT = np.radians([0.8, -1.7, 1.1])
@@ -83,7 +84,7 @@ SCALES = (1e-4, 1e-4, 1e-4)
 
 @pytest.mark.parametrize(
     ("code", "scales"),
-    [(32619, SCALES), (2949, SCALES), (4978, SCALES), (4979, (1e-9, 1e-9, 1e-4))],
+    others_long([(32619, SCALES), (2949, SCALES), (4978, SCALES), (4979, (1e-9, 1e-9, 1e-4))]),
     ids=["UTM", "MTM", "ECEF", "geographic"],
 )
 def test_simulated_lines_are_recovered(

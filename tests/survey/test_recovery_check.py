@@ -15,7 +15,7 @@ from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages
 from lispac.survey.trajectory import LocalTrajectory
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import codes
 
 LEVER = np.array([-0.2, 0.05, 2.0])
@@ -235,6 +235,7 @@ def test_lasers_are_numbered_consistently_over_all_parts_of_a_line() -> None:
     assert LineSample.joined([parts[0], replace(parts[1], ring=None)]).ring is None
 
 
+@LONG
 def test_a_height_offset_is_diagnosed_in_another_mounting() -> None:
     turn = rotation_matrix(*np.radians([90.0, 0.0, 90.0]))
     points, time, made = cloud(4, turn=turn)

@@ -23,13 +23,16 @@ from lispac.survey.store.point_blocks import PointPiece
 from lispac.survey.store.stored_line import open_store
 from tests.io.test_fuzz import reseal
 from tests.support.error_codes import has_code
+from tests.support.long_runs import others_long
 from tests.support.store_lines import LINE, RECIPE, files_of, place, reason_code, small, stored
 
 __all__ = ["small"]
 pytestmark = pytest.mark.usefixtures("small")
 
 
-@pytest.mark.parametrize("name", ["xyz", "time", "number", "row", "octaves", "coarse_xyz"])
+@pytest.mark.parametrize(
+    "name", others_long(["xyz", "time", "number", "row", "octaves", "coarse_xyz"])
+)
 @pytest.mark.parametrize("kept", [0.0, 0.5, None])
 def test_a_truncated_or_missing_column_is_refused(tmp_path: Path, name: str, kept) -> None:
     stored(tmp_path)

@@ -25,7 +25,7 @@ from lispac.targets.line_search import ShapeSearch, search_target_in_lines
 from lispac.targets.plane_finder import FinderSettings, find_plane, seed_text
 from lispac.targets.planes_across_lines import find_in_lines
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SETTINGS = FinderSettings()
 CENTRE = np.array([0.0, 20.0, 4.0])
@@ -368,6 +368,7 @@ def test_harbour_validation_planes_are_found_on_two_lines_or_more(harbour, name,
         assert patch.rms < 0.006
 
 
+@LONG
 @pytest.mark.parametrize(
     "name", others_long(["lanl_truck", "lanl_tent"], lambda name: name == "lanl_tent")
 )

@@ -82,7 +82,9 @@ def picked(name: str, off_deg: tuple[float, ...]) -> tuple[Site, dict[str, Plane
 
 
 @pytest.mark.parametrize("off_deg", OFF_DEG)
-@pytest.mark.parametrize("name", ["5 cm proud", "similar targets", "bollard", "grazing"])
+@pytest.mark.parametrize(
+    "name", others_long(["5 cm proud", "similar targets", "bollard", "grazing"])
+)
 def test_every_line_gives_the_target_only(name, off_deg):
     """Points of the wall behind, a similar target beside it or an occluding object are excluded."""
     scene_site, found = picked(name, off_deg)
@@ -92,6 +94,7 @@ def test_every_line_gives_the_target_only(name, off_deg):
         assert recall > 0.95, (line, precision, recall)
 
 
+@LONG
 def test_a_rippled_sheet_is_separated_from_the_wall():
     """The sheet is not a plane, but its points are found; its RMS is large."""
     scene_site, found = picked("rippled", (1, 1, 1))
@@ -137,7 +140,7 @@ def test_one_seed_is_sufficient_for_each_target_of_the_demo(port, target, off_de
             assert recall > 0.95, (line.name, precision, recall)
 
 
-@pytest.mark.parametrize("defect", ["empty", "far", "sparse"])
+@pytest.mark.parametrize("defect", others_long(["empty", "far", "sparse"]))
 def test_a_line_without_points_near_the_seed_has_a_reason(defect):
     scene_site = scenery("grazing")
     clouds = dict(list(scene_site.clouds().items())[:2])
@@ -163,6 +166,7 @@ def test_a_line_without_points_near_the_seed_has_a_reason(defect):
 AMBIGUOUS = {("lanl_truck", "P6"), ("lanl_tent", "P4")}
 
 
+@LONG
 @pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))
 def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: str) -> None:
     """Before any calibration, line 2 is displaced by up to a metre and smeared by 0.1 to 0.2 m.
@@ -202,6 +206,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
     assert counts[0] / counts[1] > 0.95, counts
 
 
+@LONG
 def test_a_click_on_an_edge_finds_its_surface_in_sampled_lines(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

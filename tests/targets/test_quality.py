@@ -14,7 +14,7 @@ from lispac.targets.rough_alignment import Alignment
 from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphere_quality
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.sighting_assessment import assess_target
-from tests.support.long_runs import LONG
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import codes, texts
 from tests.targets.test_finder_sites import clicked_point, scenery
 
@@ -131,11 +131,13 @@ LINES = tuple(HALF_OCCLUDED)
 @pytest.mark.parametrize("off_deg", [pytest.param((0, 0, 0), marks=LONG), (2, -2, 2)])
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [
-        ("5 cm proud", dict.fromkeys(LINES, ("good", ""))),
-        ("bollard", HALF_OCCLUDED),
-        ("rippled", dict.fromkeys(LINES, ("poor", "The surface is not flat"))),
-    ],
+    others_long(
+        [
+            ("5 cm proud", dict.fromkeys(LINES, ("good", ""))),
+            ("bollard", HALF_OCCLUDED),
+            ("rippled", dict.fromkeys(LINES, ("poor", "The surface is not flat"))),
+        ]
+    ),
 )
 def test_ratings_on_simulated_sites(name, expected, off_deg):
     """Targets are picked as in the window, with a prior boresight that is right or 2 deg wrong."""

@@ -139,7 +139,7 @@ def post(radius):
 
 
 @pytest.mark.parametrize(
-    "make", [wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)]
+    "make", others_long([wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)])
 )
 @pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
 @pytest.mark.parametrize("draw", others_long(range(4)))

@@ -130,7 +130,7 @@ def test_real_balls_are_found_among_the_objects_of_a_line(vessel, searched, thre
                 assert np.linalg.norm(patch.centre - centre) < 0.05
 
 
-@pytest.mark.parametrize("searched", [KNOWN_RADIUS, ANY_RADIUS])
+@pytest.mark.parametrize("searched", others_long([KNOWN_RADIUS, ANY_RADIUS]))
 @pytest.mark.parametrize(
     "threshold", others_long([0.01, 0.03], lambda threshold: threshold == 0.03)
 )
@@ -146,7 +146,7 @@ def test_real_plates_are_not_taken_for_balls(vessel, searched, threshold):
 
 
 @pytest.mark.parametrize("boresight_deg", [(0.4395, -1.8681, 0.3992), (0.0, 0.0, 0.0)])
-@pytest.mark.parametrize("searched", [KNOWN_RADIUS, ANY_RADIUS])
+@pytest.mark.parametrize("searched", others_long([KNOWN_RADIUS, ANY_RADIUS]))
 def test_real_balls_are_found_in_the_other_line(vessel, boresight_deg, searched):
     """Also without a boresight, with the two lines 0.35 to 0.46 m apart."""
     clouds = vessel.clouds(np.radians(boresight_deg))

@@ -39,7 +39,7 @@ from tests.support.absolute_sample import (
     true_offsets,
 )
 from tests.support.command_errors import is_refusal, refused_with
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.report_sample import FULL_REPORT, sample_content, sample_project
 from tests.support.static_scans import on_plane, tripod_scan, write_pts
 
@@ -72,6 +72,7 @@ def near_and_far() -> np.ndarray:
     return np.concatenate([tripod_scan((name,)) for name in ("V1", "V5")])
 
 
+@LONG
 @pytest.mark.parametrize("shift", others_long(SHIFTS, lambda shift: shift == 0.020))
 def test_a_known_shift_of_a_scan_is_measured(
     known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path, shift: float
@@ -130,6 +131,7 @@ def test_the_sources_of_the_sigma_of_the_mean(
         )
 
 
+@LONG
 def test_errors_average_out_between_lines_far_apart_in_time_only(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
@@ -148,6 +150,7 @@ def test_errors_average_out_between_lines_far_apart_in_time_only(
     assert near == pytest.approx(np.sum(share * own), rel=0.01)
 
 
+@LONG
 def test_a_near_plane_takes_no_places_from_a_far_one(
     known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
 ) -> None:
@@ -176,6 +179,7 @@ def test_a_near_plane_takes_no_places_from_a_far_one(
     assert AbsoluteCheckValues.of(both).messages[-1].code == "absolute.lines_alike"
 
 
+@LONG
 def test_a_line_that_is_not_compared_has_a_suggested_action(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
@@ -268,6 +272,7 @@ def test_surveyed_points_and_planes(
     assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
 
 
+@LONG
 def test_a_scan_in_map_coordinates_without_times_is_compared(
     known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
 ) -> None:
@@ -391,6 +396,7 @@ def test_the_project_stores_the_check_and_the_report_shows_it(
     assert "Check against the reference" not in titles
 
 
+@LONG
 def test_the_command(
     capsys: pytest.CaptureFixture[str], known: tuple[Project, Survey], tmp_path: Path
 ) -> None:

@@ -15,6 +15,7 @@ from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE, LocalModel
 from lispac.value_conversion import decode_value, encode_value
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 Array = NDArray[np.float64]
 
@@ -59,6 +60,7 @@ def tower(n: int, seed: int, offset: float = 0.0) -> Array:
     return np.column_stack((x, y, height))
 
 
+@LONG
 def test_distances_agree_with_brute_force_on_a_surface_and_in_a_volume() -> None:
     rng = np.random.default_rng(5)
     for compared, reference in (

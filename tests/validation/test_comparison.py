@@ -21,7 +21,7 @@ from lispac.validation.plane_comparison import (
 )
 from lispac.value_conversion import decode_value, encode_value
 from tests.support.error_codes import has_code
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 Array = NDArray[np.float64]
 OPPOSITE = {"L1": 0.0, "L2": np.pi}
@@ -90,6 +90,7 @@ def test_the_rms_is_that_of_the_offset_on_dense_noisy_lines(
     assert list(surface_model_warnings([ValidationPlane.of(result)])) == []
 
 
+@LONG
 def test_an_rms_that_is_too_small_for_the_offset_gives_a_warning() -> None:
     """Six points that are closer together than their noise."""
     rng = np.random.default_rng(6)
@@ -249,6 +250,7 @@ def test_histograms_share_edges_and_count_every_distance() -> None:
     assert result.counts_before[-1] > 0  # distances beyond the last edge are in the last bin
 
 
+@LONG
 def test_many_points_are_thinned_equally_in_both_states() -> None:
     a, b = wall(1, n=MAX_POINTS_PER_LINE + 5000), wall(2, n=2000)
     clouds = {"L1": a, "L2": b}
@@ -286,7 +288,9 @@ def test_lines_without_overlap_are_refused() -> None:
         compare_plane("V2", clouds, clouds, OPPOSITE)
 
 
-@pytest.mark.parametrize(("step", "count"), [(0.0, 3), (0.9, 3), (1.2, 2), (1.9, 2), (2.1, 0)])
+@pytest.mark.parametrize(
+    ("step", "count"), others_long([(0.0, 3), (0.9, 3), (1.2, 2), (1.9, 2), (2.1, 0)])
+)
 def test_comparable_pairs_agree_with_the_compared_pairs(step: float, count: int) -> None:
     """Lines that are moved along the wall by ``step`` metres before, and not after."""
     after = {line: wall(seed=k, noise=0.002) for k, line in enumerate("ABC")}

@@ -19,6 +19,7 @@ from lispac.validation.repeatability import Calibration
 from lispac.workflow.checking.calibration_history import CalibratedSystem, read_histories
 from tests.cli.test_cli import run, run_json
 from tests.support.command_errors import command_error
+from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project, with_lines_of_its_own
 
 SIGMA = np.radians([0.008, 0.010, 0.025])
@@ -34,6 +35,7 @@ def calibrations(rng: np.random.Generator, truth: np.ndarray) -> list[Calibratio
     return made
 
 
+@LONG
 def test_false_alarms_have_the_given_probability() -> None:
     rng = np.random.default_rng(4)
     alarms = total = 0
@@ -94,6 +96,7 @@ def write_survey(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "
     write_project(project)
 
 
+@LONG
 def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     write_survey(tmp_path / "2024" / "spring", "2024-05-02", pitch_deg=0.001)
     write_survey(tmp_path / "2025" / "spring", "2025-05-02 to 2025-05-03")

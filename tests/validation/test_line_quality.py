@@ -24,6 +24,7 @@ from tests.cli.test_cli import run, run_json, run_refused
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
 from tests.support.few_lines import picked
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 
 VESSEL = np.array([0.0, 0.0, 3.0])
@@ -40,6 +41,7 @@ def scene(rng: np.random.Generator, shift: np.ndarray) -> np.ndarray:
     return everything + shift + rng.normal(0.0, 0.003, everything.shape)
 
 
+@LONG
 def test_a_shift_is_measured_along_each_normal() -> None:
     rng = np.random.default_rng(5)
     still, moved = scene(rng, np.zeros(3)), scene(rng, np.array([-0.05, 0.0, 0.03]))

@@ -30,6 +30,7 @@ from lispac.validation.two_modes import find_two_modes
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.survey import Survey
 from tests.studies.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
+from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project
 
 VALIDATION_BOARDS = (
@@ -121,6 +122,7 @@ def ratios_of(planes: tuple[PlaneComparison, ...]) -> list[float]:
     return [shift.offset / shift.sigma for plane in planes for shift in plane.shifts]
 
 
+@LONG
 def test_right_surveys_give_no_warning_and_offsets_within_their_sigmas() -> None:
     ratios = []
     for seed in range(4):
@@ -139,6 +141,7 @@ def test_right_surveys_seldom_give_a_warning() -> None:
     assert false <= FALSE_WARNING_LEVEL * surveys + 2.3 * np.sqrt(FALSE_WARNING_LEVEL * surveys)
 
 
+@LONG
 def test_a_wrong_boresight_divides_the_lines_into_two_groups() -> None:
     found = warnings_of(validated(1, boresight_error_deg=0.3))
     assert {each.code for each in found} == {"validation.groups_shifted"}
@@ -172,6 +175,7 @@ def test_a_biased_line_is_named() -> None:
         assert "L3" not in each.params["others"]
 
 
+@LONG
 def test_a_jump_of_the_trajectory_within_a_line_gives_two_modes() -> None:
     def jumped(data: Observations) -> Observations:
         own = np.array([s.line == "L5" for s in data.sightings])[data.sighting]

@@ -16,6 +16,7 @@ from lispac.validation.normal_distance import (
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from lispac.value_conversion import decode_value, encode_value
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 Array = NDArray[np.float64]
 
@@ -132,6 +133,7 @@ def test_a_size_of_zero_is_refused(name: str, code: str) -> None:
         distances_to_reference(cloud, cloud, cloud, **{name: 0.0})
 
 
+@LONG
 def test_intervals_of_plane_offsets_and_turns_have_the_stated_coverage() -> None:
     """The coverage of the three intervals is 93 to 97 % in 600 pairs of clouds."""
     rng, is_covered = np.random.default_rng(11), []

@@ -34,7 +34,7 @@ from lispac.workflow.importing.file_reading import detect_reading
 from lispac.workflow.project.projects import create_project, open_project, save_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run_json
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.validation.test_truth import beside_truth
 from tests.workflow.importing.test_reading import write_cloud
 
@@ -147,6 +147,7 @@ def test_a_lever_arm_of_the_harbour_that_is_metres_wrong_is_named(
     np.testing.assert_allclose(corrected, np.degrees(right.boresight), atol=0.03)
 
 
+@LONG
 @pytest.mark.parametrize("name", others_long(["lanl_truck", "lanl_tent"]))
 def test_drone(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, name: str
@@ -226,6 +227,7 @@ def labelled_points(
     return cache(lambda data: labelled(data, tmp_path_factory.mktemp(data.name)))
 
 
+@LONG
 def test_georeferenced_drone_clouds_give_the_result_of_the_raw_lines(
     shared_data: Path,
     labelled_points: Callable[[Path], tuple[Observations, Mounting]],

@@ -27,6 +27,7 @@ from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.output_crs import LOCAL_FRAME
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.support.long_runs import LONG
 
 
 def test_noise_free_survey_determines_the_boresight() -> None:
@@ -131,6 +132,7 @@ def test_the_count_equals_the_points_of_the_adjustment(
     assert count == result.points
 
 
+@LONG
 def test_repeated_selection_does_not_change_clean_boards(
     calibrated: tuple[Project, Survey],
 ) -> None:
@@ -143,6 +145,7 @@ def test_repeated_selection_does_not_change_clean_boards(
     assert (moved < 0.3).all(), moved
 
 
+@LONG
 def test_estimating_twice_gives_the_same_result(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     again = calibration.estimate(project, survey)
@@ -175,6 +178,7 @@ def test_a_line_can_have_its_own_seed(calibrated: tuple[Project, Survey]) -> Non
     assert len(shared) > 0.95 * len(own.indices)
 
 
+@LONG
 def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     calibrated: tuple[Project, Survey],
 ) -> None:

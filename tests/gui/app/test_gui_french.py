@@ -39,6 +39,7 @@ from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, show_panel, type_into
+from tests.support.long_runs import LONG
 
 
 @pytest.fixture
@@ -130,6 +131,7 @@ def test_dialogues_are_french(french: Driver, demo: Demo, estimated: Project) ->
             each.deleteLater()
 
 
+@LONG
 def test_the_import_dialogue_is_french(french: Driver, demo: Demo, tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "other.ini")
     dialog = ImportDialog(settings, french.window)
@@ -212,6 +214,7 @@ def test_files_are_identical_in_both_languages(
     assert written[0] == written[1]
 
 
+@LONG
 def test_the_study_of_visibility_is_french_throughout(
     qtbot: QtBot, qapp: QApplication, visibility_studies: list[VisibilityStudy]
 ) -> None:

@@ -20,10 +20,12 @@ from lispac.progress import Progress
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Demo, show_panel
+from tests.support.long_runs import LONG
 
 SOON_MS = 20_000
 
 
+@LONG
 def test_the_tour_continues_in_another_language(
     session: Session, qtbot: QtBot, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -73,6 +75,7 @@ def test_the_language_changes_and_nothing_is_lost(
     assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == [french]
 
 
+@LONG
 def test_a_rebuilt_window_shows_the_lines_at_once(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -87,6 +90,7 @@ def test_a_rebuilt_window_shows_the_lines_at_once(
     assert session.window.scene.is_drawn
 
 
+@LONG
 def test_the_former_window_is_deleted_with_its_viewport(session: Session, qtbot: QtBot) -> None:
     for code in ("fr", "en"):
         former = session.window
@@ -102,6 +106,7 @@ def test_the_former_window_is_deleted_with_its_viewport(session: Session, qtbot:
     assert [type(each).__name__ for each in alive].count("RecordingViewport") == 1
 
 
+@LONG
 def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo) -> None:
     english = session.window
     english.document.open(demo.picked, demo.survey)
@@ -128,6 +133,7 @@ def rebuild_window(session: Session, qtbot: QtBot, code: str) -> MainWindow:
     return session.window
 
 
+@LONG
 def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) -> None:
     session.window.document.open(demo.picked, demo.survey)
     assert session.window.workflow.opened == 2
@@ -135,6 +141,7 @@ def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) ->
     assert rebuild_window(session, qtbot, "fr").workflow.opened == 1
 
 
+@LONG
 def test_typed_texts_that_are_not_accepted_are_kept(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -168,6 +175,7 @@ def test_typed_texts_that_are_not_accepted_are_kept(
     assert not french.adjust.is_valid
 
 
+@LONG
 def test_a_pending_candidate_is_kept(session: Session, qtbot: QtBot, demo: Demo) -> None:
     session.window.document.open(demo.project, demo.survey)
     found = demo.picked.target("T1")
@@ -192,6 +200,7 @@ class ShowRecorder(QObject):
         return False
 
 
+@LONG
 def test_floating_panels_are_shown_after_the_window(
     session: Session, qtbot: QtBot, qapp: QApplication
 ) -> None:
@@ -211,6 +220,7 @@ def test_floating_panels_are_shown_after_the_window(
     assert [each for each in QApplication.topLevelWidgets() if each.isVisible()] == []
 
 
+@LONG
 def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     session: Session, qtbot: QtBot
 ) -> None:
@@ -237,6 +247,7 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     assert (chosen_text(), written()) == ("Comme la fenêtre", "fr")
 
 
+@LONG
 def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: QtBot) -> None:
     """A cancelled search checks its flag only now and then, which would block the window."""
     former = session.window
@@ -257,6 +268,7 @@ def test_a_change_of_language_waits_for_a_plan_search(session: Session, qtbot: Q
     assert ended == [None]
 
 
+@LONG
 def test_the_log_is_kept(session: Session, qtbot: QtBot) -> None:
     former = session.window
     former.log.note("Something happened")
@@ -293,6 +305,7 @@ def test_no_text_is_cut_off_in_a_small_french_window(
     assert window.width() == 1366
 
 
+@LONG
 def test_the_qualities_of_the_sightings_are_kept(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:

@@ -35,7 +35,7 @@ from lispac.project import Project
 from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs, finish_layouts, show_panel
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 """International foot (1959) and US survey foot (1893) in metres."""
@@ -182,6 +182,7 @@ def test_an_optional_field_keeps_the_digits_of_a_shown_value(
     assert "not known" in sigma.toolTip()
 
 
+@LONG
 def test_the_window_shows_one_unit_and_the_project_stays_metric(
     program: Session, demo: Demo, estimated: Project, qtbot: QtBot
 ) -> None:
@@ -246,6 +247,7 @@ def test_the_scale_bar_is_round_in_feet_and_metric_in_files(imperial: None) -> N
     assert length_text(scale_bar_length(0.01, 150)) == "2 ft"
 
 
+@LONG
 def test_comparisons_are_in_feet_and_copied_in_millimetres(
     driver: Driver, demo: Demo, estimated: Project, imperial: None
 ) -> None:
@@ -277,6 +279,7 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     assert histogram_text(first, 0.1, 10).startswith("From (mm)\tTo (mm)")
 
 
+@LONG
 def test_another_unit_rebuilds_the_window(program: Session, qtbot: QtBot, demo: Demo) -> None:
     former = program.window
     former.document.open(demo.picked, demo.survey)

@@ -22,7 +22,7 @@ from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
 from tests.gui.app.test_gui_language import SOON_MS, choose, open_menu
 from tests.gui.support import Demo, Driver, in_front, open_step, show_panel
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.view_scenes import array_of, count
 
 Scheming = Qt.ColorScheme
@@ -167,6 +167,7 @@ def choose_theme(session: Session, bot: QtBot, *names: str) -> None:
     bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
 
 
+@LONG
 def test_dark_and_light_are_chosen_and_nothing_is_lost(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -210,6 +211,7 @@ def test_the_window_follows_the_system(
     assert theme.current_scheme() is (DARK_SCHEME if other else LIGHT_SCHEME)
 
 
+@LONG
 def test_the_design_window_follows_the_system_and_stays_in_front(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -241,7 +243,7 @@ def test_a_chosen_theme_does_not_follow_the_system(
     assert theme.current_scheme() is LIGHT_SCHEME
 
 
-@pytest.mark.parametrize("choice", ["light", "dark"])
+@pytest.mark.parametrize("choice", others_long(["light", "dark"]))
 def test_texts_of_windows_have_enough_contrast(
     session: Session, qtbot: QtBot, demo: Demo, estimated, choice: str
 ) -> None:
@@ -308,6 +310,7 @@ def clipboard_image(bot: QtBot) -> QImage:
     return clipboard.image()
 
 
+@LONG
 @pytest.mark.parametrize("choice", others_long(["Light", "Dark"], lambda choice: choice == "Dark"))
 def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     session: Session, qtbot: QtBot, demo: Demo, validated: Project, tmp_path: Path, choice: str

@@ -25,6 +25,7 @@ from tests.gui.support import (
     sentence,
     type_into,
 )
+from tests.support.long_runs import LONG, others_long
 
 # -- opening, saving, closing ------------------------------------------------------------------
 
@@ -86,9 +87,9 @@ def test_a_folder_without_a_project_is_refused_with_a_message(driver: Driver, tm
     assert driver.window.document.project is None
 
 
-@pytest.mark.parametrize(("choice", "closes", "saved"), [
+@pytest.mark.parametrize(("choice", "closes", "saved"), others_long([
     ("cancel", False, 0), ("discard", True, 0), ("save", True, 1),
-])  # fmt: skip
+]))  # fmt: skip
 def test_closing_with_changes_asks(
     driver: Driver, demo: Demo, demo_copy: Path, choice, closes, saved
 ):
@@ -199,6 +200,7 @@ def test_a_line_is_hidden_by_its_check_box(picked: Driver):
     assert picked.viewport.hidden == {picked.project.lines[1].name}
 
 
+@LONG
 def test_a_new_lever_arm_moves_the_lines_and_undo_moves_them_back(picked: Driver):
     open_step(picked, 0)
     panel = picked.window.data
@@ -219,6 +221,7 @@ def test_a_new_lever_arm_moves_the_lines_and_undo_moves_them_back(picked: Driver
     assert field.value() == pytest.approx(2.173)
 
 
+@LONG
 @pytest.mark.usefixtures("reads_files")
 def test_a_closed_window_is_hidden_before_its_tasks_have_ended(
     driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch

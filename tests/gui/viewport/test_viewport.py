@@ -27,7 +27,7 @@ from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.highlights import outline_points
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.gui.support import WAIT_MS, finish_layouts
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.view_scenes import (
     BLUE,
     GREEN,
@@ -584,6 +584,7 @@ if "close" in sys.argv:
 """
 
 
+@LONG
 @pytest.mark.parametrize("ending", others_long(["close", "leave"]))
 def test_high_resolution_screen_and_clean_exit(qapp, ending):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):

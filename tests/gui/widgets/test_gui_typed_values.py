@@ -106,6 +106,7 @@ def test_f9_estimates_with_the_latency_being_typed(picked: Driver) -> None:
     assert picked.project.result.mounting.latency == pytest.approx(0.002)
 
 
+@LONG
 def test_the_estimate_button_uses_the_value_being_typed(picked: Driver) -> None:
     picked.window.adjust.cross_check.setChecked(False)
     type_lever_x(picked, "-0.15")
@@ -228,6 +229,7 @@ def test_closing_asks_to_save_the_value_being_typed(picked: Driver) -> None:
     assert picked.project.settings.lever_arm[0] == 5.0
 
 
+@LONG
 def test_save_stores_the_value_being_typed(driver: Driver, picked_folder: Path) -> None:
     driver.window.open_project(picked_folder)
     driver.bot.waitUntil(lambda: driver.window.document.project is not None)
@@ -273,6 +275,7 @@ def click_estimate(driver: Driver) -> None:
     click(driver, driver.window.adjust.estimate)
 
 
+@LONG
 def test_another_edit_keeps_a_wrong_text(picked: Driver) -> None:
     field = type_lever_x(picked, "abc")
     other = picked.window.data.lever_arm.fields[1]
@@ -350,6 +353,7 @@ def test_no_angles_are_converted_from_a_wrong_text(opened: Driver) -> None:
     assert np.degrees(panel.inputs.mounting.boresight[0]) == pytest.approx(1.25)
 
 
+@LONG
 def test_a_patch_test_does_not_search_from_a_former_angle(opened: Driver) -> None:
     controller = opened.window.panel_controllers["patch_test"]
     opened.window.actions_["patch_test"].trigger()

@@ -40,6 +40,7 @@ from tests.gui.by_hand import (
 from tests.gui.import_support import drop, raw
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import Control, Demo, Key, Left, click, press
+from tests.support.long_runs import LONG, others_long
 
 WHEEL_NOTCHES = 12
 """Notches of the wheel after which a plane of the demo fills the view."""
@@ -184,7 +185,7 @@ def test_closing_with_unsaved_changes(
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
 
 
-@pytest.mark.parametrize("button", ["Continue the task", "Stop and close"])
+@pytest.mark.parametrize("button", others_long(["Continue the task", "Stop and close"]))
 def test_closing_while_a_task_runs(hands: Hands, picked_folder: Path, button: str) -> None:
     """The question comes first; a task that the user continues gives its result."""
     open_by_keys(hands, picked_folder)
@@ -205,6 +206,7 @@ def test_closing_while_a_task_runs(hands: Hands, picked_folder: Path, button: st
     assert hands.project.result is not None
 
 
+@LONG
 def test_a_refused_name_is_typed_again_in_its_field(hands: Hands, picked_folder: Path) -> None:
     open_by_keys(hands, picked_folder)
     click(hands, hands.window.workflow.headers[1])
@@ -227,6 +229,7 @@ def test_a_refused_name_is_typed_again_in_its_field(hands: Hands, picked_folder:
     assert hands.project.targets[row].name == hands.window.targets.current == "Crane"
 
 
+@LONG
 def test_typed_details_are_not_discarded_by_escape(hands: Hands, picked_folder: Path) -> None:
     open_by_keys(hands, picked_folder)
     seen: list[str] = []

@@ -30,6 +30,7 @@ from tests.gui.support import (
     sentence,
     show_panel,
 )
+from tests.support.long_runs import LONG
 
 
 def test_no_verdict_is_shown_before_the_checks_end(picked: Driver) -> None:
@@ -63,6 +64,7 @@ def status(driver: Driver) -> tuple[bool, bool, str]:
     return project.result is not None, project.cross_checks is not None, text
 
 
+@LONG
 def test_cancelled_checks_leave_the_result_with_its_status(picked: Driver) -> None:
     press(picked, Key.Key_F9)
     picked.bot.waitUntil(lambda: picked.window.document.awaits_checks, timeout=WAIT_MS)
@@ -74,6 +76,7 @@ def test_cancelled_checks_leave_the_result_with_its_status(picked: Driver) -> No
     assert sentence(picked, ADJUST) != checking
 
 
+@LONG
 def test_other_options_make_the_report_out_of_date(adjusted: Driver, tmp_path: Path) -> None:
     window = adjusted.window
     open_step(adjusted, REPORT)

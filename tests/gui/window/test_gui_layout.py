@@ -171,7 +171,7 @@ def test_the_view_has_most_of_the_window_in_every_state(
 
 
 @pytest.mark.parametrize("size", [(1366, 768), pytest.param((1600, 1000), marks=LONG)])
-@pytest.mark.parametrize("again", ["new window", "next start"])
+@pytest.mark.parametrize("again", others_long(["new window", "next start"]))
 def test_a_layout_without_lower_panels_leaves_the_view_its_share(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project, size: tuple[int, int],
     again: str,
@@ -238,6 +238,7 @@ def test_no_row_of_the_angles_is_cut(
 # -- panels that open by themselves ----------------------------------------------------------
 
 
+@LONG
 def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver) -> None:
     assert shown_docks(opened) == {"Workflow"}
     for name in ("T1", "T2", "V1"):
@@ -254,6 +255,7 @@ def test_tables_and_results_open_when_there_is_something_to_show(opened: Driver)
     opened.bot.waitUntil(lambda: is_in_front(opened, "Histograms"), timeout=SOON_MS)
 
 
+@LONG
 def test_the_scene_stays_in_place_when_a_target_is_accepted(opened: Driver) -> None:
     """No panel opens while targets are picked; the results keep the scene where it is."""
     opened.window.resize(1600, 1000)
@@ -297,6 +299,7 @@ def test_tables_show_several_rows(
     assert space >= 5 * planes.rowHeight(0)
 
 
+@LONG
 def test_a_panel_that_the_user_closed_stays_closed(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -346,6 +349,7 @@ def drag_separator(driver: Driver, dock: QWidget, higher: int) -> None:
     driver.rest()
 
 
+@LONG
 def test_the_height_of_the_panels_is_kept(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -372,6 +376,7 @@ def test_the_height_of_the_panels_is_kept(
         later.leave()
 
 
+@LONG
 def test_tools_and_enlarged_panels_leave_the_view_to_another_project(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -409,7 +414,7 @@ def test_tools_and_enlarged_panels_leave_the_view_to_another_project(
         later.leave()
 
 
-@pytest.mark.parametrize("maximised", [False, True])
+@pytest.mark.parametrize("maximised", others_long([False, True]))
 def test_a_tool_stays_open_in_a_new_window_of_the_same_project(
     session: Session, demo: Demo, qtbot: QtBot, maximised: bool
 ) -> None:
@@ -438,6 +443,7 @@ def geometry(driver: Driver) -> dict[str, QRect | None]:
     return {t: docks[t].geometry() if is_in_front(driver, t) else None for t in docks}
 
 
+@LONG
 def test_one_key_maximises_the_view_and_restores_the_former_state(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:
@@ -473,6 +479,7 @@ def test_a_panel_that_is_opened_ends_the_maximised_view(
     assert not window.actions_["maximise"].isChecked()
 
 
+@LONG
 def test_a_maximised_view_is_not_stored(
     driver: Driver, demo: Demo, estimated: Project, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -577,6 +584,7 @@ def test_the_patch_test_covers_little_of_the_view(driver: Driver, size: tuple[in
     assert panel.picture.y() < panel.curve.y() or size[1] < 800
 
 
+@LONG
 def test_the_patch_test_opens_where_the_user_has_put_it(
     driver: Driver, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -646,6 +654,7 @@ def test_there_are_at_most_seven_menus(driver: Driver) -> None:
     assert len(driver.window.menuBar().actions()) <= 7
 
 
+@LONG
 def test_every_disabled_entry_gives_its_reason(
     driver: Driver, demo: Demo, estimated: Project
 ) -> None:
@@ -698,6 +707,7 @@ def test_every_disabled_button_of_the_steps_gives_its_reason(
                 assert any(text in button.toolTip() for text in texts), (state, button.text())
 
 
+@LONG
 def test_commands_that_open_a_project_are_disabled_while_one_is_opened(
     driver: Driver, picked_folder: Path
 ) -> None:
@@ -718,6 +728,7 @@ def test_commands_that_open_a_project_are_disabled_while_one_is_opened(
     assert advice.text() != task
 
 
+@LONG
 def test_the_steps_say_that_the_validation_is_running(
     driver: Driver, demo: Demo, estimated: Project
 ) -> None:

@@ -14,7 +14,7 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.support import Demo, Key, finish_layouts, in_front, show_panel
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SOON_MS = 20_000
 CHANGES = {"theme": "dark", "language": "fr"}
@@ -31,6 +31,7 @@ def rebuilt(session: Session, qtbot: QtBot, setting: str, value: str) -> MainWin
     return session.window
 
 
+@LONG
 def test_an_assumed_value_stays_assumed(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project
 ) -> None:
@@ -57,6 +58,7 @@ def test_an_assumed_value_stays_assumed(
     assert project.result is estimated.result
 
 
+@LONG
 def test_a_number_being_typed_is_not_applied(session: Session, qtbot: QtBot, demo: Demo) -> None:
     """It neither gets lost nor becomes a value of the panel that the project does not have."""
     window = session.window
@@ -82,6 +84,7 @@ def test_a_number_being_typed_is_not_applied(session: Session, qtbot: QtBot, dem
     assert window.document.project.settings.lever_arm == before
 
 
+@LONG
 def test_a_typed_text_keeps_its_unit(session: Session, qtbot: QtBot, demo: Demo) -> None:
     window = session.window
     window.document.open(demo.picked, demo.survey)
@@ -98,6 +101,7 @@ def test_a_typed_text_keeps_its_unit(session: Session, qtbot: QtBot, demo: Demo)
     assert session.window.document.project.settings.lever_arm[0] == pytest.approx(1.5, abs=1e-9)
 
 
+@LONG
 def test_a_typed_criterion_and_its_source_are_kept(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -120,6 +124,7 @@ def test_a_typed_criterion_and_its_source_are_kept(
     assert window.document.project.acceptance.source == "contract"
 
 
+@LONG
 def test_typed_angles_of_another_program_are_kept(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project
 ) -> None:
@@ -141,6 +146,7 @@ def test_typed_angles_of_another_program_are_kept(
     assert panel.inputs.covariance is None
 
 
+@LONG
 def test_the_curve_of_the_patch_test_is_kept(session: Session, qtbot: QtBot, demo: Demo) -> None:
     window = session.window
     window.document.open(demo.project, demo.survey)
@@ -185,6 +191,7 @@ class ShowRecorder(QObject):
         return False
 
 
+@LONG
 @pytest.mark.parametrize("title", others_long(["Patch test", "Diagnostics"]))
 def test_an_open_window_stays_above(
     session: Session, qtbot: QtBot, qapp: QApplication, title: str
@@ -207,6 +214,7 @@ def test_an_open_window_stays_above(
         assert later[-2:] == [window, own]
 
 
+@LONG
 def test_the_header_of_the_open_step_has_the_focus(
     session: Session, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -220,6 +228,7 @@ def test_the_header_of_the_open_step_has_the_focus(
         assert focused is window.workflow.headers[REPORT], focused.objectName()
 
 
+@LONG
 def test_the_open_step_stays_scrolled(session: Session, qtbot: QtBot, demo: Demo) -> None:
     window = session.window
     window.document.open(demo.picked, demo.survey)
@@ -240,7 +249,7 @@ def test_the_open_step_stays_scrolled(session: Session, qtbot: QtBot, demo: Demo
         assert bar().value() == before
 
 
-@pytest.mark.parametrize("is_active", [True, False])
+@pytest.mark.parametrize("is_active", others_long([True, False]))
 def test_the_focus_follows_a_step_that_opens_by_itself(
     session: Session, qtbot: QtBot, demo: Demo, is_active: bool
 ) -> None:

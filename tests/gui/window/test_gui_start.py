@@ -16,6 +16,7 @@ from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
+from tests.support.long_runs import LONG, others_long
 
 SAVED_AT = datetime(2026, 3, 7, 9, 5).timestamp()
 
@@ -69,7 +70,9 @@ def test_every_link_of_the_start_page_is_an_action(driver: Driver) -> None:
         assert way.description()
 
 
-@pytest.mark.parametrize(("code", "height"), [("en", 500), ("fr", 500), ("fr", 768), ("en", 1000)])
+@pytest.mark.parametrize(
+    ("code", "height"), others_long([("en", 500), ("fr", 500), ("fr", 768), ("en", 1000)])
+)
 def test_every_link_of_the_start_page_is_visible_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
@@ -149,6 +152,7 @@ def test_the_tour_leads_to_a_validated_boresight_and_a_report(
     assert not card.isVisible()
 
 
+@LONG
 def test_the_tour_explains_two_targets_of_one_orientation(
     driver: Driver, at_the_demo: Path
 ) -> None:
@@ -179,7 +183,7 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.rest()
 
 
-@pytest.mark.parametrize("removes", [True, False])
+@pytest.mark.parametrize("removes", others_long([True, False]))
 @pytest.mark.usefixtures("reads_files")
 def test_the_tour_asks_before_it_removes_targets(
     driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch, removes: bool
@@ -198,6 +202,7 @@ def test_the_tour_asks_before_it_removes_targets(
         assert [each.name for each in driver.project.targets] == names
 
 
+@LONG
 @pytest.mark.usefixtures("reads_files")
 def test_a_cancelled_tour_does_not_affect_the_next_project(
     driver: Driver, at_the_demo: Path, picked_folder: Path

@@ -22,7 +22,7 @@ from lispac.project import Project
 from lispac.workflow.calibration.proposals import Proposal
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Demo, Key, Left, ScriptedDialogs, in_front
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SOON_MS = 20_000
 Alt = Qt.KeyboardModifier.AltModifier
@@ -43,6 +43,7 @@ def choose_theme(session: Session, bot: QtBot, theme: str) -> None:
     bot.waitUntil(lambda: in_front(session.window), timeout=SOON_MS)
 
 
+@LONG
 def test_the_same_lines_are_shown_in_another_theme(
     session: Session,
     qtbot: QtBot,
@@ -130,6 +131,7 @@ def changes(session: Session, bot: QtBot, *, with_theme: bool = False) -> Iterat
     yield
 
 
+@LONG
 def test_selection_view_panels_and_undo_steps_are_kept(
     session: Session, qtbot: QtBot, demo: Demo, validated: Project, with_theme: bool
 ) -> None:
@@ -268,6 +270,7 @@ def test_a_waiting_proposal_is_kept_with_its_ticks_and_its_row(
     assert [target.name for target in window.document.project.targets] == list(ticked)
 
 
+@LONG
 def test_the_differences_between_lines_are_kept(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project, with_theme: bool
 ) -> None:
@@ -339,6 +342,7 @@ def drawn(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]
     apply_theme(qapp)
 
 
+@LONG
 def test_the_camera_and_the_former_views_are_kept(drawn: Session, qtbot: QtBot, demo: Demo) -> None:
     window = drawn.window
     window.document.open(demo.picked, demo.survey)

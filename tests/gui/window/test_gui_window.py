@@ -32,6 +32,7 @@ from tests.gui.support import (
     sentence,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG
 
 # -- seeds -------------------------------------------------------------------------------------
 
@@ -281,6 +282,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert not picked.window.actions_["after"].isEnabled()
 
 
+@LONG
 def test_a_seed_on_the_estimated_lines_is_searched_in_the_prior_lines(picked: Driver):
     estimate(picked)
     line = picked.project.lines[1].name
@@ -295,6 +297,7 @@ def test_a_seed_on_the_estimated_lines_is_searched_in_the_prior_lines(picked: Dr
     assert np.linalg.norm(place - found.seed, axis=1).min() < 1e-9
 
 
+@LONG
 def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):
     before = picked.project
     open_step(picked, 2)
@@ -320,6 +323,7 @@ def test_an_edit_cancels_the_adjustment_of_the_former_project(picked: Driver):
     assert not picked.project.target("T2").used
 
 
+@LONG
 def test_validation_fills_the_histograms_and_the_report(picked: Driver, tmp_path: Path):
     estimate(picked)
     open_step(picked, 3)

@@ -16,6 +16,7 @@ from lispac.workflow.calibration.sighting_assessment import assess_target
 from lispac.workflow.calibration.target_search import SearchPlace
 from lispac.workflow.project.survey import Survey
 from tests.support.finder_scenes import WALL, Site, site
+from tests.support.long_runs import LONG
 from tests.targets.test_finder import SharedSurvey
 
 OFF_DEG = [(0, 0, 0), (2, 2, 2), (-2, 2, -2), (2, -2, 2), (-2, -2, -2), (1, -2, 0.5)]
@@ -37,6 +38,7 @@ def off_deg(alignment: Alignment, truth: np.ndarray) -> np.ndarray:
     return np.degrees(alignment.mounting.boresight) - truth
 
 
+@LONG
 @pytest.mark.parametrize("offs", [OFF_DEG[1:3], pytest.param(OFF_DEG, marks=pytest.mark.long)])
 def test_six_harbour_lines_are_aligned_from_any_prior(
     shared_data: Path, offs: list[tuple[float, float, float]]

@@ -22,6 +22,7 @@ from lispac.workflow.calibration.target_search import TargetSearch
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.command_errors import codes_of
+from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project
 
 SEED = demo_seeds()["T1"][1]
@@ -53,6 +54,7 @@ def test_invalid_choices_are_refused(wrong: dict[str, Any]) -> None:
         FinderChoices(**wrong)
 
 
+@LONG
 def test_choices_determine_which_points_are_found(demo_project: Project, survey: Survey) -> None:
     usual = find_target(demo_project, survey, SEED, name="T1")
     assert usual.choices == DEFAULT_CHOICES
@@ -138,6 +140,7 @@ def test_a_project_of_an_earlier_version_has_the_default_choices(tmp_path: Path)
     assert {target.choices for target in read.targets} == {DEFAULT_CHOICES}
 
 
+@LONG
 def test_choices_can_be_given_at_the_command_line(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:

@@ -25,7 +25,7 @@ from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, picked_and_estimated
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import codes
 
 
@@ -65,6 +65,7 @@ def test_the_smallest_radius_is_used_if_no_second_line_has_points() -> None:
     assert [each.line for each in found.sightings] == ["L1"]
 
 
+@LONG
 def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
     """Unlike a plane, a sphere has no single normal to measure the separation along."""
     project, survey = picked_and_estimated()

@@ -34,6 +34,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.error_codes import has_code
 from tests.support.few_lines import site_of_few_lines
 from tests.support.finder_scenes import WALL, Site, rippled, site
+from tests.support.long_runs import LONG
 from tests.targets.test_finder_sites import board, wall
 
 
@@ -226,6 +227,7 @@ def test_planes_are_added_if_boards_do_not_determine_an_angle() -> None:
     assert (np.abs(result.boresight - scene_site.boresight) < 3 * result.sigma).all()
 
 
+@LONG
 def test_parallel_planes_are_proposed_if_accepted() -> None:
     """Two upright boards, one a little behind the other; refused without the setting."""
     boards = [
@@ -259,6 +261,7 @@ def test_in_the_classical_model_the_same_boards_are_proposed() -> None:
     assert proposal.sigma[0] < 0.7 * usual.sigma[0]
 
 
+@LONG
 def test_targets_close_to_each_other_are_not_proposed_together() -> None:
     """Two of four boards are 0.65 m apart, less than a twentieth of their distance to the lines."""
     boards = [

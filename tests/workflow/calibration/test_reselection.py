@@ -11,6 +11,7 @@ from lispac.workflow.calibration.reselection import reselect_target
 from lispac.workflow.project.survey import Survey
 from tests.studies.false_warnings import spinning
 from tests.support.finder_scenes import WALL, Site, site
+from tests.support.long_runs import LONG
 
 BOARD = (0.0, WALL, 7.0)
 LINES = 3
@@ -119,6 +120,7 @@ def test_a_board_picked_with_a_wrong_prior_is_selected_again(off_deg: tuple[floa
     require_all_board_points(seen, target, again)
 
 
+@LONG
 @pytest.mark.parametrize("seed", [25, pytest.param(8, marks=pytest.mark.long)])
 def test_a_board_before_a_wall_keeps_its_points_with_a_spinning_scanner(seed: int) -> None:
     """The wall has twenty times the points of the board."""

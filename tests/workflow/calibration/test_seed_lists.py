@@ -22,6 +22,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.cli.test_cli import run
 from tests.support.command_errors import command_error
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 
 SEEDS = demo_seeds()
@@ -89,6 +90,7 @@ def test_picking_from_a_list_equals_single_picks(
         np.testing.assert_array_equal(sighting.indices, other.indices)
 
 
+@LONG
 def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     capsys: pytest.CaptureFixture[str], folder: Path, survey: Survey
 ) -> None:
@@ -120,6 +122,7 @@ def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     }
 
 
+@LONG
 def test_a_list_with_errors_is_refused_as_a_whole(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
@@ -141,6 +144,7 @@ def test_a_list_with_errors_is_refused_as_a_whole(
     assert "A (row 1): " in none
 
 
+@LONG
 def test_an_existing_name_is_refused_or_replaced(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:

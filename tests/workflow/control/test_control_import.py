@@ -38,6 +38,7 @@ from lispac.workflow.control.control_import import import_control
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project.survey import Survey
 from tests.support.few_lines import on_board, picked, site_of_few_lines
+from tests.support.long_runs import LONG, others_long
 
 CORNERS = ((-0.4, -0.3), (-0.4, 0.3), (0.4, -0.3), (0.4, 0.3))
 SIGMA = 0.002
@@ -122,6 +123,7 @@ def test_points_are_assigned_by_the_names_in_the_list(
         np.testing.assert_allclose(point.position, place, atol=6e-6)
 
 
+@LONG
 def test_points_are_assigned_by_their_places(
     solved_known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
@@ -163,6 +165,7 @@ def test_three_sigmas_of_a_list(known: tuple[Project, Survey], tmp_path: Path) -
     assert project.control[0].points[0].target == "T1"
 
 
+@LONG
 def test_a_static_scan_gives_three_points_of_each_plane(
     solved_known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
@@ -255,6 +258,7 @@ def test_excluded_points_and_targets_are_not_used(with_control: tuple[Project, S
     assert set(used.targets) == {"T2"}
 
 
+@LONG
 def test_a_wrong_point_is_named(known: tuple[Project, Survey], tmp_path: Path) -> None:
     points = surveyed()
     points["T2.3"] = points["T2.3"] + 0.05 * site_of_few_lines().scene["T2"].normal
@@ -374,7 +378,7 @@ def assignment(project: Project) -> dict[str, str]:
     return {point.name: point.target for file in project.control for point in file.points}
 
 
-@pytest.mark.parametrize("plane", [False, True])
+@pytest.mark.parametrize("plane", others_long([False, True]))
 def test_control_is_assigned_to_a_target_that_is_added_later(
     known: tuple[Project, Survey], tmp_path: Path, plane: bool
 ) -> None:

@@ -23,7 +23,7 @@ from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.input_file_samples import LEVER, START, fan, write_line, write_survey
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.trajectory_files import write_records
 
 POINT_COUNT = 3000
@@ -172,6 +172,7 @@ def test_duplicate_points_are_excluded_and_counted(folder: Path, name: str, how:
     np.testing.assert_allclose(points_lidar, points, atol=1e-4)
 
 
+@LONG
 def test_distant_duplicates_are_excluded(folder: Path) -> None:
     """A duplicate follows after more points than the table of recent points holds."""
     count = 200_000
@@ -289,6 +290,7 @@ def test_points_with_one_value_for_all_coordinates_are_excluded(
     assert found["audit.no_range"].params["count"] == len(points[::14])
 
 
+@LONG
 def test_distant_points_on_the_map_are_excluded(folder: Path) -> None:
     survey = open_lines(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT)))
     project = open_project(folder.parent / "project")

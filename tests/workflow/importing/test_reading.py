@@ -21,6 +21,7 @@ from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.support.command_errors import command_error, is_refusal
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 APPLIED_BORESIGHT_DEG = (0.5, -1.0, 0.7)
 """Boresight (deg) that other software made the clouds with."""
@@ -88,6 +89,7 @@ def test_raw_lines_are_read_as_own_format(calibrated, tmp_path) -> None:
     assert read.scans[name].fingerprint == survey.scans[name].fingerprint
 
 
+@LONG
 def test_a_trajectory_as_text_gives_the_same_poses(calibrated, tmp_path) -> None:
     project, _ = calibrated
     own = read_sbet(project.trajectory)

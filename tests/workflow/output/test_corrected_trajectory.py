@@ -31,6 +31,7 @@ from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.support.command_errors import refused_with
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 from tests.support.message_codes import codes
 
 NED_SIGNS = np.array([1.0, -1.0, -1.0, 1.0, -1.0, 1.0])
@@ -158,6 +159,7 @@ def test_lines_are_georeferenced_with_the_corrected_trajectory(
     assert np.linalg.norm(points.xyz - given, axis=1).mean() > 2e-3
 
 
+@LONG
 def test_a_cloud_states_that_its_trajectory_was_corrected(project: Project, tmp_path: Path) -> None:
     name = project.lines[0].name
     for choice in ("corrected", "given"):
@@ -289,6 +291,7 @@ def test_the_command_writes_the_files_and_prints_the_support(
     )  # fmt: skip
 
 
+@LONG
 def test_the_report_has_the_largest_corrections_of_the_file(
     calibrated: tuple[Project, Survey], written: WrittenTrajectory, tmp_path: Path
 ) -> None:

@@ -37,6 +37,7 @@ from tests.support.concurrent_commands import (
     run,
     state,
 )
+from tests.support.long_runs import LONG
 
 
 @pytest.fixture
@@ -112,6 +113,7 @@ def test_points_of_unsaved_work_are_kept_when_another_program_saves(folder: Path
     assert unsaved.target("Fewer").sightings[0].line == target.sightings[0].line
 
 
+@LONG
 def test_a_reader_gets_a_consistent_state(folder: Path) -> None:
     """Each save removes the points to which the previous state refers."""
     project = read_project(folder)
@@ -214,6 +216,7 @@ def test_a_lock_does_not_follow_a_link(folder: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "elsewhere").exists()
 
 
+@LONG
 def test_a_read_only_folder_is_refused_before_the_computation(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -26,6 +26,7 @@ from lispac.workflow.project.survey import Survey
 from tests.gui import by_hand
 from tests.gui.support import Driver, Key, Left, click, show_panel
 from tests.support.error_codes import has_code
+from tests.support.long_runs import LONG
 
 Calibrated = tuple[Project, Survey]
 
@@ -302,6 +303,7 @@ def test_the_gizmo_is_rotated_by_mouse_and_keys(qtbot: QtBot, qapp: QApplication
     assert above > 0
 
 
+@LONG
 def test_the_panel_shows_the_boresight_of_the_window(
     driver: Driver, calibrated: Calibrated
 ) -> None:
@@ -334,6 +336,7 @@ def test_the_panel_shows_the_boresight_of_the_window(
     assert "1 sigma" not in rows(panel)
 
 
+@LONG
 def test_the_boresight_is_saved_for_a_program(
     driver: Driver, calibrated: Calibrated, tmp_path: Path
 ) -> None:

@@ -24,6 +24,7 @@ from tests.gui.design_support import (
     wait_for_plan,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 
@@ -66,7 +67,7 @@ def test_roll_improves_while_a_line_is_dragged_farther_away(
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
 
 
-@pytest.mark.parametrize(("modifier", "whole"), [(NoModifier, True), (Shift, False)])
+@pytest.mark.parametrize(("modifier", "whole"), others_long([(NoModifier, True), (Shift, False)]))
 def test_dragging_the_arrow_of_a_line_turns_it(
     driver: Driver, design: DesignWindow, modifier, whole: bool
 ) -> None:
@@ -218,6 +219,7 @@ def test_the_pos_and_the_stochastic_model_are_edited(driver: Driver, design: Des
     assert shown(design) == predicted(design)
 
 
+@LONG
 def test_a_plan_is_saved_and_opened_and_unsaved_changes_are_asked_about(
     driver: Driver, design: DesignWindow, tmp_path
 ) -> None:

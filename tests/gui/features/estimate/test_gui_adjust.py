@@ -38,6 +38,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG
 from tests.support.message_codes import codes, is_shown
 
 
@@ -118,6 +119,7 @@ def test_errors_of_the_settings_are_shown(picked: Driver):
     assert "times too small" in panel.model_sentence.text()
 
 
+@LONG
 def test_every_changed_setting_is_an_undo_step_and_is_used(picked: Driver):
     panel, before = picked.window.adjust, picked.project
     stack = picked.window.document.undo_stack
@@ -214,6 +216,7 @@ def test_a_wrong_lever_arm_is_estimated(picked: Driver):
     assert "significant" in shown
 
 
+@LONG
 def test_the_classical_model_keeps_its_warning(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
@@ -226,6 +229,7 @@ def test_the_classical_model_keeps_its_warning(picked: Driver):
 # -- a pending candidate, and errors -------------------------------------------------------------
 
 
+@LONG
 def test_estimate_asks_about_a_pending_candidate(opened: Driver, demo: Demo):
     opened.window.document.edit("picks", demo.project.with_target(demo.picked.target("T1")))
     seed(opened, "T2")
@@ -238,6 +242,7 @@ def test_estimate_asks_about_a_pending_candidate(opened: Driver, demo: Demo):
     assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
 
 
+@LONG
 def test_the_workflow_follows_to_the_step_of_a_requested_result(picked: Driver):
     open_step(picked, TARGETS)
     estimate(picked)
@@ -311,6 +316,7 @@ def test_a_check_box_estimates_again_and_undo_reverts_both(picked: Driver):
     assert (angles(picked) == less).all()
 
 
+@LONG
 def test_a_whole_line_is_excluded_in_a_project_opened_with_its_result(
     driver: Driver, demo: Demo, estimated: Project
 ):
@@ -330,6 +336,7 @@ def test_a_whole_line_is_excluded_in_a_project_opened_with_its_result(
     assert driver.window.actions_["undo"].text() == f"&Undo inclusion of line {line}"
 
 
+@LONG
 def test_too_few_sightings_are_refused_in_the_panel_without_a_message_box(
     driver: Driver, demo: Demo, estimated: Project
 ):
@@ -356,6 +363,7 @@ def test_too_few_sightings_are_refused_in_the_panel_without_a_message_box(
     driver.window.runner.cancel()
 
 
+@LONG
 def test_a_single_board_is_refused_until_one_orientation_is_accepted(
     driver: Driver, demo: Demo, estimated: Project
 ):
@@ -444,6 +452,7 @@ def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(
     assert "X down" in text
 
 
+@LONG
 def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(
     driver: Driver, denser_demo: Demo
 ):
@@ -491,6 +500,7 @@ def test_a_conservative_lidar_noise_is_replaced_by_that_of_the_residuals(
     assert not picked.project.settings.is_lidar_noise_from_residuals
 
 
+@LONG
 def test_the_values_of_the_fit_are_not_cut_after_a_change(adjusted: Driver) -> None:
     result = adjusted.project.result
     assert result is not None

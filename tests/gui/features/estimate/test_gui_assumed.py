@@ -26,6 +26,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG
 
 ASSUMED = ("LiDAR", "POS position", "POS attitude")
 
@@ -44,6 +45,7 @@ def without_given_sigmas(driver: Driver) -> None:
     driver.rest()
 
 
+@LONG
 def test_assumed_values_are_grey_until_they_are_typed(picked: Driver) -> None:
     data = picked.window.data
     open_step(picked, 0)
@@ -91,6 +93,7 @@ def test_an_assumed_noise_is_estimated_and_named_in_the_results(
     assert not window.results.use_noise.isVisible()
 
 
+@LONG
 def test_assumed_sigmas_cause_no_alarm(driver: Driver, denser_demo: Demo) -> None:
     window = driver.window
     window.document.open(denser_demo.picked, denser_demo.survey)
@@ -152,6 +155,7 @@ def test_a_sensor_fills_in_the_divergence_and_gives_the_sigmas(
     assert settings.beam_divergence_mrad == pytest.approx(page.divergence.value()) != 0
 
 
+@LONG
 def test_a_typed_noise_replaces_the_range_noise_of_a_scanner(
     picked: Driver, tmp_path: Path
 ) -> None:

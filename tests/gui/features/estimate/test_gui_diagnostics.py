@@ -31,7 +31,7 @@ from tests.gui.support import (
     show_panel,
     wait_until_idle,
 )
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 
 @pytest.fixture
@@ -285,6 +285,7 @@ def test_findings_are_marked_with_text_and_colour(shown: Driver, estimated: Proj
     assert f"without line {line}" in shown_text
 
 
+@LONG
 def test_the_result_of_a_check_box_is_shown_and_then_cross_checked(
     shown: Driver, estimated: Project
 ):
@@ -307,6 +308,7 @@ def test_the_result_of_a_check_box_is_shown_and_then_cross_checked(
     assert turn_to(shown, "Cross-checks").advice == ""
 
 
+@LONG
 @pytest.mark.parametrize("checked", others_long([True, False]))
 def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool

@@ -27,6 +27,7 @@ from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest, exp
 from lispac.workflow.project.output_crs import utm_zone
 from tests.gui.support import Control, Demo, Driver, Key, Left, click_in_box, press, use_next_dialog
 from tests.support.cloud_files import track
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 from tests.workflow.output.test_target_systems import ITRF, NAD83, on_map
 
@@ -134,6 +135,7 @@ def test_the_corrected_trajectory_is_offered_with_its_support(dialog: ExportDial
     assert request.trajectory_choice == "given"
 
 
+@LONG
 def test_the_corrected_trajectory_is_written(adjusted: Driver, tmp_path: Path) -> None:
     request = ExportRequest("corrected_trajectory", tmp_path / "c.out", form="sbet")
     adjusted.dialogs.export_request = request
@@ -161,6 +163,7 @@ def test_only_the_prior_is_offered_without_an_estimate(qtbot: QtBot, demo: Demo)
     assert not dialog.boresight.isEnabled()
 
 
+@LONG
 def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> None:
     zone = utm_zone(picked.window.document.survey.trajectory)
     picked.dialogs.export_request = ExportRequest("lines", tmp_path / "l", "prior", "laz", zone)

@@ -12,6 +12,7 @@ from lispac import caches
 from lispac.workflow.output import manual
 from tests.documents.manual_tables import folder, tables
 from tests.gui.support import Control, Driver, Key, open_step, press
+from tests.support.long_runs import others_long
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +31,7 @@ def _built_once(manual_pages: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(manual, "build_manual", copied)
 
 
-@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("language", others_long(["en", "fr"]))
 def test_the_manual_is_opened_in_the_language_of_the_window(
     driver: Driver, language: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

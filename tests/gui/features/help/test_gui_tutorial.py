@@ -21,6 +21,7 @@ from lispac.workflow.project.projects import open_project
 from tests.gui.reader import Reader, StepError
 from tests.gui.support import WAIT_MS
 from tests.support.french_catalogue import FRENCH
+from tests.support.long_runs import LONG, others_long
 from tests.support.tutorial_steps import Step, page, steps_of
 
 REPORTS = {"en": "boresight.pdf", "fr": "etalonnage.pdf"}
@@ -51,6 +52,7 @@ def program(
     set_language("en")
 
 
+@LONG
 @pytest.mark.parametrize(
     "program", ["en", pytest.param("fr", marks=pytest.mark.long)], indirect=True
 )
@@ -126,13 +128,15 @@ def _bare(text: str) -> str:
 @pytest.mark.parametrize("program", ["en"], indirect=True)
 @pytest.mark.parametrize(
     ("step", "problem"),
-    [
-        (Step("click", "Four-minute tour", 3), "is not there to be clicked"),
-        (Step("click", "Undo", 3), "is greyed"),
-        (Step("menu", "File > Send", 3), "no menu has 'Send'"),
-        (Step("see", "Tour, step 1 of 8", 3), "is not seen"),
-        (Step("type", "Saucier", 3), "nothing is there to type"),
-    ],
+    others_long(
+        [
+            (Step("click", "Four-minute tour", 3), "is not there to be clicked"),
+            (Step("click", "Undo", 3), "is greyed"),
+            (Step("menu", "File > Send", 3), "no menu has 'Send'"),
+            (Step("see", "Tour, step 1 of 8", 3), "is not seen"),
+            (Step("type", "Saucier", 3), "nothing is there to type"),
+        ]
+    ),
 )
 def test_a_page_that_names_missing_widgets_fails(
     program: MainWindow, step: Step, problem: str, monkeypatch: pytest.MonkeyPatch

@@ -26,6 +26,7 @@ from tests.gui.support import (
     seed,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG
 from tests.support.view_scenes import BLUE, RED, YELLOW, array_of, count, pixel, scene
 
 ALT = Qt.KeyboardModifier.AltModifier
@@ -114,6 +115,7 @@ def test_a_movement_is_stored_before_a_command_and_the_projection_is_kept(viewpo
     np.testing.assert_array_equal(state(viewport), before), "views of the former lines"
 
 
+@LONG
 def test_former_views_by_keys_and_menu(real: Driver, demo: Demo) -> None:
     window, viewport = real.window, real.viewport
     window.document.open(demo.picked, demo.survey)
@@ -358,6 +360,7 @@ def test_other_lines_or_the_split_view_end_the_linked_views(adjusted: Driver) ->
     assert viewport.wipe_clouds is None
 
 
+@LONG
 def test_without_a_result_two_views_say_why_not_and_four_show_the_prior_lines(
     picked: Driver,
 ) -> None:
@@ -380,6 +383,7 @@ def test_without_a_result_two_views_say_why_not_and_four_show_the_prior_lines(
     assert len(picked.viewport.linked) == 3
 
 
+@LONG
 def test_escape_ends_the_tool_then_rejects_the_target_then_ends_the_views(adjusted: Driver) -> None:
     window, viewport = adjusted.window, adjusted.viewport
     wait_until_idle(adjusted)

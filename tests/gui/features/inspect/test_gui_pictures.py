@@ -26,6 +26,7 @@ from lispac.gui.viewport.overlay import (
 )
 from lispac.project import Project
 from tests.gui.support import Control, Demo, Driver, Key, click, press, wait_until_idle
+from tests.support.long_runs import LONG
 from tests.support.view_scenes import scene
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -57,6 +58,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     assert picked.dialogs.errors[-1].code == "file.not_writable"
 
 
+@LONG
 def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path: Path) -> None:
     press(picked, Key.Key_S)
     panel = picked.window.tools.sections.panel
@@ -94,6 +96,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     assert len(picked.dialogs.errors) == 1
 
 
+@LONG
 def test_a_section_in_feet_is_saved_in_metres(
     demo: Demo, validated: Project, driver: Driver, tmp_path: Path
 ) -> None:

@@ -44,7 +44,7 @@ from tests.gui.support import (
     seed,
     use_next_dialog,
 )
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.topocentric import east_north_up_by_proj, local_by_proj
 
 Right, NoModifier = Qt.MouseButton.RightButton, Qt.KeyboardModifier.NoModifier
@@ -141,6 +141,7 @@ def language(request: pytest.FixtureRequest) -> Iterator[str]:
     set_language("en")
 
 
+@LONG
 def test_the_whole_point_is_shown_in_a_narrow_window(language: str, board: Driver) -> None:
     window = board.window
     window.resize(1366, 768)
@@ -158,6 +159,7 @@ def test_the_whole_point_is_shown_in_a_narrow_window(language: str, board: Drive
     assert f"{float(degrees):.0f}°" in QToolTip.text()
 
 
+@LONG
 def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:
     clipboard, canvas = QGuiApplication.clipboard(), board.viewport.canvas
     place = board_pixel(board)
@@ -186,6 +188,7 @@ def test_ctrl_c_and_the_menu_copy_the_point(board: Driver) -> None:
     assert board.viewport.widget.findChild(QMenu, "point_menu") is None, "a drag pans"
 
 
+@LONG
 @pytest.mark.parametrize("length", others_long(["feet", "metres"]))
 def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
     clipboard, canvas = QGuiApplication.clipboard(), board.viewport.canvas
@@ -222,6 +225,7 @@ def test_a_copied_point_is_pasted_as_a_seed(board: Driver, length: str) -> None:
     assert np.linalg.norm(cloud.sample - candidate.seed, axis=1).min() < 1e-3
 
 
+@LONG
 def test_the_axes_point_as_the_coordinates_grow(board: Driver) -> None:
     """A point farther east, north or up is drawn in the direction of the axis of that name."""
     for key in (Key.Key_1, Key.Key_2, Key.Key_3):
@@ -256,6 +260,7 @@ def has_colour(picture: QImage, place: np.ndarray, colour: QColor) -> bool:
     return any(each.rgb() == colour.rgb() for each in near)
 
 
+@LONG
 def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> None:
     place = board_pixel(board)
     metres = hover(board, place)
@@ -283,6 +288,7 @@ def test_the_values_have_the_unit_of_the_user_and_a_tooltip(board: Driver) -> No
     assert number(feet["Range"]) * FOOT == pytest.approx(np.linalg.norm(points_lidar), abs=6e-4)
 
 
+@LONG
 def test_the_tooltip_ends_with_a_move_and_with_picking(board: Driver) -> None:
     canvas, place = board.viewport.canvas, board_pixel(board)
 
@@ -324,6 +330,7 @@ def test_the_tooltip_is_beside_the_mouse_and_in_the_view(x: float, y: float) -> 
     assert tip.intersects(QRect(mouse, QSize(1, 1)).adjusted(-60, -60, 60, 60))
 
 
+@LONG
 def test_no_tooltip_covers_the_view_while_a_candidate_waits(board: Driver) -> None:
     place = board_pixel(board)
     board.window.controller.set_candidate(replace(board.project.target("T1"), name="T9"))
@@ -336,6 +343,7 @@ def test_no_tooltip_covers_the_view_while_a_candidate_waits(board: Driver) -> No
     board.bot.waitUntil(QToolTip.isVisible, timeout=WAIT_MS)
 
 
+@LONG
 def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> None:
     values = hover(board, board_pixel(board))
     board.bot.keyClick(board.viewport.canvas, Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
@@ -345,6 +353,7 @@ def test_the_point_is_read_again_after_a_movement_of_the_view(board: Driver) -> 
     assert readout.values == []
 
 
+@LONG
 def test_a_clicked_seed_is_marked_while_its_target_is_searched(
     board: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -403,6 +412,7 @@ def test_the_mark_of_a_seed_ends_with_a_cancelled_or_failed_search(opened: Drive
     assert view.markers == []
 
 
+@LONG
 def test_a_click_beside_the_points_is_answered_at_the_mouse(board: Driver) -> None:
     canvas, window = board.viewport.canvas, board.window
     board.viewport.view("isometric")
@@ -420,6 +430,7 @@ def test_a_click_beside_the_points_is_answered_at_the_mouse(board: Driver) -> No
     assert window.controller.candidate is None
 
 
+@LONG
 def test_the_note_at_the_mouse_stays_after_ctrl_is_released(board: Driver) -> None:
     canvas = board.viewport.canvas
     board.viewport.view("isometric")
@@ -435,6 +446,7 @@ def test_the_note_at_the_mouse_stays_after_ctrl_is_released(board: Driver) -> No
     QTest.keyRelease(canvas, Key.Key_Control)
 
 
+@LONG
 def test_a_click_beside_the_points_names_the_surface_to_pick(board: Driver) -> None:
     canvas, notes = board.viewport.canvas, board.window.task_bar
     board.viewport.view("isometric")
@@ -449,6 +461,7 @@ def test_a_click_beside_the_points_names_the_surface_to_pick(board: Driver) -> N
     assert "validation plane" in texts[1]
 
 
+@LONG
 def test_the_help_on_the_mouse_fades_after_its_first_use(board: Driver) -> None:
     overlay, settings = board.viewport.widget.overlay, board.window.settings
     assert overlay.help_opacity == 1.0

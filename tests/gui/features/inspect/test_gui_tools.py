@@ -38,7 +38,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -151,6 +151,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert not panel.canvas.isVisible()
 
 
+@LONG
 def test_the_section_gives_the_offsets_of_the_table_of_pairs(
     demo: Demo, validated: Project, driver: Driver
 ) -> None:
@@ -202,6 +203,7 @@ def exaggerate(driver: Driver, factor: str) -> None:
     assert choice.currentText() == factor
 
 
+@LONG
 @pytest.mark.parametrize("name", others_long(["T1", "T2"], lambda name: name == "T2"))
 def test_distances_between_lines_are_drawn_larger(adjusted: Driver, name: str) -> None:
     """T1 is vertical and T2 leans; both are then drawn upright, by their distances."""
@@ -326,6 +328,7 @@ def test_the_whole_section_is_shown_in_a_figure_of_any_size(adjusted: Driver) ->
         assert drawn_px > 0.1 * figure.dpi, "2 cm between lines are visible"
 
 
+@LONG
 @pytest.mark.parametrize("factor", others_long(["automatic", "1", "50"]))
 @pytest.mark.parametrize("language", others_long(LANGUAGES, lambda code: code == "fr"))
 def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
@@ -382,6 +385,7 @@ def test_a_low_section_has_separate_numbers_and_titles_of_one_line(
             assert list(before.get_yticks()) == list(after.get_yticks())
 
 
+@LONG
 def test_an_accepted_target_is_selected_and_has_its_section(opened: Driver) -> None:
     window, panel = opened.window, opened.window.tools.sections.panel
     press(opened, Key.Key_S)
@@ -457,6 +461,7 @@ def drag_handle(driver: Driver, handle: int, metres: float) -> None:
     wait_until_idle(driver)
 
 
+@LONG
 def test_the_section_is_dragged_through_the_scene_and_stepped_by_keys(
     real: Driver, demo: Demo
 ) -> None:

@@ -21,9 +21,11 @@ from lispac.messages import Action
 from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
 from tests.gui.support import WAIT_MS, Demo, Key, Left, finish_layouts
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 
 
+@LONG
 def test_the_maximum_range_may_have_a_comma_and_a_unit(
     filled: ImportDialog, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -106,6 +108,7 @@ def test_a_folder_is_searched_and_unknown_files_are_listed_with_the_reason(
     assert "The trajectory is missing" in dialog.reason.text()
 
 
+@LONG
 def test_the_examination_can_be_stopped_and_resumed(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo
 ) -> None:
@@ -122,6 +125,7 @@ def test_the_examination_can_be_stopped_and_resumed(
     assert dialog.ok.isEnabled(), dialog.reason.text()
 
 
+@LONG
 def test_roles_are_chosen_and_files_removed_by_keys(filled: ImportDialog, qtbot: QtBot) -> None:
     combo = filled.table.cellWidget(7, ROLE)
     assert isinstance(combo, QComboBox)
@@ -284,6 +288,7 @@ def test_a_damaged_file_is_an_error_with_its_name_and_can_be_removed(
     assert filled.ok.isEnabled(), "the other files can be imported"
 
 
+@LONG
 def test_the_mounting_page_scrolls_to_the_end_of_its_content_only(
     filled: ImportDialog, qtbot: QtBot
 ) -> None:

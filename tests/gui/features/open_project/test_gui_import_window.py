@@ -23,12 +23,14 @@ from lispac.gui.window.dialogs import Dialogs
 from lispac.workflow.project.projects import open_project
 from tests.gui.import_support import drop, raw
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click_in_box, use_next_dialog
+from tests.support.long_runs import LONG, others_long
 
 Tab = Qt.Key.Key_Tab
 
 # -- closing ---------------------------------------------------------------------------------------
 
 
+@LONG
 def test_escape_asks_before_it_discards_files(filled: ImportDialog, qtbot: QtBot) -> None:
     rows = filled.table.rowCount()
     assert rows > 1
@@ -60,6 +62,7 @@ def test_escape_closes_an_empty_dialogue_at_once(dialog: ImportDialog) -> None:
 # -- table of the files ----------------------------------------------------------------------------
 
 
+@LONG
 def test_times_have_no_separators_and_the_state_is_not_cut(filled: ImportDialog) -> None:
     table = filled.table
     for row in range(table.rowCount()):
@@ -74,6 +77,7 @@ def test_times_have_no_separators_and_the_state_is_not_cut(filled: ImportDialog)
 # -- quality ---------------------------------------------------------------------------------------
 
 
+@LONG
 def test_quality_figures_are_drawn_when_shown(filled: ImportDialog, qtbot: QtBot) -> None:
     assert filled.quality.canvas is None
     filled.tabs.setCurrentIndex(QUALITY)
@@ -146,6 +150,7 @@ def test_ticks_are_round_and_few() -> None:
 # -- keyboard --------------------------------------------------------------------------------------
 
 
+@LONG
 def test_all_widgets_are_reached_with_the_tab_key(filled: ImportDialog, qtbot: QtBot) -> None:
     expected = {
         "import_add_files", "import_add_folder", "import_remove", "import_files",
@@ -166,6 +171,7 @@ def test_all_widgets_are_reached_with_the_tab_key(filled: ImportDialog, qtbot: Q
 # -- from the window -------------------------------------------------------------------------------
 
 
+@LONG
 def test_the_origin_begins_with_the_mean_position(filled: ImportDialog, qtbot: QtBot) -> None:
     """A zero origin would be thousands of kilometres away."""
     page, content = filled.mounting, filled.input_files.trajectory_content
@@ -185,7 +191,7 @@ def test_files_dropped_on_the_window_open_the_dialogue(driver: Driver, demo: Dem
     assert driver.dialogs.dropped == raw(demo)
 
 
-@pytest.mark.parametrize("name", ["project.json", ""])
+@pytest.mark.parametrize("name", others_long(["project.json", ""]))
 def test_a_project_dropped_on_the_window_opens(driver: Driver, demo_copy: Path, name: str) -> None:
     drop(driver.window, [demo_copy / name if name else demo_copy])
     driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)

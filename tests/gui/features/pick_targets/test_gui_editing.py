@@ -10,6 +10,7 @@ from lispac.geometry.planes import fit_plane
 from lispac.gui.project.residuals import OTHER_POINTS_COLOUR, residuals, validation_distances
 from lispac.present.targets.sightings import sighting_values
 from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
+from tests.support.long_runs import LONG
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -100,6 +101,7 @@ def test_a_lasso_around_all_points_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
 
 
+@LONG
 def test_the_status_bar_clears_its_text_when_the_project_changes(picked: Driver) -> None:
     bar = picked.window.task_bar
     seed(picked, "T2")
@@ -125,6 +127,7 @@ def test_the_status_bar_and_the_log_name_the_undone_edit(picked: Driver) -> None
     assert bar.currentMessage() != undone
 
 
+@LONG
 def test_the_target_of_an_undone_edit_is_selected(picked: Driver) -> None:
     """Undone and redone edits of one target select it in the list and in the view."""
     window, stack = picked.window, picked.window.document.undo_stack
@@ -145,6 +148,7 @@ def test_the_target_of_an_undone_edit_is_selected(picked: Driver) -> None:
         assert (window.targets.current, window.scene.selected) == ("T2", ("T2", ""))
 
 
+@LONG
 def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
     window, control = picked.window, picked.window.controller
     stack = window.document.undo_stack
@@ -200,6 +204,7 @@ def test_roles_change_except_for_spheres(picked: Driver) -> None:
     assert picked.project.target("T1").role == "target"
 
 
+@LONG
 def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport
     window.actions_["colour_residual"].trigger()

@@ -35,6 +35,7 @@ from tests.gui.support import (
     seed,
     use_next_dialog,
 )
+from tests.support.long_runs import LONG
 
 TARGETS_STEP = 1
 """Index of the step of the workflow."""
@@ -75,6 +76,7 @@ def cells(table: QTableWidget, column: int) -> list[str]:
     return [table.item(row, column).text() for row in range(table.rowCount())]
 
 
+@LONG
 def test_some_proposed_targets_are_accepted_and_undone_in_one_step(
     opened: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -308,6 +310,7 @@ def find_again(driver: Driver, threshold_mm: float, radius: float) -> Project:
     return driver.project
 
 
+@LONG
 def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
     open_step(picked, TARGETS_STEP)
     picked.window.targets.table.clearSelection()

@@ -22,6 +22,7 @@ from tests.gui.support import (
     seed,
     wait_until_idle,
 )
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 Role = Qt.ItemDataRole
@@ -92,6 +93,7 @@ def test_an_effect_of_the_prior_boresight_below_a_tenth_of_a_millimetre_is_not_s
         assert "0.0\u00a0mm" not in tip
 
 
+@LONG
 def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
@@ -112,6 +114,7 @@ def test_a_poor_sighting_is_reported_and_can_be_excluded_and_restored(picked: Dr
     assert "Quality: good" in shown_value(picked, "T1", line, Role.ToolTipRole)
 
 
+@LONG
 def test_quality_is_computed_with_the_estimated_boresight(
     picked: Driver, demo: Demo, estimated: Project
 ) -> None:
@@ -200,11 +203,13 @@ def test_quality_lights_belong_to_the_current_candidate(opened: Driver) -> None:
 
 @pytest.mark.parametrize(
     ("count", "last"),
-    [
-        (2, ""),
-        (3, "and 1 more line of doubtful or poor quality"),
-        (4, "and 2 more lines of doubtful or poor quality"),
-    ],
+    others_long(
+        [
+            (2, ""),
+            (3, "and 1 more line of doubtful or poor quality"),
+            (4, "and 2 more lines of doubtful or poor quality"),
+        ]
+    ),
 )
 def test_further_lines_of_doubtful_quality_are_counted(
     opened: Driver, count: int, last: str

@@ -33,6 +33,7 @@ from tests.gui.support import (
     seed,
     use_next_dialog,
 )
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 TARGETS_STEP = 1
@@ -160,7 +161,9 @@ def test_enter_accepts_a_target_found_with_the_button_for_coordinates(opened: Dr
     assert [target.name for target in opened.project.targets] == ["T1"]
 
 
-@pytest.mark.parametrize(("choice", "names"), [("accept", ["T1"]), ("reject", []), ("cancel", [])])
+@pytest.mark.parametrize(
+    ("choice", "names"), others_long([("accept", ["T1"]), ("reject", []), ("cancel", [])])
+)
 def test_a_waiting_target_is_not_discarded_by_another_search(
     opened: Driver, choice: CandidateChoice, names: list[str]
 ) -> None:
@@ -231,6 +234,7 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
     assert picked.window.controller.candidate is None
 
 
+@LONG
 def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     trajectory = opened.window.document.survey.trajectory
@@ -272,11 +276,13 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
 
 @pytest.mark.parametrize(
     ("code", "units"),
-    [
-        ("EPSG:32618", ("m", "m", "m")),
-        ("EPSG:2260", ("ftUS", "ftUS", "ftUS")),
-        ("EPSG:4326", ("°", "°", "m")),
-    ],
+    others_long(
+        [
+            ("EPSG:32618", ("m", "m", "m")),
+            ("EPSG:2260", ("ftUS", "ftUS", "ftUS")),
+            ("EPSG:4326", ("°", "°", "m")),
+        ]
+    ),
 )
 def test_a_copied_point_of_georeferenced_lines_is_read_in_their_system(
     opened: Driver, code: str, units: tuple[str, ...]

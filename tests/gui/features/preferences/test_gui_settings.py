@@ -22,6 +22,7 @@ from lispac.project import Settings
 from lispac.workflow.planning.sensors import read_library, store_sensor
 from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, click_in_box, in_front, press, use_next_dialog
+from tests.support.long_runs import LONG
 from tests.support.message_codes import is_shown
 
 OTHER_PREFERENCES = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
@@ -93,6 +94,7 @@ def test_the_default_language_is_that_of_the_system(tmp_path: Path) -> None:
     assert settings.language == ("fr" if system == "fr" else "en")
 
 
+@LONG
 def test_the_view_draws_as_many_points_as_the_budget(real: Driver) -> None:
     import numpy as np
 
@@ -262,6 +264,7 @@ def test_a_new_project_starts_with_the_default_sensors_and_names_them(
     assert settings.default_sensors == ("riegl-vux-1", "")
 
 
+@LONG
 def test_chosen_sensors_fill_editable_fields(
     filled: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:

@@ -56,7 +56,7 @@ from tests.gui.support import (
     use_next_dialog,
 )
 from tests.report.test_report import _page, _pdf_text
-from tests.support.long_runs import others_long
+from tests.support.long_runs import LONG, others_long
 from tests.support.message_codes import is_shown
 
 REPORT_STEP = 4
@@ -80,6 +80,7 @@ def discard_details(driver: Driver, dialog: QWidget) -> None:
     driver.bot.keyClick(dialog, Key.Key_Escape)
 
 
+@LONG
 def test_an_export_asks_once_for_the_details_that_a_signed_report_needs(
     adjusted: Driver, tmp_path: Path
 ) -> None:
@@ -292,6 +293,7 @@ def reopen(driver: Driver) -> None:
     driver.rest()
 
 
+@LONG
 def test_an_exported_report_is_known_after_the_project_is_opened_again(
     adjusted: Driver, tmp_path: Path
 ) -> None:
@@ -357,6 +359,7 @@ def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_
     assert panel.options() == ReportOptions("letter", "applanix", language="fr")
 
 
+@LONG
 def test_the_toolbar_uses_the_options_of_step_5(adjusted: Driver, tmp_path: Path) -> None:
     window, sizes = adjusted.window, []
     panel, toolbar = window.report, window.findChild(QToolBar, "toolbar")
@@ -487,6 +490,7 @@ def test_pictures_have_the_language_of_the_report(
     assert set(languages) == {"fr"}
 
 
+@LONG
 @pytest.mark.parametrize("extent", others_long(["short", "full"], lambda extent: extent == "full"))
 def test_pictures_are_taken_from_defined_views_before_and_after(
     driver: Driver,
@@ -728,6 +732,7 @@ def test_the_proposed_names_are_in_the_language_in_use(language: str) -> None:
     assert ("boresight report" in names["short"]) == (language == "en")
 
 
+@LONG
 def test_the_report_is_opened_after_the_export(adjusted: Driver, tmp_path: Path) -> None:
     open_step(adjusted, REPORT_STEP)
     panel, dialogs = adjusted.window.report, adjusted.dialogs

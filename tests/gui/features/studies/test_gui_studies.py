@@ -24,6 +24,7 @@ from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import WAIT_MS, Control, Driver, in_front, open_step, type_into
+from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import tripod_scan
 
@@ -72,6 +73,7 @@ def surveys(tmp_path: Path) -> Path:
     return folder.parent
 
 
+@LONG
 def test_the_open_result_is_compared_with_earlier_calibrations(
     adjusted: Driver, surveys: Path, estimated: Project
 ) -> None:
@@ -108,6 +110,7 @@ def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -
     assert error.code == "history.no_project"
 
 
+@LONG
 def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
     project = adjusted.project
 
@@ -133,6 +136,7 @@ def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
     assert adjusted.project is project
 
 
+@LONG
 def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_path: Path) -> None:
     scan = tmp_path / "tripod.txt"
     np.savetxt(scan, tripod_scan(("V1",), shift=(0.02, 0.0, 0.0)), fmt="%.4f", header="x y z")
@@ -240,6 +244,7 @@ def test_typed_lever_arm_sigma_and_divergence_are_in_the_error_budget(adjusted: 
         assert across == pytest.approx(100 * 1.5e-3 * metres * of_disc, abs=0.051)
 
 
+@LONG
 def test_the_visibility_study_is_shown_and_copied(
     driver: Driver, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -298,6 +303,7 @@ def test_studies_of_a_result_are_disabled_without_targets(opened: Driver) -> Non
     assert opened.window.actions_["history"].isEnabled()
 
 
+@LONG
 def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
     """A selected row is shown in the map and marked in the view, which can be moved meanwhile."""
     window, viewport = adjusted.window, adjusted.viewport
@@ -345,6 +351,7 @@ def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
     assert adjusted.project is project
 
 
+@LONG
 def test_differences_of_another_boresight_are_closed(adjusted: Driver) -> None:
     window = adjusted.window
     window.actions_["line_quality"].trigger()

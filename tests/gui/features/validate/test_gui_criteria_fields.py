@@ -13,7 +13,7 @@ from lispac.acceptance import LIMIT_NAMES
 from lispac.gui.project.status import STEP_KEYS, VALIDATE
 from lispac.project import Project
 from tests.gui.support import Control, Demo, Driver, Key, Left, finish_layouts, open_step, press
-from tests.support.long_runs import LONG
+from tests.support.long_runs import LONG, others_long
 
 SIZES = ((1366, 768), (1600, 1000))
 SOURCE = "Client specification 2026, P7"
@@ -110,6 +110,7 @@ def assert_stored(driver: Driver, values: tuple[str, ...]) -> None:
     assert criteria.source == SOURCE
 
 
+@LONG
 def test_criteria_are_typed_with_clicks_at_first_read_places(
     judged: Driver, started: list[str]
 ) -> None:
@@ -156,7 +157,7 @@ def test_criteria_are_typed_with_tab_only(judged: Driver, started: list[str]) ->
     assert started == []
 
 
-@pytest.mark.parametrize("backwards", [False, True])
+@pytest.mark.parametrize("backwards", others_long([False, True]))
 def test_tab_from_a_criterion_that_rebuilds_the_causes_keeps_the_focus_in_the_panel(
     judged: Driver, started: list[str], backwards: bool
 ) -> None:
@@ -180,6 +181,7 @@ def test_tab_from_a_criterion_that_rebuilds_the_causes_keeps_the_focus_in_the_pa
     assert started == []
 
 
+@LONG
 def test_letters_in_a_step_start_no_command_of_the_view(
     driver: Driver, demo: Demo, validated: Project, started: list[str]
 ) -> None:
@@ -214,6 +216,7 @@ def test_the_view_and_the_lists_keep_their_single_key_commands(
     assert len(started) == 2
 
 
+@LONG
 def test_a_typed_source_is_kept_when_all_limits_are_cleared(judged: Driver) -> None:
     form, limit = judged.window.validate.acceptance, fields(judged)[3]
 
@@ -239,6 +242,7 @@ def test_a_typed_source_is_kept_when_all_limits_are_cleared(judged: Driver) -> N
     assert form.source.text() == "Client specification 2026"
 
 
+@LONG
 def test_the_contract_is_proposed_in_a_field_that_was_never_edited(judged: Driver) -> None:
     form, limit = judged.window.validate.acceptance, fields(judged)[3]
     hit(judged, limit.mapTo(judged.window, limit.rect().center()))

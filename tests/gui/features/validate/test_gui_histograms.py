@@ -79,6 +79,7 @@ def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
     QApplication.sendEvent(panel.canvas, event)
 
 
+@LONG
 def test_another_number_of_points_says_that_the_comparison_is_of_the_former(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
@@ -224,6 +225,7 @@ def colours_of(widget: QWidget) -> set[int]:
     }  # fmt: skip
 
 
+@LONG
 def test_no_picture_of_another_plane_or_plot_is_shown(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
@@ -363,6 +365,7 @@ def test_pairs_over_a_limit_and_pairs_that_became_worse_are_marked(
     assert panel.canvas.mapTo(panel, QPoint()).x() >= panel.table.width()
 
 
+@LONG
 def test_the_worst_plane_is_selected_after_the_validation(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:
@@ -447,6 +450,7 @@ def test_a_double_click_on_a_plane_moves_the_view_to_it(
     assert driver.window.scene.selected == (panel.current, "")
 
 
+@LONG
 def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPanel) -> None:
     window = driver.window
     window.resize(1600, 1000)
@@ -465,6 +469,7 @@ def test_the_plot_is_enlarged_and_restored(driver: Driver, panel: HistogramsPane
     assert not panel.enlarge.isChecked()
 
 
+@LONG
 def test_the_button_does_not_cover_the_legend_after_enlarging(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
@@ -480,6 +485,7 @@ def test_the_button_does_not_cover_the_legend_after_enlarging(
     assert colours.width() >= colours.sizeHint().width()
 
 
+@LONG
 def test_the_section_follows_the_plane_of_the_histograms(
     driver: Driver, demo: Demo, validated: Project
 ) -> None:

@@ -188,6 +188,7 @@ def test_the_warning_of_an_excluded_target_selects_its_row(picked: Driver) -> No
     assert picked.window.targets.current == "T2"
 
 
+@LONG
 def test_the_warning_of_a_zero_lever_arm_focuses_its_field(picked: Driver) -> None:
     settings = replace(picked.project.settings, lever_arm=(0.0, 0.0, 0.0))
     picked.window.document.edit("zero", picked.project.with_settings(settings))
@@ -281,6 +282,7 @@ def test_a_refused_estimate_is_reported(adjusted: Driver) -> None:
     assert adjusted.window.workflow.opened == ADJUST
 
 
+@LONG
 def test_a_result_removed_by_an_edit_is_reported_until_it_is_restored(
     adjusted: Driver,
 ) -> None:
@@ -359,6 +361,7 @@ def test_the_window_is_not_blocked_by_the_list(adjusted: Driver, monkeypatch) ->
     assert max(turns) < 0.5
 
 
+@LONG
 def test_the_button_of_the_message_on_the_lidar_noise_uses_the_noise_found(
     driver: Driver, demo: Demo, estimated: Project
 ) -> None:
@@ -426,6 +429,7 @@ def test_two_groups_of_distances_on_a_validation_plane_are_listed(
     assert driver.window.scene.selected[0] == plane.name
 
 
+@LONG
 def test_a_reopened_project_shows_the_same_messages(
     driver: Driver, demo_copy: Path, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
