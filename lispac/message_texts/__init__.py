@@ -114,9 +114,16 @@ ACTION_TIPS: Mapping[str, Template] = {
 """English tooltip of an action code, for actions that have one."""
 
 
+CAUSE_PREFIX = "acceptance.cause_"
+"""Start of the codes of the causes of a failed calibration."""
+
+
 def message_text(message: Message) -> str:
-    """Text of a message in the language in use; in `without_advice`, notes have no advice."""
-    if message.is_serious:
+    """Text of a message in the language in use; in `without_advice`, notes have no advice.
+
+    The cause of a failed calibration keeps its advice, which the reader of the report needs too.
+    """
+    if message.is_serious or message.code.startswith(CAUSE_PREFIX):
         with with_advice():
             return _text(message)
     return _text(message)

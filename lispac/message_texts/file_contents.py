@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Plural, Template
+from lispac.language import N_, Advised, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- formats -----------------------------------------------------------------------------------
@@ -164,6 +164,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "assumed.times_of_points": N_("The times are in the time base of the points."),
     "assumed.constant_accuracy": N_("The POS standard deviations entered are used for all times."),
+    "assumed.accuracy": Advised(
+        N_(
+            "Not all standard deviations of the POS were given; those assumed by the program are "
+            "used at all times."
+        ),
+        N_("Enter them in step 1, or add the accuracy file of the trajectory."),
+    ),
     # -- assumptions about points ------------------------------------------------------------------
     "assumed.format": N_("{file}: {format}."),
     "assumed.scanner_frame": N_("Points are in the scanner frame."),

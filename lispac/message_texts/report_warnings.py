@@ -25,6 +25,10 @@ TEXTS: Mapping[str, Template] = {
     "report.file_moved": N_(
         "The report {file} was moved or deleted. Export it again, or open it from its new folder."
     ),
+    "report.not_opened": N_(
+        "No program is set up to open {file}. Open it in another program, or clear the box in step "
+        "5 that opens the report."
+    ),
     "report.simulated": N_(
         "The survey is simulated. Its boresight was chosen by the program and does not describe a "
         "real system."
@@ -229,10 +233,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.cause_pos": Advised(
         N_(
-            "Probable cause: errors of POS and boresight, which explain the shift of each line, "
-            "its mean distance from all other lines (positive towards the vessel; the largest is "
-            "{ratio:x.1|limit} σ, the limit for all planes together {limit:x.1|ratio} σ): "
-            "{planes:names}."
+            "Probable cause: errors of the POS and of the boresight. They explain the shift of "
+            "each line, its mean distance from all other lines, positive towards the vessel: "
+            "{planes:names} (at most {ratio:x.1|limit} σ, limit {limit:x.1|ratio} σ)."
         ),
         N_(
             "Process the trajectory again with a more accurate solution, or check the given POS "

@@ -330,6 +330,8 @@ def _adjust_status(
             advice = gettext("Read the warnings (F12) before you use the angles.")
         else:
             sentence = gettext("done: variance factor {factor:x.3}", factor=factor)
+            if not fits:
+                sentence = gettext("done, chi-square test failed")
             advice = gettext("The result is in the panel Results.")
         if not serious and not fits:
             advice = gettext(

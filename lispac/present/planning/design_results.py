@@ -167,8 +167,9 @@ def gain_rows(gains: Iterable[InformationGain], sigma_deg: Angles | None) -> lis
 
 FACTOR_TIP = N_(
     "Standard deviation of this angle if the target or line is omitted, divided by that of the "
-    "whole plan"
+    "whole plan; ∞ if the angles are not determined without it"
 )
+INFINITE_TEXT = "∞"
 
 
 GAINS_TABLE = Table[GainRow](
@@ -183,11 +184,14 @@ GAINS_TABLE = Table[GainRow](
             N_("Largest of the three standard deviations if this target or line is omitted"),
             unknown=NOT_DETERMINED_TEXT,
         ),
-        Column("factors.roll", N_("Factor\nroll"), ratio(2), FACTOR_TIP),
-        Column("factors.pitch", N_("Factor\npitch"), ratio(2), FACTOR_TIP),
-        Column("factors.yaw", N_("Factor\nyaw"), ratio(2), FACTOR_TIP),
+        Column("factors.roll", N_("Factor\nroll"), ratio(2), FACTOR_TIP, unknown=INFINITE_TEXT),
+        Column("factors.pitch", N_("Factor\npitch"), ratio(2), FACTOR_TIP, unknown=INFINITE_TEXT),
+        Column("factors.yaw", N_("Factor\nyaw"), ratio(2), FACTOR_TIP, unknown=INFINITE_TEXT),
     ),
 )  # fmt: skip
+
+WINDOW_GAINS_TABLE = GAINS_TABLE.without("Largest σ")
+"""Table of the window, which shows the standard deviations of the whole plan above it."""
 
 
 # -- search ----------------------------------------------------------------------------------------

@@ -408,7 +408,9 @@ def trajectory_accuracy(
         np.array(project.settings.used_position_sigma),
         np.radians(project.settings.used_attitude_sigma_deg),
     )
-    return typed, (note("assumed.constant_accuracy"),)
+    is_assumed = set(project.settings.assumed_sigmas) - {"LiDAR"}
+    code = "assumed.accuracy" if is_assumed else "assumed.constant_accuracy"
+    return typed, (note(code),)
 
 
 def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:

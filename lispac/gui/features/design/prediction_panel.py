@@ -255,8 +255,8 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
         self.gain_table = DiagnosticsTable(
             "design_gain",
-            title_text(design_results.GAINS_TABLE.title),
-            window_columns(design_results.GAINS_TABLE),
+            title_text(design_results.WINDOW_GAINS_TABLE.title),
+            window_columns(design_results.WINDOW_GAINS_TABLE),
         )
         self.gain_table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.gain_table.setMinimumHeight(170)
@@ -357,7 +357,7 @@ class PredictionPanel(QScrollArea):
     def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
         rows = design_results.gain_rows(gains, self._last.prediction.sigma_deg)
         table = self.gain_table
-        table.show_rows(window_rows(design_results.GAINS_TABLE, rows))
+        table.show_rows(window_rows(design_results.WINDOW_GAINS_TABLE, rows))
         # The panel scrolls; a second scroll bar in it would be in the way
         heads = table.horizontalHeader().sizeHint().height()
         table.setFixedHeight(heads + table.verticalHeader().length() + 2 * table.frameWidth())

@@ -363,7 +363,9 @@ class ResultsPanel(QWidget):
             "surface": result_texts.form_error_text(result),
             "sigmas": result_texts.sigmas_html(project),
             "iterations": gettext(
-                "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
+                "converged after {iterations:n}, {time:s.2} s",
+                iterations=result.iterations,
+                time=result.elapsed,
             ),
         }
         for key, text in texts.items():

@@ -12,7 +12,7 @@ ALONG_TITLE = N_("Along the surface (m)")
 LOW_TITLES = {
     HEIGHT_LABEL: N_("Height (m)"),
     AHEAD_LABEL: N_("Away (m)"),
-    ACROSS_TITLE: N_("Across (m)"),
+    ACROSS_TITLE: N_("+ to the vessel (m)"),
     ALONG_TITLE: N_("Along (m)"),
 }
 """Titles of the axes in a low picture, which have one line; the title of the cut contains the

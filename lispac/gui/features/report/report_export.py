@@ -303,7 +303,7 @@ class ReportExport(QObject):
 
     def _open(self, path: Path) -> None:
         if not self._dialogs.open_file(path):
-            self._controller.logged.emit(gettext("No program is set up to open {file}.", file=path))
+            self._controller.refused.emit(InputError(error("report.not_opened", file=str(path))))
 
     def _on_written(self, project: Project, options: tuple[object, ...], path: Path) -> None:
         self._document.mark_reported(project, ExportedReport(path, time.time(), options=options))

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from lispac.adjustment.diagnostics.cause_warnings import main_wrong_value
+from lispac.adjustment.diagnostics.cause_warnings import EXPLAINED_CODES, main_wrong_value
 from lispac.duplicate_targets import all_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
@@ -61,8 +61,8 @@ class AcceptanceOutcome(QWidget):
         head.addWidget(self.icon)
         head.addWidget(self.verdict, 1)
         layout.addLayout(head)
-        layout.addWidget(self.notes)
         layout.addLayout(self._causes)
+        layout.addWidget(self.notes)
 
     def show_project(
         self,
@@ -102,11 +102,15 @@ class AcceptanceOutcome(QWidget):
             gettext("Acceptance: {verdict}", verdict=calibration_verdict_text(values))
         )
         checks = None if project.cross_checks is None else cross_check_values(project.cross_checks)
-        notes = map(message_text, acceptance_notes(values, checks)) if values.checks else ()
+        wrong = main_wrong_value(all_warnings(project))
+        notes = [
+            message_text(each)
+            for each in (acceptance_notes(values, checks) if values.checks else ())
+            if wrong is None or each.code not in EXPLAINED_CODES
+        ]
         self._show_notes(notes)
         self._show_style(*VERDICT_STYLES.get(values.verdict, ("", "")))
         planes = [ValidationPlane.of(each) for each in project.validation]
-        wrong = main_wrong_value(all_warnings(project))
         failed = values.verdict == "fail"
         self._show_causes(probable_causes(values, planes, wrong) if failed else ())
 

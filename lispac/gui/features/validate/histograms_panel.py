@@ -458,7 +458,7 @@ class HistogramsPanel(QWidget):
         self._show_idle_reading()
 
     def _show_idle_reading(self) -> None:
-        """Show the values that exceed a limit, and the signs of pairs or what the mouse does."""
+        """Show the signs of pairs, and the values that exceed a limit or what the mouse does."""
         comparison, values = self._current_comparison, self._values
         failures = (
             () if comparison is None or values is None else failed_texts(values, comparison.name)
@@ -467,7 +467,7 @@ class HistogramsPanel(QWidget):
         texts = [*failures] if is_table or failures else [gettext(ZOOM_HINT)]
         if is_table:
             colours = [gettext(PAIR_COLOURS_HINT)] if self._has_coloured_pairs else []
-            texts.append(" ".join([gettext(PAIRS_HINT), *colours]))
+            texts.insert(0, " ".join([gettext(PAIRS_HINT), *colours]))
         self.reading.setText("\n".join(texts))
         self.reading.setToolTip(widgets.wrapped_tip("\n".join(texts if is_table else failures)))
 
