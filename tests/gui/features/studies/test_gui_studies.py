@@ -256,13 +256,13 @@ def test_the_visibility_study_is_shown_and_copied(
         best = {
             dialog.table.item(row, 0).text(): dialog.table.item(row, 3).text() for row in range(8)
         }
-        assert best["Pitch 2 deg"] == "0"
+        assert best["Pitch 2°"] == "0"
         assert best["Lever arm Z 10 cm"] == "not visible"
         dialog.table.selectRow(0)
-        assert dialog.error.currentText() == "Roll 2 deg"
+        assert dialog.error.currentText() == "Roll 2°"
         assert "Appendix C.2.1" in dialog.message_label.text()
         dialog.table.selectRow(2)
-        assert dialog.error.currentText() == "Yaw 2 deg"
+        assert dialog.error.currentText() == "Yaw 2°"
         assert "Appendix" not in dialog.message_label.text()
         dialog.criterion.setCurrentIndex(1)
         (axes,) = dialog.canvas.figure.axes
@@ -275,7 +275,7 @@ def test_the_visibility_study_is_shown_and_copied(
         assert "-40°" in text
         driver.bot.mouseClick(dialog.copy_numbers, Left)
         heads, *rows = QGuiApplication.clipboard().text().splitlines()
-        assert heads.split("\t")[3] == "45 deg"
+        assert heads.split("\t")[3] == "45°"
         (row,) = (row.split("\t") for row in rows if row.startswith("-40\t"))
         assert f"45°: {float(row[3]):.4f}".replace("-", "\u2212") in text
         driver.bot.mouseClick(dialog.copy_picture, Left)
@@ -283,9 +283,9 @@ def test_the_visibility_study_is_shown_and_copied(
         dialog.site.setCurrentText("Marine site")
         assert dialog.table.rowCount() == 3
         assert [dialog.error.itemText(k) for k in range(3)] == [
-            "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
+            "Roll 2°", "Pitch 2°", "Yaw 2°",
         ]  # fmt: skip
-        assert dialog.error.currentText() == "Yaw 2 deg"
+        assert dialog.error.currentText() == "Yaw 2°"
         shiboken6.delete(dialog.reading)  # at exit, widgets are deleted in any order
         LocationEvent("axes_leave_event", dialog.canvas, x, y)._process()
         assert capsys.readouterr().err == ""
