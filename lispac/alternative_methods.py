@@ -10,8 +10,10 @@ from lispac.messages import Message
 
 Array = NDArray[np.float64]
 
-Method = Literal["natural planes", "targetless", "patch test"]
-ALTERNATIVE_METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
+Method = Literal["natural planes", "targetless", "patch test", "correspondences"]
+COMPUTED_METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
+"""Alternative methods that need only the lines."""
+ALTERNATIVE_METHODS: tuple[Method, ...] = (*COMPUTED_METHODS, "correspondences")
 """Alternative methods in the order in which they are shown."""
 
 
@@ -28,7 +30,7 @@ class AlternativeResult:
     lines : tuple of str
         Lines used for the result.
     surfaces : int
-        Number of planes, natural surfaces or objects used for the result.
+        Number of planes, natural surfaces, objects or pairs of points used for the result.
     messages : tuple of Message
         Data used for the result, and its limitations.
     """

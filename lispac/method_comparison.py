@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.adjustment.result import ANGLES
-from lispac.alternative_methods import ALTERNATIVE_METHODS, Method
+from lispac.alternative_methods import COMPUTED_METHODS, Method
 from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
@@ -19,6 +19,7 @@ METHOD_NAME_CODES: Mapping[str, str] = {
     "natural planes": "method.natural_planes",
     "targetless": "method.targetless",
     "patch test": "method.patch_test",
+    "correspondences": "method.correspondences",
 }
 """Message code of the name of each method."""
 
@@ -78,10 +79,10 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
 
 
 def missing_methods(project: Project) -> tuple[Method, ...]:
-    """Methods without a result."""
+    """Methods without a result, of those that need only the lines."""
     return tuple(
         method
-        for method in ALTERNATIVE_METHODS
+        for method in COMPUTED_METHODS
         if project.alternative_result(method) is None
         and not (method == TARGETLESS_METHOD and project.is_targetless)
     )

@@ -22,6 +22,7 @@ from lispac.present.calibration.calibrations import (
     CombinedCalibrations,
 )
 from lispac.present.calibration.control import ControlValues
+from lispac.present.calibration.correspondences import CorrespondenceValues
 from lispac.present.calibration.cross_checks import CrossCheckValues
 from lispac.present.calibration.error_budget import ErrorBudgetValues
 from lispac.present.calibration.methods import MethodValues
@@ -502,6 +503,7 @@ OUTPUTS: Mapping[str, Any] = {
     "history": HistoryOutput,
     "budget": ErrorBudgetValues,
     "patchtest": PatchTestValues,
+    "correspondences": CorrespondenceValues,
     "quality": QualityOutput,
     "georeference": GeoreferenceOutput,
     "trajectory": CorrectedTrajectoryOutput,

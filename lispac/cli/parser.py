@@ -66,6 +66,8 @@ COMMANDS = (
             "list the contribution of each error source to the error of a point"),
     Command("patchtest", "calibration",
             "estimate the boresight by aligning lines on common objects (patch test)"),
+    Command("correspondences", "calibration",
+            "estimate the boresight from a file of pairs of points of the same place"),
     Command("quality", "checking",
             "compare the lines of a survey with each other, without a calibration"),
     Command("georeference", "output",

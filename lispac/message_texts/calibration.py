@@ -47,6 +47,57 @@ TEXTS: Mapping[str, Template] = {
         "{project}: no flat surface is covered by two lines. Draw boxes around objects that two "
         "lines cover."
     ),
+    # -- correspondences -----------------------------------------------------------------------
+    "correspondences.columns": N_(
+        "{file}, row {row:n}: the row has {found:n} columns, but point correspondences have 8: two "
+        "times, then x, y, z of both points. Export them again as t_i t_j x_i y_i z_i x_j y_j z_j."
+    ),
+    "correspondences.outside": N_(
+        "{file}: {count:n} of {total:n} pairs have no position of the trajectory at one of their "
+        "times ({first:s} to {last:s} s; trajectory {start:s} to {end:s} s). Convert the times to "
+        "the time base of the trajectory."
+    ),
+    "correspondences.few": Plural(
+        "There is only {count:n} usable pair of points, and {least:n} are needed. Add pairs.",
+        "There are only {count:n} usable pairs of points, and {least:n} are needed. Add pairs.",
+    ),
+    "correspondences.most_rejected": N_(
+        "{rejected:n} of {count:n} pairs of points disagree with the others, so no boresight was "
+        "estimated. Check the frame and the times of the pairs, the lever arm and the given noise."
+    ),
+    "correspondences.not_converged": N_(
+        "The adjustment of the point correspondences did not converge in {iterations:n} "
+        "iterations. Check the frame and the times of the pairs."
+    ),
+    "correspondences.undetermined": N_(
+        "The point correspondences do not determine {angles:names}. Add pairs between lines in "
+        "other directions."
+    ),
+    "correspondences.noise_range": N_(
+        "The noise of the pairs must be from {low:mm} to {high:mm} mm. Correct it."
+    ),
+    "correspondences.basis": Plural(
+        "{used:n} of {count:n} pair of points was used, between {lines:n} lines.",
+        "{used:n} of {count:n} pairs of points were used, between {lines:n} lines.",
+    ),
+    "correspondences.noise": N_(
+        "Noise of a coordinate difference of a pair, estimated from the residuals: {noise:mm.1} "
+        "mm. Errors that neighbouring pairs have in common are not part of it, so that the "
+        "standard deviations may be too small if the matching has such errors."
+    ),
+    "correspondences.noise_too_small": N_(
+        "The residuals of the point correspondences are {ratio:x.2} times as large as the given "
+        "noise, {noise:mm.1} mm, so that the standard deviations are too small. Estimate the "
+        "noise, or give a larger one."
+    ),
+    "correspondences.distance": N_(
+        "RMS distance of the points of a pair: {before:mm.1} mm with the prior boresight, "
+        "{after:mm.1} mm with the result; POS errors not removed."
+    ),
+    "correspondences.not_used": N_(
+        "{count:n} of {total:n} pairs of {file} were not used: {outside:n} without a position of "
+        "the trajectory, {repeated:n} repeated, {origin:n} with a point at the scanner."
+    ),
     # -- targetless ----------------------------------------------------------------------------
     "targetless.single_line": N_(
         "{project}: the project has only one line, so lines cannot be compared. Add lines in other "

@@ -232,6 +232,7 @@ TEXTS: Mapping[str, Template] = {
     "method.natural_planes": N_("natural planes"),
     "method.targetless": N_("targetless method"),
     "method.patch_test": N_("patch test"),
+    "method.correspondences": N_("point correspondences"),
     "methods.agree": N_(
         "No significant difference between the {method} and the {other}: a point at "
         "{distance:m.0} m moves by {displacement:mm.0} mm."

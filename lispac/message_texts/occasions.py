@@ -72,6 +72,7 @@ OCCASIONS: Mapping[str, str] = {
     "observability": N_("The adjustment reports how well each angle is determined"),
     "overlap": N_("Two targets have points in common"),
     "parameter": N_("A mounting parameter is estimated with the angles"),
+    "correspondences": N_("Point correspondences are read or adjusted"),
     "patch_test": N_("The patch test is run"),
     "pcd": N_("A PCD file is read"),
     "pick": N_("A target is picked in the points"),

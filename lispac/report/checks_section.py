@@ -93,6 +93,9 @@ METHOD_DESCRIPTIONS: Mapping[Method, str] = {
     "natural planes": N_("Natural planes: adjustment with the validation planes as targets."),
     "targetless": N_("Targetless: adjustment with surfaces detected automatically in the scene."),
     "patch test": N_("Patch test: alignment of the lines on common objects."),
+    "correspondences": N_(
+        "Point correspondences: adjustment of pairs of points of the same place, from a file."
+    ),
 }
 
 

@@ -29,6 +29,7 @@ from lispac.validation.local_models import DEFAULT_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
 from lispac.workflow.calibration import edits, picking
 from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration.correspondences import CorrespondenceResult, correspondences
 from lispac.workflow.calibration.proposal_acceptance import (
     remove_picked_surfaces,
     with_accepted_targets,
@@ -418,6 +419,36 @@ class OpenProject:
         return self.project.absolute
 
     # -- files -------------------------------------------------------------------------------
+
+    def correspondences(
+        self, file: AnyPath, *, time_shift: float = 0.0, noise: float | None = None
+    ) -> CorrespondenceResult:
+        """Estimate the boresight from pairs of points of the same place, for comparison.
+
+        The result is kept in the project beside that of the targets.
+
+        Parameters
+        ----------
+        file : path
+            Text file with ``t_i t_j x_i y_i z_i x_j y_j z_j`` in each row: seconds, and metres in
+            the frame of the raw lines.
+        time_shift : float, seconds
+            Added to the times of the file.
+        noise : float, metres, optional
+            Standard deviation of a coordinate difference of a pair; estimated by default.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be read, or many of its times are outside the trajectory.
+        AdjustmentError
+            If the pairs are too few or wrong, or do not determine the boresight.
+        """
+        found = correspondences(
+            self.project, self.survey, Path(file), time_shift=time_shift, noise=noise
+        )
+        self.project = self.project.with_alternative_result(found.alternative)
+        return found
 
     def report(
         self,

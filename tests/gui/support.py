@@ -126,6 +126,9 @@ class ScriptedDialogs(Dialogs):
         self.proposed = start
         return self.path
 
+    def correspondence_file(self, start: Path) -> Path | None:
+        return self.path
+
     def open_file(self, path: Path) -> bool:
         self.opened.append(path)
         return self.can_open

@@ -125,9 +125,17 @@ class PosErrorKnots:
     bridge_factor: Array
 
     @classmethod
-    def of(cls, observations: Observations, model: StochasticModel) -> "PosErrorKnots":
-        """Create the knots and their prior for the points of ``observations``."""
-        interval = model.knot_interval
+    def of(
+        cls, observations: Observations, model: StochasticModel, interval: float | None = None
+    ) -> "PosErrorKnots":
+        """Create the knots and their prior for the points of ``observations``.
+
+        Parameters
+        ----------
+        interval : float, seconds, optional
+            Time between two knots; that of the model by default.
+        """
+        interval = model.knot_interval if interval is None else interval
         scaled = observations.time / interval
         cell = np.floor(scaled).astype(np.int64)
         # Successive points are mostly in the same cell, so that few numbers are left to sort

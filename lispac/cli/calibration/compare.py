@@ -28,6 +28,7 @@ METHOD_TEXTS: dict[Method, str] = {
     "natural planes": "adjustment with the validation planes instead of the targets",
     "targetless": "adjustment with surfaces detected automatically in the scene",
     "patch test": "alignment of the lines on common objects",
+    "correspondences": "adjustment of pairs of points of the same place, from a file",
 }
 """Description of each method."""
 

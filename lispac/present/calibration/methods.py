@@ -22,6 +22,7 @@ METHOD_TITLES: Mapping[str, str] = {
     "natural planes": N_("Natural planes"),
     "targetless": N_("Targetless"),
     "patch test": N_("Patch test"),
+    "correspondences": N_("Point correspondences"),
 }
 
 
@@ -69,7 +70,7 @@ METHOD_COLUMN = Column[MethodValues](
 LINES_COLUMN = Column[MethodValues]("lines", N_("Lines"), COUNT, N_("Number of lines used"))
 SURFACES_COLUMN = Column[MethodValues](
     "surfaces", N_("Surfaces"), COUNT,
-    N_("Number of targets, planes, natural surfaces or objects used"),
+    N_("Number of targets, planes, natural surfaces, objects or pairs of points used"),
 )  # fmt: skip
 
 

@@ -72,7 +72,7 @@ def _precompile_with_low_priority() -> None:
 
 def run_all_methods(folder: Path) -> None:
     """Run all methods on a small simulated survey, which is written to a folder."""
-    from lispac.alternative_methods import ALTERNATIVE_METHODS
+    from lispac.alternative_methods import COMPUTED_METHODS
     from lispac.validation.local_models import LocalModel
     from lispac.workflow.calibration.estimation import estimate
     from lispac.workflow.calibration.method_runs import run_method
@@ -102,7 +102,7 @@ def run_all_methods(folder: Path) -> None:
     ]
     for model in (LocalModel("quadric", 12), LocalModel("plane", radius=0.2)):
         further.append(lambda model=model: validate(project, survey, model=model))  # type: ignore[misc]
-    for method in ALTERNATIVE_METHODS:
+    for method in COMPUTED_METHODS:
         further.append(lambda method=method: run_method(project, survey, method))  # type: ignore[misc]
     for other in (
         replace(settings, pos_errors="independent"),

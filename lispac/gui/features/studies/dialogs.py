@@ -36,6 +36,14 @@ class StudyDialogs(Questions):
         )
         return Path(name) if name else None
 
+    def correspondence_file(self, start: Path) -> Path | None:
+        """Ask for a file of point correspondences."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, gettext("File of point correspondences"), str(start),
+            gettext("Text files (*.txt *.csv *.dat);;All files (*)"),
+        )  # fmt: skip
+        return Path(name) if name else None
+
     def check(self, project: Project, trajectory: "LocalTrajectory") -> "CheckRequest | None":
         """Ask for the reference of a check of the lines; None if cancelled."""
         from lispac.gui.features.studies.check_dialog import CheckDialog

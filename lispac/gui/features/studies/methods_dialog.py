@@ -32,6 +32,10 @@ NOT_RUN_TIPS: dict[Method, str] = {
         "This method has not been run yet. It estimates the boresight by rotating the lines until "
         "they match on detected objects."
     ),
+    "correspondences": N_(
+        "This method has not been run yet. It estimates the boresight from a file of pairs of "
+        "points of the same place."
+    ),
 }
 """Tips for the rows of methods without a result."""
 

@@ -30,6 +30,7 @@ from lispac.progress import Progress, sub_progress
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from lispac.workflow.calibration.correspondences import CorrespondenceResult, correspondences
 from lispac.workflow.calibration.method_runs import run_missing_methods
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.budget import error_budget_of
@@ -290,7 +291,9 @@ class AlternativeMethods(QObject):
         self._document, self._runner = document, runner
         self._controller, self._dialogs = controller, dialogs
         self._actions = actions
-        actions.connect_slots({"methods": self.compare})
+        actions.connect_slots(
+            {"methods": self.compare, "correspondences": self.adjust_correspondences}
+        )
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
         self._enable_controls()
@@ -311,6 +314,27 @@ class AlternativeMethods(QObject):
         if run_missing and self._document.project is project:
             self._run_missing(project, survey)
 
+    def adjust_correspondences(self) -> None:
+        """Ask for a file of point correspondences, adjust them and compare the result."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        path = self._dialogs.correspondence_file(project.folder)
+        if path is None or self._document.project is not project:
+            return
+
+        def work(progress: Progress) -> CorrespondenceResult:
+            return correspondences(project, survey, path, progress=progress)
+
+        def done(found: CorrespondenceResult) -> None:
+            changed = project.with_alternative_result(found.alternative)
+            self._document.edit(N_("result of point correspondences"), changed)
+            self.compare()
+
+        title = gettext("Adjusting point correspondences")
+        task = self._runner.run(title, work, done, modal=True)
+        self._controller.cancel_on_edit(task)
+
     def _run_missing(self, project: Project, survey: Survey) -> None:
         def work(progress: Progress) -> MethodRuns:
             return run_missing_methods(project, survey, progress=progress)
@@ -325,4 +349,5 @@ class AlternativeMethods(QObject):
         self._controller.cancel_on_edit(task)
 
     def _enable_controls(self) -> None:
-        self._actions.set_reason("methods", data_reason(self._document, self._runner))
+        for name in ("methods", "correspondences"):
+            self._actions.set_reason(name, data_reason(self._document, self._runner))

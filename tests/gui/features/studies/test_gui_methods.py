@@ -1,6 +1,7 @@
 """Tests of the dialogue that compares alternative methods with the targets."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +15,8 @@ from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from tests.gui.features.studies.test_gui_studies import use_next_dialog
 from tests.gui.features.warnings.test_gui_warnings import listed
-from tests.gui.support import Driver, Left, wait_until_idle
+from tests.gui.support import Driver, Key, Left, wait_until_idle
+from tests.support.correspondence_files import write_pairs
 
 
 def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
@@ -117,3 +119,40 @@ def test_a_method_without_a_result_is_reported(
 
 def test_methods_cannot_be_compared_without_lines(driver: Driver) -> None:
     assert not driver.window.actions_["methods"].isEnabled()
+
+
+def test_point_correspondences_from_a_file_are_compared(adjusted: Driver, tmp_path: Path) -> None:
+    window, dialogs = adjusted.window, adjusted.dialogs
+    before = adjusted.project
+    dialogs.path = write_pairs(tmp_path / "pairs.txt", before, window.document.survey)
+
+    def inspect_dialog(dialog: MethodsDialog) -> None:
+        assert isinstance(dialog, MethodsDialog)
+        names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
+        assert names[:2] == ["Targets", "Point correspondences"]
+        assert "200 pairs of points were used" in dialog.message_label.text()
+        adjusted.bot.keyClick(dialog, Key.Key_Escape)
+
+    QTimer.singleShot(0, window.actions_["correspondences"].trigger)
+    use_next_dialog(adjusted, inspect_dialog)
+    wait_until_idle(adjusted)
+    (found,) = adjusted.project.alternative_results
+    assert found.method == "correspondences"
+    off = found.boresight - np.radians(before.truth_deg)
+    assert np.abs(off / found.sigma).max() < 4
+    window.document.undo_stack.undo()
+    assert adjusted.project is before
+
+
+def test_a_wrong_file_of_correspondences_changes_nothing(adjusted: Driver, tmp_path: Path) -> None:
+    dialogs, before = adjusted.dialogs, adjusted.project
+    dialogs.path = tmp_path / "pairs.txt"
+    dialogs.path.write_text("1 2 3\n", encoding="utf-8")
+    adjusted.window.actions_["correspondences"].trigger()
+    adjusted.rest()
+    (failure,) = dialogs.errors
+    assert failure.code == "correspondences.columns"
+    assert adjusted.project is before
+    dialogs.path = None
+    adjusted.window.actions_["correspondences"].trigger()
+    assert not adjusted.window.runner.busy

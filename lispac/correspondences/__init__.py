@@ -1,0 +1,1 @@
+"""Boresight from point correspondences between lines, for terrain without planes."""
