@@ -40,6 +40,7 @@ TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "target": note("file.kind_target"),
     "a target as CSV": note("file.kind_target_csv"),
     "coordinate list": note("file.kind_coordinate_list"),
+    "point correspondences": note("file.kind_correspondences"),
     "static scan": note("file.kind_static_scan"),
     "text of a static scan": note("file.kind_static_scan_text"),
     "mesh": note("file.kind_mesh"),

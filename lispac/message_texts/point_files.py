@@ -21,6 +21,7 @@ TEXTS: Mapping[str, Template] = {
     "file.kind_target": N_("target"),
     "file.kind_target_csv": N_("target CSV"),
     "file.kind_coordinate_list": N_("coordinate list"),
+    "file.kind_correspondences": N_("point correspondences"),
     "file.kind_static_scan": N_("static scan"),
     "file.kind_static_scan_text": N_("static scan (text file)"),
     "file.kind_mesh": N_("mesh"),

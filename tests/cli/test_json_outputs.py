@@ -112,6 +112,7 @@ RUN_ELSEWHERE = {
     "estimate": "cli/test_json_outputs.py", "validate": "cli/test_json_outputs.py",
     "warnings": "cli/test_cli_small.py", "design": "cli/test_cli_design.py",
     "campaign": "design/test_campaign.py", "patchtest": "patchtest/test_patch_test.py",
+    "correspondences": "workflow/calibration/test_correspondences.py",
     "quality": "validation/test_line_quality.py",
 }  # fmt: skip
 """Files of the tests that run a long command by `run_json`, which checks the schema too."""

@@ -26,6 +26,7 @@ PACKAGES = {
     "adjustment": "Adjustment",
     "natural": "Natural surfaces",
     "patchtest": "LiDAR patch test",
+    "correspondences": "Point correspondences",
     "targets": "Targets",
     "survey": "Survey",
     "geometry": "Geometry",

@@ -23,7 +23,7 @@ from lispac.io.text.text_table import (
 from lispac.messages import error
 
 COLUMN_NAMES = ("t_i", "t_j", "x_i", "y_i", "z_i", "x_j", "y_j", "z_j")
-FILE_KIND = "file of point correspondences"
+FILE_KIND = "point correspondences"
 
 
 def read_correspondences(path: Path) -> PointPairs:

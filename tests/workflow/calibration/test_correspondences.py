@@ -17,6 +17,7 @@ from lispac.project import Project
 from lispac.workflow.calibration.correspondences import correspondences
 from lispac.workflow.output.export import write_report
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.cli.test_cli import run_json
 from tests.support.correspondence_files import write_pairs
 from tests.support.error_codes import has_code
 
@@ -149,8 +150,7 @@ def test_points_in_another_frame_give_no_boresight(
 def test_the_command_saves_the_result_beside_that_of_the_targets(
     demo_copy: Path, pairs_file: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    out = run_command(capsys, "correspondences", demo_copy, pairs_file, "--json", "--save")
-    values = json.loads(out)
+    values = run_json(capsys, "correspondences", demo_copy, pairs_file, "--save")
     assert values["pairs_used"] <= values["pairs"] == 200
     project = read_project(demo_copy)
     (kept,) = project.alternative_results

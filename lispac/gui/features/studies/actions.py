@@ -8,9 +8,9 @@ ACTIONS = by_name(
         N_("Estimate the boresight from the validation planes and from the scene without "
            "targets, and compare the results"), ("Calibrate", 2, 3), keys="Ctrl+F9",
         uses_values=True),
-    ActionRecord("correspondences", N_("Point c&orrespondences…"),
+    ActionRecord("correspondences", N_("Poi&nt correspondences…"),
         N_("Estimate the boresight from a file of pairs of points of the same place, and compare "
-           "the result with the others"), ("Calibrate", 2, 4), uses_values=True),
+           "the result with the others"), ("Calibrate", 2, 5), uses_values=True),
     ActionRecord("subsampling", N_("Point &spacing study…"),
         N_("Repeat the adjustment with smaller and larger point spacings, and compare the results"),
         ("Calibrate", 3, 1), keys="Shift+F9", uses_values=True),

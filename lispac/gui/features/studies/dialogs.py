@@ -8,7 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
 
 from lispac.alternative_methods import Method
+from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.language import gettext
 from lispac.messages import Message
 from lispac.project import Project
@@ -39,7 +41,7 @@ class StudyDialogs(Questions):
     def correspondence_file(self, start: Path) -> Path | None:
         """Ask for a file of point correspondences."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, gettext("File of point correspondences"), str(start),
+            self.parent, dialog_title(ACTIONS["correspondences"]), str(start),
             gettext("Text files (*.txt *.csv *.dat);;All files (*)"),
         )  # fmt: skip
         return Path(name) if name else None
