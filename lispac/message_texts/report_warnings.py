@@ -233,7 +233,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "acceptance.cause_pos": Advised(
         N_(
-            "Probable cause: errors of the POS and of the boresight. They explain the shift of "
+            "Probable cause: errors of the POS and of the boresight, which explain the shift of "
             "each line, its mean distance from all other lines, positive towards the vessel: "
             "{planes:names} (at most {ratio:x.1|limit} σ, limit {limit:x.1|ratio} σ)."
         ),

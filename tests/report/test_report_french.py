@@ -419,4 +419,4 @@ def test_names_of_manufacturers_have_no_elision(project: Project) -> None:
         titles = [b.title for s in sections for b in s.blocks if b.kind == "table"]
         (head,) = (title for title in titles if title.startswith("Convention\u00a0: "))
         assert not re.search(r"(?i)\bde [aeiouyéè]", head)
-        assert each.name in head or "Phoenix" in head or "ce programme" in head
+        assert each.name in head or "Phoenix" in head or "comme iXblue" in head

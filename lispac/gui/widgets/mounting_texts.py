@@ -16,7 +16,7 @@ from lispac.survey.conventions.mounting_texts import (
 _FRAMES_TEXT = N_(
     "The boresight rotates LiDAR coordinates into the body frame (forward, left, up):"
 )
-CONVENTION_NAME_TEXT = N_("Convention: this program (as iXblue)")
+CONVENTION_NAME_TEXT = N_("Convention: LISPAC (as iXblue)")
 _FORMULA_TEXT = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATION_SYMBOLS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
 SIGNS_TEXT = N_(

@@ -23,7 +23,7 @@ from lispac.present.text_format import (
 from lispac.project import Project, Settings
 
 CONVENTION_TEXT = N_(
-    "Convention: this program (as iXblue). Body frame: forward, left, up. Roll is positive with"
+    "Convention: LISPAC (as iXblue). Body frame: forward, left, up. Roll is positive with"
     " the left side up, pitch positive with the bow down, yaw positive clockwise seen from "
     "above. The boresight rotates LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). "
     "Other programs use other signs and orders: convert these angles before entering them in "

@@ -186,7 +186,7 @@ HEADING_PITCH_ROLL = (2, 1, 0)
 
 LISPAC_CONVENTION = Convention(
     key="lispac",
-    name=N_("This program (as iXblue)"),
+    name=N_("LISPAC (as iXblue)"),
     axes=FORWARD_PORT_UP,
     turns=(
         AxisRotation(N_("roll"), 0, 1, N_("positive port side up")),

@@ -38,7 +38,7 @@ ANGLE_SIGN_TEXTS = (
 )
 """Sign conventions of roll, pitch and yaw."""
 TRANSLATED_PROGRAM_NAMES = (
-    N_("This program (as iXblue)"),
+    N_("LISPAC (as iXblue)"),
     N_("Phoenix SpatialExplorer 6 and later"),
     N_("Phoenix SpatialExplorer 1 to 5"),
 )
