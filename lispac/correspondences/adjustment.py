@@ -292,11 +292,6 @@ def _robust_start(ends: Observations, mounting: Mounting) -> Mounting:
     """Boresight with the smallest sum of distances, without POS errors.
 
     The prior boresight may be wrong by degrees, and a third of the pairs may be wrong.
-
-    Raises
-    ------
-    AdjustmentError
-        If the pairs do not determine the boresight.
     """
     count = len(ends) // 2
     for _ in range(MAX_ITERATIONS):
@@ -342,6 +337,8 @@ def _iterate(
         weight = np.minimum(1.0, HUBER_LENGTH / np.maximum(length, 1e-12))
         if not robust:
             weight = (length <= REJECTION_LENGTH).astype(float)
+            if k >= MAX_ITERATIONS // 2:  # a pair at the limit could be rejected by turns
+                weight = np.minimum(weight, state.weight)
             if 1 - weight.mean() > MAX_REJECTED_SHARE:
                 rejected = count - int(weight.sum())
                 raise AdjustmentError(

@@ -195,7 +195,9 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
 
 def test_alternative_methods_are_in_french(project: Project) -> None:
     assert project.result is not None
-    for k, (method, off) in enumerate(zip(ALTERNATIVE_METHODS, (0.0, 0.3, 0.004), strict=True)):
+    for k, (method, off) in enumerate(
+        zip(ALTERNATIVE_METHODS, (0.0, 0.3, 0.004, 0.002), strict=True)
+    ):
         angles = project.result.boresight + np.radians([off, off, 0.0])
         notes = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
         alternative = AlternativeResult(

@@ -265,7 +265,9 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     table = picked.window.results.angles
     assert table.item(1, 1).text() == f"{np.degrees(result.boresight[1]):+.4f}".replace("-", "−")
     assert table.item(4, 1).text() == f"{truth[1]:+.4f}".replace("-", "−")
-    assert sentence(picked, 2) == f"done: variance factor {result.variance_factor:.3f}"
+    # The thinned survey has too few points for the noise of each target
+    assert result.chi_square.outcome == "failed"
+    assert sentence(picked, 2) == "done, chi-square test failed"
     assert picked.window.scene.which == "estimated"
     after = picked.viewport.clouds[picked.project.lines[0].name]
     open_step(picked, 3)
