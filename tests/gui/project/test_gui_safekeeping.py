@@ -23,7 +23,6 @@ from lispac.workflow.project.projects import save_project
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 from tests.support.concurrent_commands import pool, run
-from tests.support.long_runs import LONG
 
 
 @pytest.fixture
@@ -64,7 +63,6 @@ def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -
     wait_for_unsaved(driver, folder, exists=False)
 
 
-@LONG
 def test_unsaved_work_of_an_ended_program_is_recovered(driver: Driver, folder: Path) -> None:
     project = read_project(folder)
     first = project.targets[0]
@@ -83,7 +81,6 @@ def test_unsaved_work_of_an_ended_program_is_recovered(driver: Driver, folder: P
     wait_for_unsaved(driver, folder, exists=False)
 
 
-@LONG
 def test_the_lines_after_the_adjustment_are_shown_after_a_recovery(
     driver: Driver, estimated: Project, demo_copy: Path
 ) -> None:
@@ -99,7 +96,6 @@ def test_the_lines_after_the_adjustment_are_shown_after_a_recovery(
     assert driver.window.scene.has_estimated
 
 
-@LONG
 def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None:
     write_unsaved(read_project(folder).without_target("T1"))
     open_project_window(driver, folder)
@@ -109,7 +105,6 @@ def test_discarded_unsaved_work_is_deleted(driver: Driver, folder: Path) -> None
     assert not (folder / UNSAVED_NAME).exists()
 
 
-@LONG
 def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Path) -> None:
     open_project_window(driver, folder)
     driver.window.controller.rename("T1", "North wall")
@@ -124,7 +119,6 @@ def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Pa
     assert {"T1", "T2"} <= names(read_project(folder))
 
 
-@LONG
 def test_a_project_opened_twice_is_detected(
     driver: Driver, folder: Path, qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:
@@ -195,7 +189,6 @@ def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None
             open_project_window(driver, folder)
 
 
-@LONG
 def test_concurrent_edits_of_window_and_command(driver: Driver, folder: Path) -> None:
     window_and_command_at_once(driver, folder, 3)
 
@@ -205,7 +198,6 @@ def test_concurrent_edits_of_window_and_many_commands(driver: Driver, folder: Pa
     window_and_command_at_once(driver, folder, 60)
 
 
-@LONG
 def test_a_failed_recovery_copy_is_reported(driver: Driver, folder: Path) -> None:
     open_project_window(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
@@ -220,7 +212,6 @@ def test_a_failed_recovery_copy_is_reported(driver: Driver, folder: Path) -> Non
     assert driver.dialogs.errors == []
 
 
-@LONG
 def test_a_failed_recovery_copy_is_repeated(driver: Driver, folder: Path) -> None:
     open_project_window(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
@@ -234,7 +225,6 @@ def test_a_failed_recovery_copy_is_repeated(driver: Driver, folder: Path) -> Non
     driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is None)
 
 
-@LONG
 def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, folder: Path) -> None:
     open_project_window(driver, folder)
     away = folder.with_name("renamed")
@@ -256,7 +246,6 @@ def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, fol
     assert driver.window.recovery_copies.problem is None
 
 
-@LONG
 def test_a_project_with_a_damaged_recovery_copy_is_opened(driver: Driver, folder: Path) -> None:
     (folder / UNSAVED_NAME).write_text((folder / PROJECT_FILE_NAME).read_text()[:1000])
     open_project_window(driver, folder)
