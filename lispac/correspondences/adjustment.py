@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+BORESIGHT_COLUMNS = slice(0, 3)
+"""Columns of the derivatives by roll, pitch and yaw, of those by the mounting."""
 MIN_PAIRS = 20
 """Smallest number of pairs, from which the noise can be estimated and wrong pairs be found."""
 MAX_KNOTS = 250
@@ -47,7 +49,7 @@ CONVERGENCE_RAD = 1e-9
 CONVERGENCE_NOISE = 1e-4
 """Relative change of the noise below which the iteration ends."""
 ROUGH_CONVERGENCE_RAD, ROUGH_CONVERGENCE_NOISE = 1e-6, 0.01
-"""Changes below which the iteration with Huber's weights ends."""
+"""Changes below which the start and the iteration with Huber's weights end."""
 MIN_SIGMA_M = 1e-7
 """Smallest noise of a pair, metres; zero would give an infinite weight."""
 MEDIAN_LENGTH = 1.5382
@@ -253,15 +255,25 @@ def _pair_differences(ends: Observations, mounting: Mounting) -> Array:
     points = np.column_stack(
         [evaluate_columns(ends, mounting, _planes(k), column)[:, 0] for k in range(3)]
     )
-    count = len(points) // 2
-    return np.asarray(points[:count] - points[count:])
+    return _first_minus_second(points)
+
+
+def _first_minus_second(of_ends: Array) -> Array:
+    """Values of the first points of all pairs minus those of the second ones; (2 n, ...) given."""
+    count = len(of_ends) // 2
+    return np.asarray(of_ends[:count] - of_ends[count:])
+
+
+def _condition_rows(ends: Observations, mounting: Mounting) -> Array:
+    """Rows of `linearise` for the three coordinates of each point, shape (2 n, 3, columns)."""
+    return np.stack([linearise(ends, mounting, _planes(k)).rows for k in range(3)], axis=1)
 
 
 def _linearise(ends: Observations, mounting: Mounting, knots: PosErrorKnots) -> _PairConditions:
     from scipy.sparse import coo_array
 
     count = len(ends) // 2
-    rows = np.stack([linearise(ends, mounting, _planes(k)).rows for k in range(3)], axis=1)
+    rows = _condition_rows(ends, mounting)
     by_pose = rows[:, :, POSE_COLUMNS]  # (2 n, 3, 6)
     sign = np.repeat([1.0, -1.0], count)
     variance = knots.bridge_factor * np.hstack([ends.sigma_position, ends.sigma_attitude]) ** 2
@@ -281,10 +293,10 @@ def _linearise(ends: Observations, mounting: Mounting, knots: PosErrorKnots) -> 
         shape=(3 * count, 6 * len(knots.time)),
     ).tocsr()
     return _PairConditions(
-        rows[:count, :, :3] - rows[count:, :, :3],
+        _first_minus_second(rows[:, :, BORESIGHT_COLUMNS]),
         by_pos,
         bridge[:count] + bridge[count:],
-        rows[:count, :, MISCLOSURE_COLUMN] - rows[count:, :, MISCLOSURE_COLUMN],
+        _first_minus_second(rows[:, :, MISCLOSURE_COLUMN]),
     )
 
 
@@ -293,11 +305,10 @@ def _robust_start(ends: Observations, mounting: Mounting) -> Mounting:
 
     The prior boresight may be wrong by degrees, and a third of the pairs may be wrong.
     """
-    count = len(ends) // 2
     for _ in range(MAX_ITERATIONS):
-        rows = np.stack([linearise(ends, mounting, _planes(k)).rows for k in range(3)], axis=1)
-        by_boresight = rows[:count, :, :3] - rows[count:, :, :3]
-        difference = rows[:count, :, MISCLOSURE_COLUMN] - rows[count:, :, MISCLOSURE_COLUMN]
+        rows = _condition_rows(ends, mounting)
+        by_boresight = _first_minus_second(rows[:, :, BORESIGHT_COLUMNS])
+        difference = _first_minus_second(rows[:, :, MISCLOSURE_COLUMN])
         length = np.linalg.norm(difference, axis=1)
         weight = 1 / np.maximum(length, max(1e-3 * float(np.median(length)), MIN_SIGMA_M))
         normal = np.einsum("n,nki,nkj->ij", weight, by_boresight, by_boresight)
@@ -307,7 +318,7 @@ def _robust_start(ends: Observations, mounting: Mounting) -> Mounting:
         kept = values > 1e-12 * max(values[-1], np.finfo(float).tiny)
         change = -vectors[:, kept] @ ((vectors[:, kept].T @ right) / values[kept])
         mounting = mounting.with_boresight(mounting.boresight + change)
-        if np.abs(change).max() < 1e-7:
+        if np.abs(change).max() < ROUGH_CONVERGENCE_RAD:
             break
     return mounting
 
