@@ -90,8 +90,9 @@ TEXTS: Mapping[str, Template] = {
         "deviations of the angles several times too small. Choose correlated POS errors."
     ),
     "adjustment.estimated_lever_arm_differs": N_(
-        "The estimated {parameter} is {change} than the given value (± {sigma}). The angles are "
-        "valid only with the estimated value, so correct the given one, or measure it again."
+        "The estimated {parameter} differs from the given one: it is {change} (± {sigma}). The "
+        "angles are valid only with the estimated value, so correct the given one, or measure it "
+        "again."
     ),
     "adjustment.large_sigma": N_(
         "Standard deviations are large (1 sigma): {angles:names}. Add targets with other "
@@ -168,8 +169,9 @@ TEXTS: Mapping[str, Template] = {
         "{angles:names}."
     ),
     "adjustment.sigmas_raised": N_(
-        "Angles computed from subsets of the data scatter more than the error model predicts. The "
-        "standard deviations were increased and are given with the result: {angles:names}."
+        "Taken together, the angles computed from subsets of the data scatter more than the error "
+        "model predicts, even if each of them agrees. The standard deviations were increased and "
+        "are given with the result: {angles:names}."
     ),
     "adjustment.sigmas_raised_conservative": N_(
         "The residuals are smaller than the standard deviations used predict, but angles computed "
@@ -434,6 +436,7 @@ TEXTS: Mapping[str, Template] = {
     },
     "change.larger": N_("larger by {amount}"),
     "change.smaller": N_("smaller by {amount}"),
+    "change.opposite_sign": N_("of the opposite sign, changed by {amount}"),
     "adjustment.cause_not_located": Advised(
         N_(
             "The residuals do not agree with the error model, and the lines are too few to "

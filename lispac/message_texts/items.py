@@ -95,6 +95,7 @@ TEXTS: Mapping[str, Template] = {
     # -- causes of residuals -----------------------------------------------------------------
     "cause.larger": N_("{parameter} larger by {amount}"),
     "cause.smaller": N_("{parameter} smaller by {amount}"),
+    "cause.opposite_sign": N_("{parameter} of the opposite sign, changed by {amount}"),
     "cause.line_boresight": N_("different boresight angles on line {line}"),
     "cause.line_position": N_("position error of {shift:mm.1} mm on line {line}"),
     "cause.times_early": N_("point times of line {line} {offset:ms.2} ms early"),

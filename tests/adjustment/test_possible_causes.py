@@ -19,7 +19,7 @@ from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Level, note, warning
+from lispac.messages import Level, Message, note, warning
 from lispac.present.calibration.adjustment import large_residuals_text
 from lispac.simulation.closed_form_survey import (
     THESIS_BOARDS,
@@ -241,6 +241,24 @@ def test_one_note_replaces_what_a_wrong_value_explains() -> None:
             assert found == messages
         text = str(large_residuals_text(some))
         assert ("lever arm Y" in text) == is_explained
+
+
+@pytest.mark.parametrize(
+    ("given", "code"), [(0.15, "change.opposite_sign"), (0.0, "change.smaller")]
+)
+def test_a_value_of_the_opposite_sign_is_named(given: float, code: str) -> None:
+    """The true lever arm X is 0.15 m smaller than zero."""
+    true = replace(TRUE_MOUNTING, lever_arm=np.array([-0.15, 0.04, 2.4]))
+    wrong = replace(PRIOR, lever_arm=np.array([given, 0.04, 2.4]))
+    data, generator = error_free_observations(true, 0)
+    seen = average_points_in_cells(add_errors(data, HYDROGRAPHIC_INS, generator), wrong, 0.1)
+    (found,) = (
+        each for each in result_warnings(adjust(seen, wrong, MODEL), None)
+        if each.code.startswith("adjustment.contradicted_lever_x")
+    )  # fmt: skip
+    change = found.params["change"]
+    assert isinstance(change, Message)
+    assert change.code == code
 
 
 @pytest.mark.parametrize(("kind", "is_far"), [("lever_z", True), ("latency", False)])

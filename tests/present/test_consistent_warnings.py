@@ -302,8 +302,8 @@ CASES = [
     ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),
-    ("estimated_lever_arm_differs", True, _lever_arm_changed, "lever arm Z is larger by 4.8380 m "
-     "than the given value (+/- 0.0100 m)"),
+    ("estimated_lever_arm_differs", True, _lever_arm_changed, "lever arm Z differs from the given "
+     "one: it is of the opposite sign, changed by 4.8380 m (+/- 0.0100 m)"),
     ("one_facing", True, _facing(2), "All targets are nearly parallel"),
     ("one_target", True, _facing(1), "T1 is the only target"),
 ]  # fmt: skip

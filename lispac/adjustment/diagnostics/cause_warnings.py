@@ -8,10 +8,18 @@ import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value, sighting_status
 from lispac.adjustment.diagnostics.sighting_warnings import MAX_WRONG_LINE_SHARE
-from lispac.adjustment.model.parameters import OPTIONAL_NAMES, amount_with_unit, mounting_value_name
+from lispac.adjustment.model.parameters import (
+    OPTIONAL_NAMES,
+    amount_with_unit,
+    change_text,
+    changed_value,
+    has_opposite_sign,
+    mounting_value_name,
+)
 from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
 from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE_SIGMAS
 from lispac.messages import Message, note, warning
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.warning_causes import RESULT_CAUSE, Cause
 
 DATA_ERROR_CODES = {
@@ -250,16 +258,19 @@ def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Mess
     return warning(
         code if moves else f"{code}_alone",
         parameter=mounting_value_name(cause.kind),
-        change=note(
-            "change.larger" if size > 0 else "change.smaller",
-            amount=amount_with_unit(cause.kind, abs(size)),
-        ),
+        change=change_text(cause.kind, size, has_opposite_sign=_has_opposite_sign(result, cause)),
         sigma=amount_with_unit(cause.kind, sigma),
         w=size / sigma,
         angles=moves,
         share_of_rms=float(min(cause.effect / result.rms_after, 1.0)) if result.rms_after else 0.0,
         subject=Cause.of_parameter(cause.kind),
     )
+
+
+def _has_opposite_sign(result: AdjustmentResult, cause: PossibleCause) -> bool:
+    """Whether the corrected value agrees with the given one with the opposite sign."""
+    given = float(result.mounting.values[MOUNTING_VALUE_NAMES.index(cause.kind)])
+    return has_opposite_sign(given, float(cause.size[0]), float(cause.sigma[0]))
 
 
 def _ambiguous_cause_warning(group: Sequence[PossibleCause]) -> Iterator[Message]:
@@ -322,12 +333,7 @@ def _cause_phrases(causes: Sequence[PossibleCause]) -> tuple[Message, ...]:
 def _cause_phrase(cause: PossibleCause) -> Message:
     """Cause as an item of a list, such as ``lever arm X smaller by 0.0951 m``."""
     if cause.kind in OPTIONAL_NAMES:
-        size = float(cause.size[0])
-        return note(
-            "cause.larger" if size > 0 else "cause.smaller",
-            parameter=mounting_value_name(cause.kind),
-            amount=amount_with_unit(cause.kind, abs(size)),
-        )
+        return changed_value(cause.kind, float(cause.size[0]))
     if cause.kind == "line_boresight":
         return note("cause.line_boresight", line=cause.line)
     if cause.kind == "line_position":

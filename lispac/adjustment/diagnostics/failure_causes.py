@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.possible_causes import PRIOR_ERROR_SIGMAS
 from lispac.adjustment.model.observations import Observations
-from lispac.adjustment.model.parameters import Parameter, amount_with_unit, mounting_value_name
+from lispac.adjustment.model.parameters import Parameter, changed_value, has_opposite_sign
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause
 from lispac.adjustment.solve.solver import SolverSettings, estimate
@@ -174,13 +174,10 @@ def _value_message(result: AdjustmentResult, name: str) -> Message:
     """Message that a value of the mounting is wrong, with its estimated change."""
     (estimate,) = (each for each in result.parameters if each.name == name)
     change = (estimate.value or 0.0) - estimate.prior
+    is_opposite = has_opposite_sign(estimate.prior, change, estimate.sigma or 0.0)
     return note(
         "cause.wrong_value",
-        change=note(
-            "cause.larger" if change > 0 else "cause.smaller",
-            parameter=mounting_value_name(name),
-            amount=amount_with_unit(name, abs(change)),
-        ),
+        change=changed_value(name, change, has_opposite_sign=is_opposite),
         subject=_cause_of_value(name),
     )
 

@@ -22,6 +22,9 @@ from lispac.adjustment.diagnostics.sighting_warnings import (
 )
 from lispac.adjustment.model.parameters import (
     amount_with_unit,
+    change_text,
+    changed_value,
+    has_opposite_sign,
     mounting_value_name,
     mounting_value_names,
 )
@@ -151,9 +154,10 @@ def _changed_lever_arm_warnings(
             yield warning(
                 "adjustment.estimated_lever_arm_differs",
                 parameter=mounting_value_name(each.name),
-                change=note(
-                    "change.larger" if change > 0 else "change.smaller",
-                    amount=amount_with_unit(each.name, abs(change)),
+                change=change_text(
+                    each.name,
+                    change,
+                    has_opposite_sign=has_opposite_sign(each.prior, change, each.sigma),
                 ),
                 sigma=amount_with_unit(each.name, each.sigma),
                 subject=Cause.of_parameter(each.name),
@@ -391,11 +395,7 @@ def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
             "target": each.target, "smallest": float(each.smallest), "largest": float(each.largest)
         }  # fmt: skip
         if each.cause not in RADIUS_CAUSE_CODES:
-            params["cause"] = note(
-                "cause.larger" if each.value > 0 else "cause.smaller",
-                parameter=mounting_value_name(each.cause),
-                amount=amount_with_unit(each.cause, abs(each.value)),
-            )
+            params["cause"] = changed_value(each.cause, each.value)
         yield Message(code, Level.WARNING, params, target)
 
 

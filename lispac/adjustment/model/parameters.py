@@ -23,6 +23,12 @@ A parameter with a larger sigma counts as not determined, because a tape measure
 more precise.
 """
 
+MIN_SIGN_ERROR_SIGMAS = 10.0
+"""Smallest ratio of a value to the sigma of its correction for which its sign is checked."""
+
+SIGN_TOLERANCE = 0.05
+"""Largest difference of the corrected value from the one with the opposite sign, as a ratio."""
+
 CRITICAL_TEST_VALUE = 1.96
 """Critical value of the two-sided test of a change at a level of 5 %, in standard deviations."""
 
@@ -141,6 +147,36 @@ def mounting_value_names(names: Iterable[str]) -> tuple[Message, ...]:
 def amount_with_unit(name: str, value: float) -> Message:
     """Format a value of the mounting (metres, radians or seconds) with its unit."""
     return note(f"amount.{PARAMETER_DISPLAYS[name].unit}", value=float(value))
+
+
+def has_opposite_sign(given: float, change: float, sigma: float) -> bool:
+    """Whether a corrected value agrees with the given value with the opposite sign.
+
+    Parameters
+    ----------
+    given, change, sigma : float, metres, radians or seconds
+        Given value, its correction, and the standard deviation of the correction.
+    """
+    tolerance = max(CRITICAL_TEST_VALUE * sigma, SIGN_TOLERANCE * abs(given))
+    is_clear = abs(given) > MIN_SIGN_ERROR_SIGMAS * sigma
+    return is_clear and abs(change + 2 * given) < tolerance
+
+
+def change_text(name: str, change: float, *, has_opposite_sign: bool = False) -> Message:
+    """Change of a value (metres, radians or seconds), such as ``larger by 0.0951 m``."""
+    size = amount_with_unit(name, abs(change))
+    if has_opposite_sign:
+        return note("change.opposite_sign", amount=size)
+    return note("change.larger" if change > 0 else "change.smaller", amount=size)
+
+
+def changed_value(name: str, change: float, *, has_opposite_sign: bool = False) -> Message:
+    """Value of the mounting with its change, such as ``lever arm X larger by 0.0951 m``."""
+    parameter = mounting_value_name(name)
+    size = amount_with_unit(name, abs(change))
+    if has_opposite_sign:
+        return note("cause.opposite_sign", parameter=parameter, amount=size)
+    return note("cause.larger" if change > 0 else "cause.smaller", parameter=parameter, amount=size)
 
 
 def signed_change(name: str, value: float) -> Message:

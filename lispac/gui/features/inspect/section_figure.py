@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui.appearance import quantities, theme
-from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLE, LOW_TITLES
+from lispac.gui.features.inspect.section_titles import ACROSS_TITLE, ALONG_TITLES, LOW_TITLES
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.language import N_, gettext
@@ -317,7 +317,8 @@ class _CutView:
     def axis_titles(self, titles: tuple[str, str], *, is_low: bool) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
         if not self.is_natural:
-            titles = (ALONG_TITLE, ACROSS_TITLE) if self.vertical else (ACROSS_TITLE, ALONG_TITLE)
+            along = ALONG_TITLES[titles[1 - int(self.vertical)]]
+            titles = (along, ACROSS_TITLE) if self.vertical else (ACROSS_TITLE, along)
         if is_low:
             return [gettext(LOW_TITLES.get(title, title)) for title in titles]
         texts = [gettext(title) for title in titles]

@@ -11,6 +11,7 @@ from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.result_tables import local_amount
 from lispac.language import N_, gettext, join_items
 from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
+from lispac.present.calibration.adjustment import SHORT_ANGLE_SIGNS
 from lispac.present.calibration.patch_test import PatchTestValues
 from lispac.present.tables import DEGREES, MILLIMETRES
 
@@ -125,10 +126,12 @@ class PatchAngles(QWidget):
             self._show_angle(k)
 
     def show_found(self, values: PatchTestValues | None) -> None:
-        """Show the angles found, their standard deviations and their effect on the lines."""
-        for name, label in zip(ANGLE_NAMES, self.result_labels, strict=True):
+        """Show angles found, their standard deviations, effects on the lines and signs."""
+        for name, label, sign in zip(
+            ANGLE_NAMES, self.result_labels, map(gettext, SHORT_ANGLE_SIGNS), strict=True
+        ):
             if values is None:
-                label.setText("")
+                label.setText(sign)
                 label.setToolTip("")
                 continue
             angle = local_amount(getattr(values.boresight_deg, name), DEGREES.signed)
@@ -139,7 +142,7 @@ class PatchAngles(QWidget):
                 text = gettext("result {angle} ± {sigma} (1 σ)", angle=angle, sigma=sigma)
             distance = local_amount(getattr(values.misalignment_m, name), MILLIMETRES)
             effect = gettext("0.01° = {distance}", distance=distance)
-            label.setText(join_items((text, effect)))
+            label.setText(join_items((text, effect, sign)))
             label.setToolTip(
                 gettext(
                     "{result}. An error of 0.01° in this angle misaligns the lines by {distance} "

@@ -24,16 +24,19 @@ from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.gui.widgets.result_tables import local_amount
-from lispac.language import N_, gettext
+from lispac.language import N_, gettext, number
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
 from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.mismatch_minimisation import MismatchMinimum
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.present.calibration.methods import DIFFERENCE_TEXTS
 from lispac.present.calibration.patch_test import PatchTestValues
 from lispac.present.tables import DEGREES
 from lispac.progress import Progress
+from lispac.project import Project
+from lispac.validation.repeatability import Calibration, compare_calibrations
 from lispac.workflow.calibration.method_runs import patch_test_result
 from lispac.workflow.calibration.patch_test import (
     PlacedObjects,
@@ -89,6 +92,31 @@ class _Curve:
         )
 
 
+def difference_text(project: Project | None, result: PatchTestResult) -> str:
+    """Differences from the adjustment of the project, with the verdict; empty without one."""
+    if project is None or project.result is None or result.covariance is None:
+        return ""
+    first = Calibration("", project.result.boresight, project.result.covariance)
+    difference = compare_calibrations(first, Calibration("", result.boresight, result.covariance))
+    values = {
+        f"{name}{suffix}": text
+        for name, angle, ratio in zip(
+            ANGLE_NAMES, np.degrees(difference.angles), difference.significance, strict=True
+        )
+        for suffix, text in (
+            ("", local_amount(float(angle), DEGREES.signed)),
+            ("_ratio", number(float(ratio), 1, sign=True)),
+        )
+    }
+    text = gettext(
+        "Difference from the adjustment: roll {roll} ({roll_ratio}\u00a0σ), pitch {pitch} "
+        "({pitch_ratio}\u00a0σ), yaw {yaw} ({yaw_ratio}\u00a0σ)",
+        **values,
+    )
+    verdict = gettext(DIFFERENCE_TEXTS[difference.differ])
+    return f"{text}; {verdict}."
+
+
 class PatchTestController(QObject):
     """Holds the objects, and updates the pictures when the angles change."""
 
@@ -133,6 +161,9 @@ class PatchTestController(QObject):
         panel.angles.find_requested.connect(actions.guarded(self.find_angle, panel))
         panel.curve.value_clicked.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
+        self._document.changed.connect(
+            lambda: self._result is not None and self._show_result(self._result)
+        )
         self._runner.changed.connect(self._enable_controls)
         self._runner.idle.connect(self._on_runner_idle)
         adding = PatchObjects(
@@ -433,7 +464,9 @@ class PatchTestController(QObject):
 
     def _show_result(self, result: PatchTestResult) -> None:
         self.panel.angles.show_found(PatchTestValues.of(result))
-        self.panel.message_label.setText("\n".join(map(message_text, result.messages)))
+        compared = difference_text(self._document.project, result)
+        texts = (compared, *map(message_text, result.messages))
+        self.panel.message_label.setText("\n".join(filter(None, texts)))
         self.panel.mark_objects(
             {each.name: each.disagreement for each in result.disagreeing_objects}
         )

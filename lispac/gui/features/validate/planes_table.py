@@ -23,7 +23,12 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.message_texts import message_text
 from lispac.gui.widgets.marked_cells import MarkedCells
-from lispac.gui.widgets.result_tables import local_cell_text, local_number, window_columns
+from lispac.gui.widgets.result_tables import (
+    local_amount,
+    local_cell_text,
+    local_number,
+    window_columns,
+)
 from lispac.language import N_, gettext
 from lispac.present.checking.acceptance import AcceptanceValues, failed_texts, verdict_text
 from lispac.present.checking.validation import WINDOW_PLANES_TABLE, ValidationPlane
@@ -221,7 +226,17 @@ def _highlight(item: QTableWidgetItem, is_exceeded: bool) -> None:
 
 def _plane_tip(each: PlaneComparison) -> str:
     model = message_text(each.model.name)
-    return gettext(
+    pooled = gettext(
         POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model,
         pooled=sum(pair.reciprocal for pair in each.pairs), total=len(each.pairs),
     )  # fmt: skip
+    values = ValidationPlane.of(each)
+    if values.largest_offset_m is None or values.former_offset_m is None:
+        return pooled
+    offset = gettext(
+        "Largest offset: {lines}, {before} before, {after} after",
+        lines=values.largest_offset_lines,
+        before=local_amount(values.former_offset_m, MILLIMETRES),
+        after=local_amount(values.largest_offset_m, MILLIMETRES),
+    )
+    return f"{pooled}\n{offset}"

@@ -108,18 +108,18 @@ def test_a_section_in_feet_is_saved_in_metres(
         first = panel.canvas.figure.axes[0]
         assert first.get_xlabel().startswith("Across the surface, ")
         assert first.get_xlabel().endswith(" towards the vessel, enlarged 5 times (ft)")
-        assert first.get_ylabel() == "Along the surface (ft)"
+        assert first.get_ylabel() == "Along the surface, upwards (ft)"
         assert "\N{NO-BREAK SPACE}ft" in first.get_title(loc="left")
         first.set_xlim(-0.25, 0.5)
         driver.dialogs.path = tmp_path / "section.svg"
         press(driver, Key.Key_P, Control)
         wait_until_idle(driver)
         saved = driver.dialogs.path.read_text()  # texts are outlines, with the words as comments
-        assert "<!-- Along the surface (m) -->" in saved
+        assert "<!-- Along the surface, upwards (m) -->" in saved
         assert re.search(r"\d mm .*-->", saved.replace("\N{NO-BREAK SPACE}", " "))
         assert "(ft)" not in saved
         assert first.get_xlim() == (-0.25, 0.5)
-        assert first.get_ylabel() == "Along the surface (ft)"
+        assert first.get_ylabel() == "Along the surface, upwards (ft)"
     finally:
         units.set_units("degrees", "metres")
 

@@ -1,5 +1,7 @@
 """Tests of the patch test panel by mouse and keys."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
@@ -9,7 +11,19 @@ from lispac.gui.app.unavailable import Unavailable
 from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
 from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
 from lispac.gui.features.patch_test.pictures import CurvePicture
-from tests.gui.support import Control, Driver, Key, Left, click, finish_layouts, press, type_into
+from lispac.project import Project
+from tests.gui.support import (
+    Control,
+    Demo,
+    Driver,
+    Key,
+    Left,
+    click,
+    finish_layouts,
+    press,
+    type_into,
+    wait_until_idle,
+)
 from tests.support.message_codes import is_shown
 
 ROLL, PITCH, YAW = range(3)
@@ -135,6 +149,26 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     alone = shown.angles.boresight
     assert abs(alone[PITCH] - result.boresight[PITCH]) < 0.2 * result.sigma[PITCH]
     assert "mismatch is smallest" in shown.message_label.text()
+
+
+def test_the_angles_are_compared_with_those_of_the_adjustment(
+    demo: Demo, estimated: Project, driver: Driver
+) -> None:
+    driver.window.document.open(estimated, demo.survey)
+    wait_until_idle(driver)
+    shown = opened_panel(driver)
+    click(driver, shown.propose)
+    driver.rest()
+    click(driver, shown.all)
+    driver.rest()
+    result = driver.window.panel_controllers["patch_test"].last_result
+    assert estimated.result is not None
+    difference = np.degrees(result.boresight - estimated.result.boresight)
+    text = shown.message_label.text()
+    texts = [f"{angle:+.4f}".replace("-", "\N{MINUS SIGN}") for angle in difference]
+    assert all(each in text for each in texts)
+    driver.window.document.edit("boresight", replace(estimated, result=None))
+    assert texts[0] not in shown.message_label.text()
 
 
 @pytest.mark.parametrize("depth", [0.01, 0.095])
