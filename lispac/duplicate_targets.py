@@ -163,12 +163,13 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
 def prediction_warnings(project: Project) -> tuple[Message, ...]:
     """Messages on sigmas that differ from those predicted when the targets were proposed.
 
-    Larger sigmas give a note. Smaller sigmas give a warning, since they may be too optimistic.
+    Larger sigmas give a note. Smaller sigmas give a warning, since they may be too optimistic. The
+    prediction assumes an exact lever arm.
     """
     result, prediction = project.result, project.prediction
     if result is None or prediction is None:
         return ()
-    ratio = result.sigma / prediction.sigma
+    ratio = result.with_exact_lever_arm.sigma / prediction.sigma
     found = []
     if (ratio < 1 - MAX_SIGMA_DIFFERENCE).any():
         angles = _predicted_angles(result, prediction, ratio < 1 - MAX_SIGMA_DIFFERENCE)
@@ -228,7 +229,8 @@ def _predicted_angles(
     return [
         note(
             "item.angle_predicted", angle=mounting_value_name(angle),
-            predicted=float(prediction.sigma[k]), sigma=float(result.sigma[k]),
+            predicted=float(prediction.sigma[k]),
+            sigma=float(result.with_exact_lever_arm.sigma[k]),
         )
         for k, angle in enumerate(ANGLES) if named[k]
     ]  # fmt: skip

@@ -66,7 +66,8 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
         sightings = [each.sighting for each in result.sightings]
         method = TARGETLESS_METHOD if project.is_targetless else TARGETS_METHOD
         add(
-            Calibration(method, result.boresight, result.covariance),
+            # All methods use the same lever arm.
+            Calibration(method, result.boresight, result.with_exact_lever_arm.covariance),
             len({each.line for each in sightings}), len({each.target for each in sightings}),
             result.messages,
         )  # fmt: skip

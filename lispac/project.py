@@ -111,7 +111,7 @@ class Settings:
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
     lidar_noise_source : whether the user gave the LiDAR noise, or an earlier adjustment estimated
         it from its residuals
-    lever_arm_sigma : metres, standard deviations of the lever arm for the error budget, or None
+    lever_arm_sigma : metres, standard deviations of the lever arm, or None if it is assumed exact
     beam_divergence_mrad : milliradians, full angle, for the error budget, or None
     range_offset : metres
     scan_angle_offset_deg : degrees
@@ -209,9 +209,11 @@ class Settings:
     def stochastic_model(self) -> StochasticModel:
         """Stochastic model for these settings."""
         loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
+        lever_arm = self.lever_arm_sigma if any(self.lever_arm_sigma or ()) else None
         return StochasticModel(
-            self.pos_errors, self.position_time, self.attitude_time, self.surface, loss
-        )
+            self.pos_errors, self.position_time, self.attitude_time, self.surface, loss,
+            lever_arm_sigma=lever_arm,
+        )  # fmt: skip
 
     @property
     def threshold(self) -> float:
@@ -610,11 +612,8 @@ class Project:
 
     def with_settings(self, settings: Settings) -> "Project":
         """Change the settings; results that depend on them are removed."""
-        of_budget = {
-            "lever_arm_sigma": settings.lever_arm_sigma,
-            "beam_divergence_mrad": settings.beam_divergence_mrad,
-        }
-        if replace(self.settings, **of_budget) == settings:  # type: ignore[arg-type]
+        divergence = settings.beam_divergence_mrad  # only for the error budget
+        if replace(self.settings, beam_divergence_mrad=divergence) == settings:
             return replace(self, settings=settings)
         return replace(self.without_results(), settings=settings)
 

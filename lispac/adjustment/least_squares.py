@@ -13,6 +13,7 @@ from lispac.adjustment.diagnostics.control_tests import (
 )
 from lispac.adjustment.diagnostics.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
 from lispac.adjustment.diagnostics.failure_causes import REJECTION_LEVEL, find_failure_causes
+from lispac.adjustment.diagnostics.lever_arm_uncertainty import with_lever_arm_effect
 from lispac.adjustment.diagnostics.observability import assess_observability
 from lispac.adjustment.diagnostics.pos_correction_estimate import estimate_pos_corrections
 from lispac.adjustment.diagnostics.possible_causes import find_possible_causes
@@ -159,9 +160,6 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
     control, translations = assess_control(linearised, sides)
     result = replace(
         result,
-        observability=assess_observability(
-            linearised, angle_sigma_factors=factors, origins=solution.origins
-        ),
         reliability=compute_reliability(linearised) if has_surfaces else (),
         contradictions=find_contradicted_parameters(linearised) if correlated else (),
         causes=find_possible_causes(linearised),
@@ -169,7 +167,21 @@ def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
         control_translations=translations,
         pos_corrections=estimate_pos_corrections(linearised),
     )
-    return result if factors is None else with_raised_sigmas(result, factors)
+    if factors is not None:
+        result = with_raised_sigmas(result, factors)
+    return _with_observability(result, solution)
+
+
+def _with_observability(result: AdjustmentResult, solution: Solution) -> AdjustmentResult:
+    """Result with the effect of the lever arm, and how well lines and targets determine it."""
+    known = with_lever_arm_effect(result, solution.linearised)
+    seen = assess_observability(
+        solution.linearised,
+        angle_sigma_factors=known.angle_sigma_factors,
+        added_covariance=known.lever_arm_covariance[:3, :3],
+        origins=solution.origins,
+    )
+    return replace(known, observability=seen)
 
 
 def _measured_noise_ratio(

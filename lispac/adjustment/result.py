@@ -2,6 +2,7 @@
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
@@ -14,7 +15,7 @@ from lispac.adjustment.model.pos_corrections import PosCorrections
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.former_names import accept_script_names
 from lispac.messages import Message
-from lispac.survey.georeferencing import Mounting
+from lispac.survey.georeferencing import LEVER_ARM_NAMES, Mounting
 from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
@@ -433,7 +434,8 @@ class AdjustmentResult:
     estimated : tuple of str
         Names of the estimated values: the boresight, and those of ``parameters`` with a value.
     covariance_all : ndarray of shape (e, e), radians, metres, seconds
-        Covariance of ``estimated``, not scaled by the variance factor.
+        Covariance of ``estimated``, not scaled by the variance factor. It contains the variance of
+        the lever arm (``lever_arm_covariance``).
     parameters : tuple of ParameterEstimate
         Result of each value that was to be estimated besides the boresight.
     path : ndarray of shape (iterations, 3), radians
@@ -496,6 +498,9 @@ class AdjustmentResult:
     pos_corrections : PosCorrections or None
         Corrections of the POS as a function of time; None with independent POS errors, and in
         results of earlier versions.
+    lever_arm_effect : ndarray of shape (e, 3), or None
+        Change of ``estimated`` per metre of the lever arm forward, left and up; None without
+        diagnostics, and in results of earlier versions.
     """
 
     mounting: Mounting
@@ -536,6 +541,7 @@ class AdjustmentResult:
     control_translations: tuple[ControlTranslation, ...] = ()
     without_control: EstimateWithoutControl | None = None
     pos_corrections: PosCorrections | None = None
+    lever_arm_effect: Annotated[Array, ArrayShape("e", 3)] | None = None
 
     @property
     def surfaces(self) -> Array:
@@ -575,17 +581,75 @@ class AdjustmentResult:
         return self.mounting.with_boresight(self.prior_boresight).without_nominal_axes.boresight
 
     @property
+    def lever_arm_covariance(self) -> Array:
+        """Covariance of ``estimated`` by the sigmas of the given lever arm.
+
+        Returns
+        -------
+        ndarray of shape (e, e), radians, metres, seconds
+        """
+        sigma = self.model.lever_arm_sigma
+        if sigma is None or self.lever_arm_effect is None:
+            return np.zeros_like(self.covariance_all)
+        moves = self.lever_arm_effect * sigma
+        return np.asarray(moves @ moves.T)
+
+    @property
+    def with_exact_lever_arm(self) -> "AdjustmentResult":
+        """Result with the sigmas that follow if the given lever arm has no error."""
+        return replace(
+            self,
+            covariance_all=self.covariance_all - self.lever_arm_covariance,
+            model=replace(self.model, lever_arm_sigma=None),
+        )
+
+    @property
     def with_formal_sigmas(self) -> "AdjustmentResult":
-        """Result with the formal sigmas of the model, without `angle_sigma_factors`."""
+        """Result with the formal sigmas of the model and an exact lever arm.
+
+        They are not raised by `angle_sigma_factors`.
+        """
+        exact = self.with_exact_lever_arm
         if self.angle_sigma_factors is None:
-            return self
+            return exact
         whole = np.ones(len(self.covariance_all))
         whole[:3] = 1.0 / self.angle_sigma_factors
         return replace(
-            self,
-            covariance_all=self.covariance_all * np.outer(whole, whole),
+            exact,
+            covariance_all=exact.covariance_all * np.outer(whole, whole),
             angle_sigma_factors=None,
         )
+
+    def mounting_covariance(
+        self, lever_arm_sigma: Sequence[float] | None = None
+    ) -> tuple[tuple[str, ...], Array]:
+        """Joint covariance of the estimated values and of the given lever arm.
+
+        Parameters
+        ----------
+        lever_arm_sigma : three of float, metres, optional
+            Sigmas of the lever arm (forward, left, up) instead of those of the model.
+
+        Returns
+        -------
+        names : tuple of str
+            ``estimated``, and the components of the lever arm that have a sigma and are not
+            estimated.
+        covariance : ndarray of shape (n, n), radians, metres, seconds
+        """
+        own, exact = self.model.lever_arm_sigma, self.with_exact_lever_arm.covariance_all
+        sigma = own if lever_arm_sigma is None else lever_arm_sigma
+        if sigma is None:
+            return self.estimated, exact
+        effect = self.lever_arm_effect
+        if effect is None:
+            effect = np.zeros((len(self.estimated), len(LEVER_ARM_NAMES)))
+        given = [k for k, name in enumerate(LEVER_ARM_NAMES) if name not in self.estimated]
+        moves = np.vstack([effect, np.eye(len(LEVER_ARM_NAMES))[given]])[:, given]
+        moves = moves * np.array(sigma)[given]
+        covariance = moves @ moves.T
+        covariance[: len(exact), : len(exact)] += exact
+        return (*self.estimated, *(LEVER_ARM_NAMES[k] for k in given)), covariance
 
     @property
     def covariance(self) -> Array:

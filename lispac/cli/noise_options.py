@@ -55,26 +55,34 @@ def add_offset_options(parser: ArgumentParser, kind: str = "prior", default: str
         )  # fmt: skip
 
 
-def add_budget_options(
-    parser: ArgumentParser,
-    lever_default: str = "not included",
-    divergence_default: str = "that of --scanner, or not included",
-) -> None:
-    """Add the options for values that only the error budget uses.
+def add_lever_arm_sigma_option(parser: ArgumentParser, default: str = "assumed exact") -> None:
+    """Add the option for the standard deviations of the lever arm.
 
     Parameters
     ----------
-    lever_default, divergence_default : str
+    default : str
         What applies without the option, for the help.
     """
     add_triple_option(
         parser, "--lever-arm-sigma", ("X", "Y", "Z"),
-        f"1 sigma of the lever arm for the error budget (m; default: {lever_default})",
+        f"1 sigma of the lever arm (m; default: {default})",
     )  # fmt: skip
+
+
+def add_divergence_option(
+    parser: ArgumentParser, default: str = "that of --scanner, or not included"
+) -> None:
+    """Add the option for the beam divergence.
+
+    Parameters
+    ----------
+    default : str
+        What applies without the option, for the help.
+    """
     parser.add_argument(
         "--beam-divergence", type=positive_number, metavar="MRAD",
         help="full angle of the beam divergence for the error budget (mrad; default: "
-        f"{divergence_default})",
+        f"{default})",
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.diagnostics.lever_arm_uncertainty import lever_arm_effect
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.parameters import Parameter, mounting_value_name, mounting_value_names
 from lispac.adjustment.model.target_shapes import points_local
@@ -91,8 +92,11 @@ def _predicted_sigmas(
     problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
     problem = problem.with_rejected(rejected)
     state = problem.start(result.mounting, shapes)
-    information = problem.linearised(state).normal.information(3)
-    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
+    linearised = problem.linearised(state)
+    variance = np.diag(np.linalg.inv(linearised.normal.information(3))).copy()
+    if (sigma := result.model.lever_arm_sigma) is not None:
+        variance += ((lever_arm_effect(linearised, ANGLES) * sigma) ** 2).sum(axis=1)
+    return np.asarray(np.sqrt(variance))
 
 
 def further_line_advice(

@@ -173,6 +173,13 @@ TEXTS: Mapping[str, Template] = {
         "model predicts, even if each of them agrees. The standard deviations were increased and "
         "are given with the result: {angles:names}."
     ),
+    "adjustment.lever_arm_uncertainty": Advised(
+        N_(
+            "The standard deviation of the given lever arm ({x:mm.0}, {y:mm.0}, {z:mm.0} mm) "
+            "increases those of the angles: {angles:names}."
+        ),
+        N_("Measure it more precisely, or estimate it."),
+    ),
     "adjustment.sigmas_raised_conservative": N_(
         "The residuals are smaller than the standard deviations used predict, but angles computed "
         "from subsets of the data scatter more. The standard deviations were therefore increased "

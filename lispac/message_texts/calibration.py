@@ -267,7 +267,8 @@ TEXTS: Mapping[str, Template] = {
         "The beam footprint is not included, because the beam divergence is not given."
     ),
     "budget.lever_arm_estimated": N_(
-        "Only the estimated components of the lever arm are included, with their covariance."
+        "Only the components of the lever arm that are estimated or have a standard deviation are "
+        "included."
     ),
     "budget.lever_arm_unknown": N_(
         "The uncertainty of the lever arm is not included, because it is not given."

@@ -51,7 +51,8 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
         missing = Paragraph(gettext("No boresight has been estimated yet."))
         return [missing, convention_paragraph(content)]
     # The variance factor and its test depend on the LiDAR noise used.
-    lidar, *_ = sigma_facts(content.settings.standard_deviations, adjustment.sightings)
+    used = content.settings
+    lidar, *_ = sigma_facts(used.standard_deviations, used.lever_arm_sigma_m, adjustment.sightings)
     blocks: list[Block] = [
         *precision_summary(adjustment),
         convention_paragraph(content),

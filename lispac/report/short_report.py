@@ -118,7 +118,8 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     if content.cross_checks is not None:
         facts.append(Fact(gettext("Cross-checks"), agreement_text(content.cross_checks)))
     facts += method_facts(content.methods)
-    facts += sigma_facts(content.settings.standard_deviations, adjustment.sightings)
+    used = content.settings
+    facts += sigma_facts(used.standard_deviations, used.lever_arm_sigma_m, adjustment.sightings)
     table = TARGETS_TABLE
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
         table = table.without(title)

@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 POINTS_PER_KERNEL_CALL = 1 << 16  # points per kernel call
 
 
+LEVER_ARM_NAMES = ("lever_x", "lever_y", "lever_z")
+"""Names of the components of the lever arm, metres: forward, left, up."""
 MOUNTING_VALUE_NAMES = (
     "roll", "pitch", "yaw", "lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset",
     "latency",

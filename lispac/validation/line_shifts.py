@@ -85,9 +85,10 @@ class LineErrors:
             np.broadcast_to(normal, (len(points_lidar), 3)), pose_rate=pose_rate,
         )  # fmt: skip
         _, position, attitude = result.sigma_factors
-        values, vectors = np.linalg.eigh(result.covariance_all)
+        names, covariance = result.mounting_covariance()
+        values, vectors = np.linalg.eigh(covariance)
         mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-        estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
+        estimated = [MOUNTING_VALUE_NAMES.index(name) for name in names]
         return cls(
             float(np.median(time)),
             float(np.ptp(time)),

@@ -143,6 +143,16 @@ def _raised(project: Project) -> Project:
     return replace(project, result=with_raised_sigmas(project.result, np.array([1.0, 2.5, 1.02])))
 
 
+def _uncertain_lever_arm(project: Project) -> Project:
+    assert project.result is not None
+    effect = np.zeros((len(project.result.estimated), 3))
+    effect[2, 0] = np.radians(5.0)  # per metre
+    model = replace(project.result.model, lever_arm_sigma=(0.01, 0.02, 0.03))
+    result = replace(project.result, model=model, lever_arm_effect=effect)
+    covariance = result.covariance_all + result.lever_arm_covariance
+    return replace(project, result=replace(result, covariance_all=covariance))
+
+
 def _apart(significance: float, difference_deg: float = -0.1512) -> Callable[[Project], Project]:
     """The pitch without a line differs by a number of standard deviations."""
 
@@ -271,6 +281,9 @@ CASES = [
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "of 300 s (position) and 600 s (attitude)"),
     ("shorter_times_sigmas", False, _shorter_with_sigmas, "instead of 0.0102"),
+    ("lever_arm_uncertainty", False, _uncertain_lever_arm,
+     "The standard deviation of the given lever arm (10, 20, 30 mm) increases those of the angles: "
+     "yaw from "),
     ("sigmas_raised", False, _raised, "the result: pitch from 0.0291 to 0.0728"),
     ("sigmas_raised_conservative", False, _raised_conservative, "The residuals are smaller than "
      "the standard deviations used predict, but"),

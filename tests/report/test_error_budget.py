@@ -24,7 +24,7 @@ from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Bullets, Table
-from lispac.survey.georeferencing import Mounting
+from lispac.survey.georeferencing import LEVER_ARM_NAMES, Mounting
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
 from tests.cli.test_cli import run, run_json
@@ -48,7 +48,6 @@ def system(**changes: object) -> SystemErrors:
         position=np.array([0.012, 0.010, 0.02]),
         attitude=np.radians([0.008, 0.01, 0.015]),
         lidar=(0.004, float(np.radians(0.006))),
-        lever_arm=None,
         mounting=Mounting(np.array([-0.2, 0.06, 2.2]), np.radians([0.4, -1.9, 0.4])),
         prior_boresight=np.zeros(3),
         estimated=estimated,
@@ -166,9 +165,8 @@ def test_the_figures_of_thesis_table_1_3() -> None:
             attitude=np.radians(np.full(3, 0.01)),
             lidar=(0.009, 1e-9),
             mounting=Mounting(np.zeros(3), np.radians([0.0, 0.0, 1.2])),
-            lever_arm=np.full(3, 0.02 * one),
-            estimated=("roll", "pitch", "yaw"),
-            covariance=np.radians(0.01) ** 2 * np.eye(3),
+            estimated=("roll", "pitch", "yaw", *LEVER_ARM_NAMES),
+            covariance=np.diag([*np.full(3, np.radians(0.01)), *np.full(3, 0.02 * one)]) ** 2,
         ),
         [50.0],
     )
@@ -191,7 +189,14 @@ def test_unknown_errors_are_reported_and_not_counted() -> None:
     codes = {each.code for each in budget.assumptions}
     assert {"budget.lever_arm_unknown", "budget.no_latency"} <= codes
     with_known_errors = by_name(
-        error_budget(replace(without, lever_arm=np.full(3, 0.05))), "horizontal, to starboard"
+        error_budget(
+            replace(
+                without,
+                estimated=(*without.estimated, *LEVER_ARM_NAMES),
+                covariance=np.diag([*np.full(3, 1e-7), *np.full(3, 0.05**2)]),
+            )
+        ),
+        "horizontal, to starboard",
     )
     for k in range(3):
         less, more = (

@@ -45,6 +45,7 @@ from lispac.report.html import html_text
 from lispac.report.options import Extent, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.survey.conventions.systems import SYSTEMS
+from lispac.survey.georeferencing import LEVER_ARM_NAMES
 from lispac.targets.occlusion import ObservedExtent
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.absolute_check import (
@@ -226,8 +227,15 @@ def test_absolute_checks_are_in_french(
         {},
         {"lidar": 0.005, "estimated": ("roll", "pitch", "yaw"), "covariance": np.eye(3) * 1e-7},
         {
-            "estimated": ("roll", "pitch", "yaw", "range_offset", "scan_angle_offset"),
-            "lever_arm": np.full(3, 0.01),
+            "estimated": (
+                "roll",
+                "pitch",
+                "yaw",
+                *LEVER_ARM_NAMES,
+                "range_offset",
+                "scan_angle_offset",
+            ),
+            "covariance": np.eye(8) * 1e-7,
         },
     ],
 )

@@ -124,12 +124,12 @@ def test_pos_accuracies_and_the_lever_arm_have_their_sources(
         "the accuracy file)"
     )
     assert rows["Attitude sigma (roll, pitch, heading)"].startswith("0.0080 to 0.0160, ")
-    assert rows["Lever-arm sigma (forward, left, up)"].startswith("not given")
+    assert rows["Lever-arm sigma (forward, left, up)"].startswith("not used")
     model = replace(_result(project).model, position_time=120.0)
     rows = _settings(changed(model=model))
     assert rows["Correlation times (position, attitude)"] == "120 s, 600 s (given)"
-    known = replace(project.settings, lever_arm_sigma=(0.005, 0.006, 0.007))
-    rows = _settings(sample_content(replace(project, settings=known)))
+    uncertain = replace(_result(project).model, lever_arm_sigma=(0.005, 0.006, 0.007))
+    rows = _settings(changed(model=uncertain))
     assert rows["Lever-arm sigma (forward, left, up)"].startswith("0.005, 0.006, 0.007 m (given")
 
 

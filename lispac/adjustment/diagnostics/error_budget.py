@@ -15,7 +15,13 @@ from lispac.adjustment.model.point_sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, place_points, to_lidar
+from lispac.survey.georeferencing import (
+    LEVER_ARM_NAMES,
+    MOUNTING_VALUE_NAMES,
+    Mounting,
+    place_points,
+    to_lidar,
+)
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -58,13 +64,12 @@ class SystemErrors:
     lidar : float or pair of float
         Sigma on each axis of the LiDAR (metres), or sigmas of range (metres) and beam direction
         (radians).
-    lever_arm : ndarray of shape (3,), metres, body frame, or None
-        Sigmas of the lever arm; None if unknown. Not used if the lever arm was estimated.
     mounting : Mounting
         Estimated mounting.
     prior_boresight : ndarray of shape (3,), radians
     estimated : tuple of str
-        Names of the estimated values, from `MOUNTING_VALUE_NAMES`.
+        Names of the values of the mounting with a covariance, from `MOUNTING_VALUE_NAMES`: those
+        that were estimated, and the given lever arm if its sigmas are known.
     covariance : ndarray of shape (e, e), radians, metres, seconds
         Covariance of ``estimated``.
     speed : float, metres per second
@@ -79,7 +84,6 @@ class SystemErrors:
     position: Array
     attitude: Array
     lidar: float | tuple[float, float]
-    lever_arm: Array | None
     mounting: Mounting
     prior_boresight: Array
     estimated: tuple[str, ...]
@@ -184,7 +188,7 @@ def _beam_budget(
     known = [{k: c for k, c in each.items() if c is not None} for each in found]
     totals = []
     for out in (ESTIMATED_BORESIGHT_SOURCE, PRIOR_BORESIGHT_SOURCE):
-        # The other estimated values are correlated with each other and with the boresight.
+        # The other values are correlated with each other and with the estimated boresight.
         both = [
             sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
             + (
@@ -238,14 +242,8 @@ def _covariance_by_source(
         if system.divergence is None
         else footprint_covariance(beam_direction, system.divergence, system.incidence, distance)
     )
-    levers = [name for name in system.estimated if name.startswith("lever")]
-    if levers:
-        found[LEVER_ARM_SOURCE] = _estimated_covariance(moved, system, levers)
-    else:
-        lever = system.lever_arm
-        found[LEVER_ARM_SOURCE] = (
-            None if lever is None else _propagate_sigmas(moved.by_mounting[:, 3:6], lever)
-        )
+    levers = [name for name in system.estimated if name in LEVER_ARM_NAMES]
+    found[LEVER_ARM_SOURCE] = _estimated_covariance(moved, system, levers) if levers else None
     for name, words in OFFSET_SOURCES.items():
         if name in system.estimated:
             found[words] = _estimated_covariance(moved, system, [name])
@@ -317,7 +315,7 @@ def _cross_covariance(beam_direction: Array, system: SystemErrors, distance: flo
     """Covariance of the point from correlations between groups of estimated values."""
     _, _, moved = _point_pose_derivatives(beam_direction, system, distance)
     names = [name for name in system.estimated if name != "latency"]
-    groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
+    groups = [["roll", "pitch", "yaw"], [n for n in names if n in LEVER_ARM_NAMES]]
     groups += [[name] for name in names if name in OFFSET_SOURCES]
     alone = sum(_estimated_covariance(moved, system, group) for group in groups if group)
     return _estimated_covariance(moved, system, names) - alone
@@ -361,10 +359,11 @@ def _budget_assumptions(system: SystemErrors) -> list[Message]:
                 incidence=system.incidence,
             )
         )
-    if any(name.startswith("lever") for name in system.estimated):
-        found.append(note("budget.lever_arm_estimated"))
-    elif system.lever_arm is None:
+    levers = len(set(LEVER_ARM_NAMES) & set(system.estimated))
+    if levers == 0:
         found.append(note("budget.lever_arm_unknown"))
+    elif levers < len(LEVER_ARM_NAMES):
+        found.append(note("budget.lever_arm_estimated"))
     if "latency" in system.estimated:
         roll, pitch, heading = map(float, system.rates)
         found.append(

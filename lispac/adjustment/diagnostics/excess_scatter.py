@@ -78,16 +78,19 @@ def raise_sigmas_by_scatter(
     linearised, origins : as in `lispac.adjustment.diagnostics.solved_equations.SolvedEquations`
     """
     added = excess_variance(linearised, origins, progress=progress)
-    return with_raised_sigmas(result, np.sqrt(1.0 + added / np.diag(result.covariance)))
+    variance = np.diag(result.with_exact_lever_arm.covariance)
+    return with_raised_sigmas(result, np.sqrt(1.0 + added / variance))
 
 
 def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentResult:
     """Result with the sigmas of its angles multiplied by factors (3,)."""
     whole = np.ones(len(result.covariance_all))
     whole[:3] = factors
+    by_lever_arm = result.lever_arm_covariance
     return replace(
         result,
-        covariance_all=result.covariance_all * np.outer(whole, whole),
+        covariance_all=(result.covariance_all - by_lever_arm) * np.outer(whole, whole)
+        + by_lever_arm,
         angle_sigma_factors=factors
         if result.angle_sigma_factors is None
         else factors * result.angle_sigma_factors,

@@ -436,7 +436,7 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
         for angle, before, after, factor in zip(
             ANGLES,
             result.with_formal_sigmas.sigma,
-            result.sigma,
+            result.with_exact_lever_arm.sigma,
             result.angle_sigma_factors,
             strict=True,
         )
@@ -450,6 +450,29 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
             if is_conservative
             else "adjustment.sigmas_raised",
             angles=raised, subject=page,
+        )  # fmt: skip
+
+
+def _lever_arm_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Note that the sigmas of the given lever arm increase those of the angles."""
+    if (sigma := result.model.lever_arm_sigma) is None:
+        return
+    exact = result.with_exact_lever_arm.sigma
+    increased = [
+        note(
+            "item.angle_raised",
+            angle=mounting_value_name(angle),
+            before=float(before),
+            after=float(after),
+        )
+        for angle, before, after in zip(ANGLES, exact, result.sigma, strict=True)
+        if after > MIN_REPORTED_SIGMA_FACTOR * before
+    ]
+    if increased:
+        yield note(
+            "adjustment.lever_arm_uncertainty",
+            x=float(sigma[0]), y=float(sigma[1]), z=float(sigma[2]), angles=increased,
+            subject=Cause.of_field("lever_arm"),
         )  # fmt: skip
 
 
@@ -501,6 +524,7 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     _radius_warnings,
     _correlation_time_note,
     _raised_sigma_note,
+    _lever_arm_note,
     _assumed_sigma_note,
     _method_messages,
 )

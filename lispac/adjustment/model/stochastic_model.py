@@ -55,6 +55,9 @@ class StochasticModel:
         tilts.
     loss : {"none", "huber", "tukey"}
         Loss function that weights outliers.
+    lever_arm_sigma : tuple of three float, metres, or None
+        Sigmas of the given lever arm (forward, left, up), which increase those of the estimated
+        values; None if it is assumed exact. Not used for components that are estimated.
     """
 
     pos_errors: PosErrors = "correlated"
@@ -63,6 +66,7 @@ class StochasticModel:
     surface: float | None = None
     loss: LossName = "none"
     offset: float | None = None
+    lever_arm_sigma: tuple[float, float, float] | None = None
 
     @property
     def knot_interval(self) -> float:

@@ -17,6 +17,7 @@ from lispac.cli.argument_types import (
 )
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.noise_options import (
+    add_lever_arm_sigma_option,
     add_noise_options,
     add_offset_options,
     noise_and_offset_settings,
@@ -76,6 +77,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     _add_plane_file_options(parser)
     add_noise_options(parser)
+    add_lever_arm_sigma_option(parser, "that of the project; 0 0 0 assumes an exact one")
     parser.add_argument(
         "--lidar-noise-source",
         choices=("given", "residuals"),
@@ -243,6 +245,8 @@ def _settings_with_options(settings: Settings, arguments: Namespace) -> Settings
         "accept_single_orientation": arguments.accept_single_orientation,
     }
     settings = settings.with_values(**noise_and_offset_settings(arguments))
+    if arguments.lever_arm_sigma is not None:
+        settings = replace(settings, lever_arm_sigma=tuple(arguments.lever_arm_sigma))
     if arguments.lidar_noise_source is not None:
         settings = replace(settings, lidar_noise_source=arguments.lidar_noise_source)
     if arguments.loss is not None:

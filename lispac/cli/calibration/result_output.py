@@ -106,9 +106,11 @@ def print_result(
 
 def print_sigmas(project: Project) -> None:
     """Print the standard deviations used in the adjustment, and where they come from."""
-    values = None if project.result is None else adjustment_values(project.result)
-    sightings = () if values is None else values.sightings
-    print_facts(SIGMAS_TITLE, sigma_facts(sigmas_used(project), sightings))
+    result = project.result
+    sightings = () if result is None else adjustment_values(result).sightings
+    model = project.settings.stochastic_model if result is None else result.model
+    facts = sigma_facts(sigmas_used(project), model.lever_arm_sigma, sightings)
+    print_facts(SIGMAS_TITLE, facts)
 
 
 def print_origin(project: Project, frame: LocalFrame) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from lispac.cli.argument_types import add_json_option, number_within, positive_number
 from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.messages import console_text
-from lispac.cli.noise_options import add_budget_options
+from lispac.cli.noise_options import add_divergence_option, add_lever_arm_sigma_option
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -18,7 +18,8 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="distances of the point from the scanner (m; default 10 50 100)",
     )  # fmt: skip
     saved = "as saved in the project, or not included"
-    add_budget_options(parser, saved, saved)
+    add_lever_arm_sigma_option(parser, saved)
+    add_divergence_option(parser, saved)
     parser.add_argument(
         "--incidence", type=number_within(0.0, 85.0), default=45.0, metavar="DEG",
         help="angle between the beam and the normal of the surface, for the beam footprint (deg; "

@@ -18,7 +18,8 @@ from lispac.cli.console import ConsoleProgress, print_json, print_table
 from lispac.cli.former_options import split_reading_option
 from lispac.cli.messages import print_messages
 from lispac.cli.noise_options import (
-    add_budget_options,
+    add_divergence_option,
+    add_lever_arm_sigma_option,
     add_noise_options,
     add_offset_options,
     noise_and_offset_settings,
@@ -77,7 +78,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     _add_pos_options(parser)
     add_noise_options(parser)
     add_offset_options(parser)
-    add_budget_options(parser)
+    add_lever_arm_sigma_option(parser)
+    add_divergence_option(parser)
     parser.add_argument(
         "--longest-gap", type=positive_number, metavar="SECONDS",
         help="longest gap of the trajectory to interpolate across (s; default 1.5)",

@@ -461,7 +461,8 @@ def lever_arm_fields(prefix: str) -> TripleField:
 
 
 LEVER_ARM_SIGMA_HINT = N_(
-    "For the error budget only. If all three are 0, the lever arm is assumed exact."
+    "The standard deviations of the angles contain these values. If all three are 0, the lever arm "
+    "is assumed exact."
 )
 
 
@@ -471,8 +472,8 @@ def lever_arm_sigma_fields(prefix: str) -> TripleField:
         number(
             f"{prefix}_{axis}", suffix=" m", decimals=4, low=0, high=100, step=0.001,
             tip=gettext(
-                "Standard deviation of the lever arm along {axis}, metres, for the error budget. "
-                "If all three are 0, it is not included.",
+                "Standard deviation of the lever arm along {axis}, metres. It increases those of "
+                "the angles and is part of the error budget.",
                 axis=axis.upper(),
             ),
             title=gettext("Lever arm {axis} (1 σ)", axis=axis.upper()),

@@ -9,7 +9,7 @@ from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 16
+SCHEMA_VERSION = 17
 
 
 def upgrade_content(content: Content) -> Content:
@@ -239,6 +239,14 @@ def _upgrade_from_15(content: Content) -> Content:
     return content | {"schema_version": 16, "result": result}
 
 
+def _upgrade_from_16(content: Content) -> Content:
+    """Upgrade to version 17, whose result contains the effect of the lever arm on the angles.
+
+    In earlier results, the lever arm is exact.
+    """
+    return content | {"schema_version": 17}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -255,4 +263,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     13: _upgrade_from_13,
     14: _upgrade_from_14,
     15: _upgrade_from_15,
+    16: _upgrade_from_16,
 }

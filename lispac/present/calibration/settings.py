@@ -3,13 +3,18 @@
 Field names of `SettingsUsed` are the keys of ``settings`` in JSON.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL, PosErrors
 from lispac.language import N_, gettext
 from lispac.present.calibration.adjustment import AdjustmentValues, noisier_targets
-from lispac.present.calibration.sigmas import SigmaValues, sigma_facts, sigmas_used
+from lispac.present.calibration.sigmas import (
+    SigmaValues,
+    lever_arm_decimals,
+    sigma_facts,
+    sigmas_used,
+)
 from lispac.present.tables import Fact
 from lispac.present.text_format import (
     fixed_number,
@@ -136,7 +141,7 @@ def settings_used(project: Project, origin_deg_m: tuple[float, ...] | None = Non
     found = result.surface if result else model.surface
     return SettingsUsed(
         lever_arm_m=settings.lever_arm,
-        lever_arm_sigma_m=settings.lever_arm_sigma,
+        lever_arm_sigma_m=model.lever_arm_sigma,
         origin_deg_m=origin_deg_m or settings.origin_deg_m,
         origin_is_given=settings.origin_deg_m is not None,
         position_sigma_m=settings.used_position_sigma if typed else None,
@@ -169,7 +174,7 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
     """Lever arm first, local frame, estimated parameters and point spacing, as texts."""
     names = [p.name for p in adjustment.parameters] if adjustment else []
     is_estimated = any(name.startswith("lever") for name in names)
-    decimals = 4 if is_estimated else _lever_arm_decimals(used.lever_arm_m)
+    decimals = 4 if is_estimated else lever_arm_decimals(used.lever_arm_m)
     lever_arm = gettext("{values} m", values=triple_text(used.lever_arm_m, decimals))
     if is_estimated:
         values = [Fact(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
@@ -195,11 +200,6 @@ def system_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         values.append(Fact(gettext("Targets of a single orientation"), gettext("accepted")))
     has_spheres = adjustment is None or any(t.shape == "sphere" for t in adjustment.targets)
     return [*values, Fact(gettext("Point spacing"), _subsampling_text(used, has_spheres))]
-
-
-def _lever_arm_decimals(values: Sequence[float]) -> int:
-    """Number of decimals of a given lever arm, metres: four only if it is not in millimetres."""
-    return 3 if all(round(each, 3) == round(each, 4) for each in values) else 4
 
 
 def origin_fact(origin_deg_m: tuple[float, ...] | None, *, is_given: bool) -> Fact:
@@ -238,7 +238,9 @@ def _subsampling_text(used: SettingsUsed, has_spheres: bool) -> str:
 def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[Fact]:
     """Stochastic model, in the language in use."""
     sightings = () if adjustment is None else adjustment.sightings
-    lidar, position, attitude = sigma_facts(used.standard_deviations, sightings)
+    lidar, position, attitude, lever_arm = sigma_facts(
+        used.standard_deviations, used.lever_arm_sigma_m, sightings
+    )
     values = [
         Fact(
             gettext("POS errors"),
@@ -266,17 +268,9 @@ def model_facts(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
                 _surface_sigma_text(used),
             )
         )
-    values.append(Fact(gettext("Lever-arm sigma (forward, left, up)"), _lever_arm_sigma_text(used)))
+    values.append(lever_arm)
     loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
     return [*values, Fact(gettext("Outliers"), loss)]
-
-
-def _lever_arm_sigma_text(used: SettingsUsed) -> str:
-    if used.lever_arm_sigma_m is None:
-        return gettext("not given: not part of the error budget")
-    sigma = used.lever_arm_sigma_m
-    values = triple_text(sigma, _lever_arm_decimals(sigma))
-    return gettext("{values} m (given, for the error budget only)", values=values)
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:

@@ -182,7 +182,32 @@ def _ranges_text(group: SigmaGroup, errors: Sequence[PosErrorValues]) -> str:
 
 
 def sigma_facts(
-    sigmas: tuple[SigmaValues, ...], sightings: Sequence[SightingValues] = ()
+    sigmas: tuple[SigmaValues, ...],
+    lever_arm_sigma_m: tuple[float, ...] | None,
+    sightings: Sequence[SightingValues] = (),
 ) -> list[Fact]:
-    """Facts about the standard deviations, in the language in use; see `sigma_text`."""
-    return [Fact(gettext(SIGMA_TITLES[each.group]), sigma_text(each, sightings)) for each in sigmas]
+    """Facts about the standard deviations of LiDAR, position, attitude and lever arm.
+
+    They are in the language in use; see `sigma_text`. ``lever_arm_sigma_m`` is None if the lever
+    arm is assumed exact.
+    """
+    of_groups = [
+        Fact(gettext(SIGMA_TITLES[each.group]), sigma_text(each, sightings)) for each in sigmas
+    ]
+    lever_arm = _lever_arm_sigma_text(lever_arm_sigma_m)
+    return [*of_groups, Fact(gettext("Lever-arm sigma (forward, left, up)"), lever_arm)]
+
+
+def _lever_arm_sigma_text(sigma: tuple[float, ...] | None) -> str:
+    if sigma is None:
+        return gettext("not used: the given lever arm is assumed exact")
+    return gettext(
+        "{values} m (given; contained in the standard deviations of the angles)",
+        values=triple_text(sigma, lever_arm_decimals(sigma)),
+    )
+
+
+def lever_arm_decimals(values: Sequence[float]) -> int:
+    """Number of decimals of a given lever arm, metres: four only if it is not in millimetres."""
+    is_in_millimetres = all(round(value, 3) == round(value, 4) for value in values)
+    return 3 if is_in_millimetres else 4

@@ -370,9 +370,10 @@ def _place_sensitivities(
     )  # fmt: skip
     sigma_position, sigma_attitude = survey.accuracy.at(time)
     _, position, attitude = result.sigma_factors
-    values, vectors = np.linalg.eigh(result.covariance_all)
+    names, covariance = result.mounting_covariance()
+    values, vectors = np.linalg.eigh(covariance)
     mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
+    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in names]
     return LinePlaces(
         cloud.line,
         float(np.median(time)),

@@ -61,6 +61,7 @@ def error_budget_of(
         divergence = settings.beam_divergence_mrad / 1000
     if lever_sigma is not None and not all(0.0 <= each < np.inf for each in lever_sigma):
         raise InputError(error("estimate.lever_arm_sigma"))
+    names, covariance = result.mounting_covariance(lever_sigma)
     latency = result.mounting.latency
     time = _times_on_lines(survey, latency)
     position, attitude = survey.accuracy.at(time)
@@ -74,11 +75,10 @@ def error_budget_of(
             lidar=(lidar * beam[0], lidar * float(np.radians(beam[1])))
             if beam
             else lidar * settings.used_lidar_sigma,
-            lever_arm=None if lever_sigma is None else np.array(lever_sigma, dtype=float),
             mounting=result.mounting,
             prior_boresight=result.prior_boresight,
-            estimated=result.estimated,
-            covariance=result.covariance_all,
+            estimated=names,
+            covariance=covariance,
             speed=float(np.median(np.linalg.norm(rate[:, :3], axis=1))),
             rates=np.sqrt(np.mean(rate[:, 3:] ** 2, axis=0)),
             divergence=divergence,

@@ -219,7 +219,10 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
     projects = [project for _, project in group]
     names = distinct_names(projects)
     chart = control_chart([
-        Calibration(name, project.result.boresight, project.result.covariance)
+        # An error of the lever arm is the same in all of them.
+        Calibration(
+            name, project.result.boresight, project.result.with_exact_lever_arm.covariance
+        )
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ])  # fmt: skip

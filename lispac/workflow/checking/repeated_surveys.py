@@ -51,7 +51,8 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
             raise ProjectError(error("estimate.needed", project=project.name))
     names = distinct_names(projects)
     found = [
-        Calibration(name, project.result.boresight, project.result.covariance)
+        # An error of the lever arm is the same in all of them.
+        Calibration(name, project.result.boresight, project.result.with_exact_lever_arm.covariance)
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ]

@@ -88,7 +88,7 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
         surveyed_with_form_error_sigma_deg=known_degrees(
             predict(_with_flatness(kept, found_flatness)).sigma
         ),
-        obtained_sigma_deg=degrees(result.sigma),
+        obtained_sigma_deg=degrees(result.with_exact_lever_arm.sigma),  # as predicted
         flatness_m=(plan.flatness, found_flatness),
         missing_targets=missing_targets,
         missing_lines=tuple(plan.lines[k].name for k in unsailed),

@@ -96,7 +96,9 @@ def difference_text(project: Project | None, result: PatchTestResult) -> str:
     """Differences from the adjustment of the project, with the verdict; empty without one."""
     if project is None or project.result is None or result.covariance is None:
         return ""
-    first = Calibration("", project.result.boresight, project.result.covariance)
+    # Both methods use the same lever arm.
+    covariance = project.result.with_exact_lever_arm.covariance
+    first = Calibration("", project.result.boresight, covariance)
     difference = compare_calibrations(first, Calibration("", result.boresight, result.covariance))
     values = {
         f"{name}{suffix}": text

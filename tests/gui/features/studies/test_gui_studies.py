@@ -23,7 +23,16 @@ from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
-from tests.gui.support import WAIT_MS, Control, Driver, in_front, open_step, type_into
+from tests.gui.support import (
+    WAIT_MS,
+    Control,
+    Driver,
+    in_front,
+    open_step,
+    press,
+    type_into,
+    wait_until_idle,
+)
 from tests.support.long_runs import LONG
 from tests.support.report_sample import sample_project
 from tests.support.static_scans import tripod_scan
@@ -215,6 +224,8 @@ def test_typed_lever_arm_sigma_and_divergence_are_in_the_error_budget(adjusted: 
         type_into(adjusted, typed, text)
         adjusted.bot.keyClick(typed, Key.Key_Return)
         adjusted.rest()
+    press(adjusted, Key.Key_F9)
+    wait_until_idle(adjusted)
     shown: list[str] = []
     footprint: dict[str, str] = {}
 
