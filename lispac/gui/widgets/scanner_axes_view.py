@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.gui.appearance import theme
-from lispac.language import N_, gettext
+from lispac.language import gettext
+from lispac.survey.conventions.axes import FORWARD_PORT_UP, Axes, axes_matrix
 
 EXAGGERATION_FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 """Possible factors by which the rotation is enlarged, ascending."""
@@ -15,7 +16,6 @@ MAX_SHOWN_DEG = 25.0
 """Largest enlarged rotation; with a larger one, the axes would be hard to recognise."""
 SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
 """Letters of the scanner axes, with the names of their colours in the scheme."""
-_BODY_AXIS_NAMES = (N_("forward"), N_("port"), N_("up"))
 _HULL_OUTLINE = np.array(
     [[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]]
 )
@@ -80,8 +80,9 @@ class ScannerAxesView(QWidget):
         self.setAccessibleName(gettext("Scanner axes relative to the body axes"))
         self.setToolTip(
             gettext(
-                "Grey: axes of the vessel. Coloured: axes of the scanner, with the rotation "
-                "enlarged. Drag or use the arrow keys to rotate, double-click to reset."
+                "Axes of the chosen program. Grey: axes of the vessel. Coloured: axes of the "
+                "scanner, with the rotation enlarged. Drag or use the arrow keys to rotate, "
+                "double-click to reset."
             )
         )
         self.setMinimumHeight(190)
@@ -91,21 +92,40 @@ class ScannerAxesView(QWidget):
         self.view_deg = _INITIAL_VIEW_DEG
         self.factor = 1
         self._rotation_body_scanner = np.eye(3)
+        self._axes = self._scanner_axes = FORWARD_PORT_UP
         self._last: QPointF | None = None
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
         return QSize(340, 210)
 
-    def show_boresight(self, boresight: np.ndarray) -> None:
-        """Draw a boresight: ndarray of shape (3,), radians."""
+    def show_boresight(
+        self,
+        boresight: np.ndarray,
+        axes: Axes = FORWARD_PORT_UP,
+        scanner_axes: Axes = FORWARD_PORT_UP,
+    ) -> None:
+        """Draw a boresight.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+            Roll, pitch and yaw of this program.
+        axes, scanner_axes : directions of the body axes and of the scanner axes X, Y and Z
+        """
         self.factor, self._rotation_body_scanner = exaggerated_rotation(boresight)
+        self._axes, self._scanner_axes = axes, scanner_axes
         self.update()
 
     @property
+    def body_axes(self) -> np.ndarray:
+        """Body axes X, Y and Z as drawn, in rows, by their parts forward, left and up."""
+        return axes_matrix(self._axes)
+
+    @property
     def scanner_axes(self) -> np.ndarray:
-        """Scanner axes as drawn, in rows, in the body frame (forward, left, up)."""
-        return self._rotation_body_scanner.T
+        """Scanner axes X, Y and Z as drawn, in rows, by their parts forward, left and up."""
+        return axes_matrix(self._scanner_axes) @ self._rotation_body_scanner.T
 
     def reset_view(self) -> None:
         """Reset the view to the initial one, from above the starboard quarter."""
@@ -143,8 +163,8 @@ class ScannerAxesView(QWidget):
         painter.drawPolygon(QPolygonF([self._pixel(corner) for corner in _HULL_OUTLINE]))
         # Axes farther from the eye are drawn first.
         drawn = [
-            (1.2 * axis, "body_axis", gettext(name), 1.5)
-            for axis, name in zip(np.eye(3), _BODY_AXIS_NAMES, strict=True)
+            (1.2 * axis, "body_axis", f"{letter} {gettext(name)}", 1.5)
+            for axis, name, letter in zip(self.body_axes, self._axes, "XYZ", strict=True)
         ]
         drawn += [
             (0.95 * axis, colour, letter, 3.0)

@@ -53,6 +53,7 @@ from lispac.present.output.conventions import (
     signs_text,
 )
 from lispac.present.tables import DEGREES, Format, Table, cell_text, title_text
+from lispac.survey.conventions.axes import FORWARD_PORT_UP
 from lispac.survey.conventions.conversion import ConventionSetup
 from lispac.survey.conventions.mounting_replacement import (
     MountingReplacement,
@@ -351,7 +352,7 @@ class ConventionPanel(QWidget):
         self._show_rules(values)
         self._show_values(values, correction)
         self._show_notes(values, correction)
-        self._show_mounting_text(new.mounting)
+        self._show_mounting_text(new.mounting, setup)
         self._show_matrix(setup, values)
 
     def _show_refusal(self, text: str) -> None:
@@ -432,14 +433,18 @@ class ConventionPanel(QWidget):
         self.notes.setText("<br>".join(lines))
         self.notes.setVisible(bool(lines))
 
-    def _show_mounting_text(self, mounting: Mounting) -> None:
+    def _show_mounting_text(self, mounting: Mounting, setup: ConventionSetup) -> None:
         sentences = (
             f"<b>{boresight_sentence(mounting.without_nominal_axes.boresight)}</b>",
             lever_arm_sentence(mounting.lever_arm),
             *map(message_text, filter(None, [offsets_note(mounting)])),
         )
         self.mounting_text.setText("<br>".join(sentence for sentence in sentences if sentence))
-        self.gizmo.show_boresight(np.asarray(mounting.without_nominal_axes.boresight, dtype=float))
+        boresight = np.asarray(mounting.without_nominal_axes.boresight, dtype=float)
+        is_turned = setup.scanner_frame == "turned"
+        self.gizmo.show_boresight(
+            boresight, setup.axes, setup.axes if is_turned else FORWARD_PORT_UP
+        )
 
     def _show_matrix(self, setup: ConventionSetup, values: ConventionValues) -> None:
         self.matrix_head.setText(

@@ -20,7 +20,7 @@ from lispac.gui.widgets.scanner_axes_view import ScannerAxesView, exaggeration_f
 from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
-from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
+from lispac.survey.conventions.systems import SYSTEMS, Convention, convention_of_key
 from lispac.workflow.output.installation import installation_formats
 from lispac.workflow.project.survey import Survey
 from tests.gui import by_hand
@@ -275,6 +275,25 @@ def test_the_gizmo_exaggerates_small_rotations_and_shows_the_factor(qtbot, panel
     assert gizmo.factor == 20
     tip = gizmo.scanner_axes[0]
     assert np.degrees(np.arcsin(tip[2])) == pytest.approx(24.0), "bow up, twenty times"
+
+
+@pytest.mark.parametrize("system", SYSTEMS, ids=lambda system: system.key)
+def test_the_gizmo_shows_the_axes_of_the_chosen_program(
+    qtbot: QtBot, panel: ConventionPanel, system: Convention
+) -> None:
+    choose(qtbot, panel, system.key)
+    type_boresight(qtbot, panel, "20", "-8", "30")
+    gizmo, converted = panel.gizmo, panel.replacement.in_system
+    assert gizmo.factor == 1
+    directions = {
+        "forward": [1, 0, 0], "aft": [-1, 0, 0], "port": [0, 1, 0], "starboard": [0, -1, 0], "up": [0, 0, 1],
+        "down": [0, 0, -1],
+    }  # fmt: skip
+    named = [directions[word] for word in converted.setup.axes]
+    np.testing.assert_array_equal(gizmo.body_axes, named)
+    # Parts of the scanner axes along the body axes: the matrix from scanner to body
+    rotation = gizmo.body_axes @ gizmo.scanner_axes.T
+    np.testing.assert_allclose(rotation, converted.transform[:3, :3], atol=1e-9)
 
 
 def test_the_gizmo_is_rotated_by_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
