@@ -178,7 +178,8 @@ def _with_observability(result: AdjustmentResult, solution: Solution) -> Adjustm
     seen = assess_observability(
         solution.linearised,
         angle_sigma_factors=known.angle_sigma_factors,
-        added_covariance=known.lever_arm_covariance[:3, :3],
+        covariance=None if known.model.lever_arm_sigma is None else known.covariance,
+        added_variance=np.diag(known.lever_arm_covariance)[:3],
         origins=solution.origins,
     )
     return replace(known, observability=seen)

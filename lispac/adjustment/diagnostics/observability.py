@@ -41,7 +41,8 @@ def assess_observability(
     linearised: LinearisedProblem,
     *,
     angle_sigma_factors: Array | None = None,
-    added_covariance: Array | None = None,
+    covariance: Array | None = None,
+    added_variance: Array | None = None,
     origins: Array | None = None,
     progress: Progress = no_progress,
 ) -> Observability:
@@ -51,17 +52,19 @@ def assess_observability(
     ----------
     angle_sigma_factors : ndarray of shape (3,), no unit, optional
         Factors by which the sigmas of the angles are raised.
-    added_covariance : ndarray of shape (3, 3), radians squared, optional
-        Covariance of the angles by values of the mounting that are not estimated. It is added to
-        that of the adjustment, also to those without a line.
+    covariance : ndarray of shape (3, 3), radians squared, optional
+        Covariance of the estimated angles, if it is not that of ``linearised`` with the factors.
+    added_variance : ndarray of shape (3,), radians squared, optional
+        Part of the variances of the angles that is due to the given lever arm. It is also added to
+        the variances without a line.
     origins : ndarray of shape (targets, 3), metres, local, optional
         Centres of the targets.
     """
     factors = np.ones(3) if angle_sigma_factors is None else angle_sigma_factors
-    added = np.zeros((3, 3)) if added_covariance is None else added_covariance
+    added = np.zeros(3) if added_variance is None else added_variance
     information = linearised.normal.information(3) / np.outer(factors, factors)
-    if added.any():
-        information = scaled_inverse(scaled_inverse(information) + added)
+    if covariance is not None:
+        information = scaled_inverse(covariance)
     eigenvalues, directions = np.linalg.eigh(information)
     sigma = np.sqrt(np.diag(np.linalg.inv(information)))
     observations = linearised.problem.observations
@@ -70,7 +73,7 @@ def assess_observability(
         progress(k / len(observations.lines))
         omitted = np.array([sighting.line == line for sighting in observations.sightings])
         own = _sigmas_without_groups(linearised, omitted)
-        without[line] = None if own is None else np.sqrt((factors * own) ** 2 + np.diag(added))
+        without[line] = None if own is None else np.sqrt((factors * own) ** 2 + added)
     notes = (
         _extreme_directions_note(eigenvalues, directions, sigma),
         *_main_lines_by_angle(sigma, without),

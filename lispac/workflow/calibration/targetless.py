@@ -260,7 +260,8 @@ def _raise_sigmas(
         seen = assess_observability(
             solved.linearised,
             angle_sigma_factors=raised.angle_sigma_factors,
-            added_covariance=raised.lever_arm_covariance[:3, :3],
+            covariance=raised.covariance,
+            added_variance=np.diag(raised.lever_arm_covariance)[:3],
             origins=solved.origins,
         )
         raised = replace(raised, observability=seen)

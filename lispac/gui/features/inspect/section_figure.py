@@ -317,7 +317,8 @@ class _CutView:
     def axis_titles(self, titles: tuple[str, str], *, is_low: bool) -> list[str]:
         """Titles of the axes, from the English ones of the picture at true scale."""
         if not self.is_natural:
-            along = ALONG_TITLES[titles[1 - int(self.vertical)]]
+            nearest = titles[1 - int(self.vertical)]
+            along = ALONG_TITLES.get(nearest, nearest)
             titles = (along, ACROSS_TITLE) if self.vertical else (ACROSS_TITLE, along)
         if is_low:
             return [gettext(LOW_TITLES.get(title, title)) for title in titles]
