@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Advised, Template
+from lispac.language import N_, Advised, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- trajectory accuracy -----------------------------------------------------------------
@@ -85,6 +85,16 @@ TEXTS: Mapping[str, Template] = {
         "{line}: the trajectory has only {rate:hz} states per second, so its interpolation has "
         "errors of up to {shift:mm} mm and {turn:deg}° ({share:percent} % of the given "
         "accuracy). Export the trajectory at a higher rate."
+    ),
+    "trajectory.gap_interpolated": Plural(
+        "{line}: the trajectory has {count:n} gap of {longest:s.2} s, which is interpolated with "
+        "an error of up to {shift:mm} mm and {turn:deg}°, more than its accuracy. Export the "
+        "trajectory without gaps, or import it with a shorter longest gap, so that these points "
+        "are not used.",
+        "{line}: the trajectory has {count:n} gaps of up to {longest:s.2} s, which are "
+        "interpolated with errors of up to {shift:mm} mm and {turn:deg}°, more than its accuracy. "
+        "Export the trajectory without gaps, or import it with a shorter longest gap, so that "
+        "these points are not used.",
     ),
     "trajectory.position_held": N_(
         "{line}: the trajectory repeats the same position for up to {longest:s.2} s while the "

@@ -114,4 +114,5 @@ TEXTS: Mapping[str, Template] = {
     "cause.off_the_beams": N_("recovered points that do not lie on the scanner beams"),
     "cause.position_held": N_("positions that are repeated while the vessel moves"),
     "cause.rate_too_low": N_("a trajectory with too low a rate"),
+    "cause.trajectory_gap": N_("a gap of the trajectory"),
 }

@@ -20,6 +20,8 @@ AVERAGING_TIME_S = 0.25
 """Averaging time, which removes vibration but not the motion in waves."""
 ERROR_QUANTILE = 0.95
 """Quantile over the points of a line of the error that is reported."""
+MIN_GAP_RATIO = 3.0
+"""Smallest ratio of a gap to the median time between two states."""
 SAME_POSITION_M = 1e-6
 """Largest horizontal distance of two states with the same position, metres."""
 MIN_STEP_RATIO = 2.0
@@ -67,6 +69,8 @@ def interpolation_messages(
 ) -> tuple[Message, ...]:
     """Messages about lines during which the states are too far apart for the motion.
 
+    Either all of them are, or some gaps are interpolated with an error beyond the given accuracy.
+
     Parameters
     ----------
     times : mapping of str to ndarray of shape (n,), seconds
@@ -89,7 +93,8 @@ def interpolation_messages(
             continue
         # The error has its maximum in the middle of an interval and is zero at the states.
         u = (own - trajectory.time[intervals]) / steps[intervals]
-        error = np.quantile(errors[intervals] * (4 * u * (1 - u))[:, None], ERROR_QUANTILE, axis=0)
+        of_points = errors[intervals] * (4 * u * (1 - u))[:, None]
+        error = np.quantile(of_points, ERROR_QUANTILE, axis=0)
         position_sigma, attitude_sigma = (
             values.mean(axis=0) for values in accuracy.at(middle[intervals])
         )
@@ -109,6 +114,25 @@ def interpolation_messages(
                         "shift": position,
                         "turn": turn,
                         "share": share,
+                    },
+                    Cause.of_line(name),
+                )
+            )
+            continue
+        in_gap = steps[intervals] > MIN_GAP_RATIO * float(np.median(steps[intervals]))
+        gaps, of_gaps = intervals[in_gap], of_points[in_gap]
+        exceeds = (of_gaps > np.hstack(accuracy.at(middle[gaps]))).any(axis=1)
+        if exceeds.any():
+            found.append(
+                Message(
+                    "trajectory.gap_interpolated",
+                    Level.WARNING,
+                    {
+                        "line": name,
+                        "count": len(np.unique(gaps[exceeds])),
+                        "longest": float(steps[gaps[exceeds]].max()),
+                        "shift": float(of_gaps[:, :3].max()),
+                        "turn": float(of_gaps[:, 3:].max()),
                     },
                     Cause.of_line(name),
                 )

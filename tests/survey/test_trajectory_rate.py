@@ -61,6 +61,35 @@ def test_a_rate_too_low_for_the_motion_gives_a_warning(rate: float, warned: bool
         assert message.params["share"] > 0.1
 
 
+@pytest.mark.parametrize(
+    ("length", "warned"), [(0.02, False), (0.1, False), (0.4, True), (1.0, True), (2.0, False)]
+)
+def test_an_interpolated_gap_gives_a_warning_if_its_error_exceeds_the_accuracy(
+    length: float, warned: bool
+) -> None:
+    """A gap of 2 s is not interpolated; its points are excluded."""
+    time = np.arange(0, 60, 1 / 200)
+    time = time[(time <= 20.0) | (time >= 20.0 + length)]
+    track = LocalTrajectory(FRAME, time, *states(time))
+    lines = {"L1": np.linspace(5.0, 35.0, 3000), "L2": np.linspace(40.0, 55.0, 500)}
+    messages = interpolation_messages(track, ACCURACY, lines)
+    assert len(messages) == warned
+    inside = np.linspace(20.0, 20.0 + length, 101)
+    poses, (position, attitude) = track.at(inside), states(inside)
+    shift, turn = (
+        float(np.abs(got - true).max())
+        for got, true in ((poses.position, position), (poses.attitude, attitude))
+    )
+    for message in messages:
+        assert (message.code, message.level) == ("trajectory.gap_interpolated", Level.WARNING)
+        assert (message.subject, message.params["count"]) == (Cause.of_line("L1"), 1)
+        assert message.params["longest"] == pytest.approx(length, abs=0.006)
+        assert message.params["shift"] == pytest.approx(shift, rel=0.3)
+        assert message.params["turn"] == pytest.approx(turn, rel=0.3)
+    exceeds = shift > 0.02 or turn > np.radians(0.01)
+    assert warned == (exceeds and length <= track.longest_gap)
+
+
 def test_the_reported_rate_is_that_of_the_file() -> None:
     time, tick = np.arange(0, 60, 0.5), 1e-4
     own, rates = (

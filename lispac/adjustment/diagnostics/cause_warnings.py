@@ -37,6 +37,7 @@ DATA_ERROR_CODES = {
     "recovery.roll_pitch_signs": "cause.attitude_sign",
     "recovery.several_causes": "cause.off_the_beams",
     "recovery.unexplained": "cause.off_the_beams",
+    "trajectory.gap_interpolated": "cause.trajectory_gap",
     "trajectory.position_held": "cause.position_held",
     "trajectory.rate_too_low": "cause.rate_too_low",
 }
