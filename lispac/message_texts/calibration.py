@@ -281,6 +281,9 @@ TEXTS: Mapping[str, Template] = {
         "The latency error is not included, because the latency was not estimated."
     ),
     # -- reasons for proposed targets ------------------------------------------------------
+    "propose.check_movable": N_(
+        "Check that no proposed surface is on a movable object (crane, moored vessel, gate)."
+    ),
     "propose.target": N_(
         "Observed on {lines:n} lines. Without this target the standard deviation of {angle} would "
         "be {without:deg.4}° instead of {sigma:deg.4}°."

@@ -219,6 +219,7 @@ def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
         "Predicted standard deviations",
         "               Roll (deg)  Pitch (deg)  Yaw (deg)",
         "  all targets      0.0100       0.0200     0.0300", "",
+        f"note: {english_text(note('propose.check_movable'))}",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
     assert "one in 3 of them" in err

@@ -71,4 +71,4 @@ def run(arguments: Namespace) -> None:
         print(f"{target.name:4s} {target.role:10s} at east {east}, north {north}, up {up} m")
         print(f"     {console_text(proposal.reasons[target.name])}")
     print_table(PREDICTED_SIGMAS_TABLE, [AnglesRow("all targets", sigma)])
-    print_messages(proposal.warnings, sys.stdout)
+    print_messages((*proposal.warnings, *proposal.notes), sys.stdout)

@@ -68,6 +68,9 @@ MIN_SIGMA_INCREASE = 0.02
 """Relative increase of a predicted sigma without a target, below which the target is said to check
 the others instead of to improve the angle."""
 
+MOVABLE_OBJECTS_NOTE = note("propose.check_movable")
+"""Note for every proposal: an object that moved between two lines is not recognised."""
+
 
 @dataclass(frozen=True, eq=False)
 class Proposal:
@@ -88,6 +91,8 @@ class Proposal:
     warnings : tuple of Message
         Warnings of an adjustment of the proposed targets, without notes, and a warning if no
         validation plane is proposed.
+    notes : tuple of Message
+        What the user has to check.
     """
 
     targets: tuple[Target, ...]
@@ -95,6 +100,7 @@ class Proposal:
     predict: Callable[[Collection[str]], Array]
     picked: tuple[str, ...] = ()
     warnings: tuple[Message, ...] = ()
+    notes: tuple[Message, ...] = (MOVABLE_OBJECTS_NOTE,)
 
     @property
     def sigma(self) -> Array:

@@ -88,6 +88,8 @@ class ProposedTargetsPanel(QFrame):
         layout.addLayout(row)
         layout.addWidget(self.reason)
         layout.addWidget(self._sigmas)
+        self._note = widgets.label("", "muted", wrap=True, name="proposal_note")
+        layout.addWidget(self._note)
 
     def show_proposal(
         self,
@@ -106,6 +108,7 @@ class ProposedTargetsPanel(QFrame):
         self._proposal = proposal
         self._warnings.setText("\n".join(map(message_text, proposal.warnings)))
         self._warnings.setVisible(bool(proposal.warnings))
+        self._note.setText("\n".join(map(message_text, proposal.notes)))
         self.reason.reserve([self._reason_of(target.name) for target in proposal.targets])
         self.table.blockSignals(True)
         self._fill(proposal, unticked)
