@@ -152,6 +152,8 @@ class Column(Generic[Row]):
         Whether the texts are digests, in a fixed-width font.
     unknown : str
         English text for an unknown value; a dash if empty.
+    is_marked : callable or None
+        Whether the value in a row is marked in a report, such as a value beyond its limit.
     """
 
     value: str | Callable[[Row], Any]
@@ -166,6 +168,7 @@ class Column(Generic[Row]):
     is_wide: bool = False
     is_code: bool = False
     unknown: str = ""
+    is_marked: Callable[[Row], bool] | None = None
 
     @property
     def is_text(self) -> bool:

@@ -7,8 +7,8 @@ from pathlib import Path
 from lispac.errors import InputError, system_reason
 from lispac.identity import FIELD_LABELS, TITLE_FIELDS
 from lispac.language import LazyText, gettext, in_language, without_advice
-from lispac.message_texts import message_text
-from lispac.messages import error
+from lispac.message_texts import CAUSE_PREFIX, message_text
+from lispac.messages import Message, error
 from lispac.present.checking.acceptance import verdict_scope_text
 from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections, short_report
@@ -73,8 +73,8 @@ def undrawn_document(
     options: ReportOptions = DEFAULT_OPTIONS,
 ) -> Document:
     """Report in the language in use, with figures that `drawn_document` draws later."""
-    serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
-    status, verdict = _status_text(content, bool(serious))
+    serious, notes = (_message_texts(content, each) for each in _page_one_messages(content))
+    status, verdict = _status_text(content)
     closing = [Paragraph(text) for text in options.closing.split("\n\n") if text]
     views = [_make_picture(*each) for each in pictures.items()]
     summary: list[Block]
@@ -163,14 +163,23 @@ def _header_texts(content: ReportContent) -> tuple[str, str]:
     return title, " · ".join(name for name in names if name)
 
 
-def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
-    """Texts of the errors and warnings, or of the notes, with minus signs instead of hyphens."""
+def _page_one_messages(content: ReportContent) -> tuple[list[Message], list[Message]]:
+    """Errors and warnings, with the causes below the criteria that are not met, and notes."""
+    causes = [each for each in content.warnings if each.code.startswith(CAUSE_PREFIX)]
+    serious: list[Message] = []
+    for message in content.warnings:
+        if message.is_serious:
+            serious.append(message)
+        if message.code == "acceptance.not_met":
+            serious += causes
+    notes = [each for each in content.warnings if each not in serious]
+    return serious, notes
+
+
+def _message_texts(content: ReportContent, messages: Sequence[Message]) -> tuple[str, ...]:
+    """Texts of messages, with minus signs instead of hyphens."""
     names = tuple(name for name in _proper_names(content) if MINUS_PATTERN.search(name))
-    return tuple(
-        with_minus_signs(message_text(each), names)
-        for each in content.warnings
-        if each.is_serious == serious
-    )
+    return tuple(with_minus_signs(message_text(each), names) for each in messages)
 
 
 def _proper_names(content: ReportContent) -> Iterator[str]:
@@ -238,12 +247,12 @@ def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
     return tuple(made)
 
 
-def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
+def _status_text(content: ReportContent) -> tuple[Status, str]:
     """Colour and text of the verdict: the state of the calibration, and its acceptance."""
     if not content.calibrated:
         return "bad", gettext("NOT CALIBRATED")
     status: Status
-    if serious:
+    if any(each.is_serious for each in content.warnings):
         status, text = "bad", gettext("CALIBRATED, WITH WARNINGS")
     elif content.warnings:
         status, text = "good", gettext("CALIBRATED, WITH NOTES")

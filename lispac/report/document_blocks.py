@@ -60,6 +60,7 @@ class Table:
 
     ``plain_rows`` are the rows for other programs, with numbers as Python writes them. A ``form``
     is a table of names and values; an empty value is printed as a line to be filled in by hand.
+    ``marked`` has the row and the column of each value that is printed bold and with an asterisk.
     """
 
     title: str
@@ -68,6 +69,7 @@ class Table:
     plain_rows: tuple[tuple[str, ...], ...]
     kind: str = "table"
     form: bool = False
+    marked: tuple[tuple[int, int], ...] = ()
 
 
 def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
@@ -91,7 +93,13 @@ def report_table(table: ResultTable[Row], rows: Sequence[Row]) -> Table:
         as_rows([text_of(each, row) for each in table.columns] for row in rows)
         for text_of in (cell_text, plain_cell_text)
     )
-    return Table(title_text(table.title), tuple(columns), cells, plain)
+    marked = tuple(
+        (row, column)
+        for row, values in enumerate(rows)
+        for column, each in enumerate(table.columns)
+        if each.is_marked is not None and each.is_marked(values)
+    )
+    return Table(title_text(table.title), tuple(columns), cells, plain, marked=marked)
 
 
 def _plain_title(title: str, column: ResultColumn[Row]) -> str:

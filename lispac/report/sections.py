@@ -16,7 +16,7 @@ from lispac.present.calibration.adjustment import (
 from lispac.present.calibration.adjustment_fit import points_used_text
 from lispac.present.calibration.parameters import VARIANCE_COMPONENTS_TABLE, ParameterValues
 from lispac.present.calibration.settings import model_facts, system_facts
-from lispac.present.checking.acceptance import AcceptanceValues, acceptance_table, decisive_checks
+from lispac.present.checking.acceptance import AcceptanceValues, criteria_table, criterion_results
 from lispac.present.checking.validation import (
     ValidationPlane,
     judged_distances_table,
@@ -151,20 +151,17 @@ def angle_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def validation_summary(
-    content: ReportContent, planes: Sequence[ValidationPlane], max_failed: int | None = None
-) -> list[Block]:
-    """Blocks on the distances on ``planes``, the acceptance, and the check against a reference.
-
-    Parameters
-    ----------
-    max_failed : as in `decisive_checks`
-    """
+def validation_summary(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Blocks on the distances on ``planes``, the acceptance, and the check against a reference."""
     blocks: list[Block] = []
     if planes:
-        blocks += [distances_table(content, planes), *reciprocal_pairs_note(planes)]
+        distances = report_table(judged_distances_table(content.acceptance), planes)
+        blocks.append(distances)
+        if distances.marked:
+            blocks.append(Paragraph(gettext("* Beyond the limit of its acceptance criterion.")))
+        blocks += reciprocal_pairs_note(planes)
     if content.calibrated:
-        blocks += acceptance_blocks(content.acceptance, max_failed)
+        blocks.append(_acceptance_block(content.acceptance))
     against = content.absolute
     if against is not None and not against.all_lines.after.mean_significant:
         finding = sentence_text(against.messages[0])
@@ -175,37 +172,11 @@ def validation_summary(
     return blocks
 
 
-def distances_table(content: ReportContent, planes: Sequence[ValidationPlane]) -> Table:
-    """Table of the distances on validation planes, with verdicts if they are judged."""
-    acceptance = content.acceptance
-    judged = any(check.plane for check in acceptance.checks)
-    verdicts = {each.plane: each.verdict for each in acceptance.planes} if judged else {}
-    return report_table(judged_distances_table(verdicts), planes)
-
-
-def acceptance_blocks(acceptance: AcceptanceValues, max_failed: int | None = None) -> list[Block]:
-    """Table of the acceptance criteria, each with the values that decide; or why it is missing.
-
-    Parameters
-    ----------
-    max_failed : as in `decisive_checks`
-    """
+def _acceptance_block(acceptance: AcceptanceValues) -> Block:
+    """Table of the acceptance criteria, or why it is missing."""
     if not acceptance.checks:
-        return [Paragraph(gettext("Acceptance not judged: no acceptance criteria are given."))]
-    table = acceptance_table(acceptance.criteria.source)
-    checks = decisive_checks(acceptance, max_failed)
-    blocks: list[Block] = [report_table(table, checks)]
-    shown, total = (
-        sum(check.verdict == "fail" for check in each) for each in (checks, acceptance.checks)
-    )
-    if shown < total:
-        omitted = gettext(
-            "{shown:n} of {total:n} values beyond a limit are shown: the largest of each "
-            "criterion. The full report contains all.",
-            shown=shown, total=total,
-        )  # fmt: skip
-        blocks.append(Paragraph(omitted))
-    return blocks
+        return Paragraph(gettext("Acceptance not judged: no acceptance criteria are given."))
+    return report_table(criteria_table(acceptance.criteria.source), criterion_results(acceptance))
 
 
 def _fit_text(adjustment: AdjustmentValues) -> str:

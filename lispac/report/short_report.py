@@ -1,8 +1,8 @@
 """The short report: result, validation, signatures, system and pictures on a few pages.
 
 All errors and warnings are complete. The signatures are on the page of the angles and the verdict.
-Of a large survey, the validation planes that fail or have the largest RMS, the values furthest
-beyond a limit and the first notes are shown, with a sentence on what is omitted.
+Of a large survey, the validation planes that fail or have the largest RMS and the first notes are
+shown, with a sentence on what is omitted.
 """
 
 from collections.abc import Sequence
@@ -42,11 +42,6 @@ MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures and maps."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
-MAX_FAILED_CHECKS = 3
-"""Largest number of values beyond the limit of one acceptance criterion."""
-RESULT_ROWS = 15
-"""Number of rows for the planes and for the values beyond the limits of three criteria, so that
-they are on one page with the angles and the signatures."""
 MAX_NOTES = 8
 """Largest number of notes."""
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 60.0
@@ -147,16 +142,8 @@ def _lines_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
     )  # fmt: skip
 
 
-def max_failed_checks(planes: int) -> int:
-    """Largest number of values beyond the limit of each criterion, beside a table of planes.
-
-    The table of the planes contains the values of the others.
-    """
-    return min(MAX_FAILED_CHECKS, max(1, (RESULT_ROWS - planes) // 3))
-
-
 def _validation(content: ReportContent, planes: Sequence[ValidationPlane]) -> list[Block]:
-    blocks = sections.validation_summary(content, planes, max_failed_checks(len(planes)))
+    blocks = sections.validation_summary(content, planes)
     if len(planes) < len(content.validation):
         omitted = gettext(
             "{shown:n} of {total:n} planes are shown: first those that fail, then those with the "

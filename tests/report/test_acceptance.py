@@ -1,7 +1,7 @@
 """Tests of the judgement by acceptance criteria, and of its presentation in reports."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ from lispac.present.checking.acceptance import (
     MEASURED_COLUMN,
     AcceptanceValues,
     calibration_verdict_text,
-    decisive_checks,
+    criterion_results,
     failed_texts,
     verdict_scope_text,
 )
@@ -32,7 +32,7 @@ from lispac.present.tables import cell_text
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.document import undrawn_document
-from lispac.report.document_blocks import Table
+from lispac.report.document_blocks import Block, Paragraph, Table
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.validation_warnings import probable_causes
@@ -365,29 +365,73 @@ def test_one_criterion_is_singular_in_french(project: Project) -> None:
             assert words in text.split()
 
 
-def test_a_single_value_beyond_a_limit_is_not_omitted(project: Project) -> None:
-    plane = project.validation[0]
-    for planes, shown in ((3, 3), (4, 4), (5, 3)):
-        some = tuple(replace(plane, name=f"V{k}") for k in range(planes))
-        judged = replace(project, validation=some, acceptance=NO_CRITERIA.changed(rms=1e-5))
-        checks = decisive_checks(AcceptanceValues.of(judged.judgement), 3)
-        assert len(checks) == shown
-
-
-def test_every_plane_that_fails_is_in_the_table_of_a_criterion(project: Project) -> None:
+def test_a_criterion_has_its_largest_value_and_the_planes_that_meet_it(project: Project) -> None:
     rms = {plane.name: plane.after.rms for plane in project.validation}
-    for limit, expected in (
-        (0.5 * min(rms.values()), sorted(rms, key=lambda name: -rms[name])),
-        (2.0 * max(rms.values()), [max(rms, key=lambda name: rms[name])]),
+    least, *_, most = sorted(rms, key=lambda name: rms[name])
+    for limit, failing in (
+        (0.5 * rms[least], set(rms)),
+        (0.5 * (rms[least] + rms[most]), {x for x in rms if 2 * rms[x] > rms[least] + rms[most]}),
+        (2.0 * rms[most], set()),
     ):
         values = content_with(project, rms=limit).acceptance
-        assert [check.plane for check in decisive_checks(values)] == expected
-        failing = [name for name in rms if failed_texts(values, name)]
-        assert sorted(failing) == sorted(expected if limit < min(rms.values()) else [])
-        for name in failing:
+        (result,) = criterion_results(values)
+        assert (result.value, result.place, result.limit) == (rms[most], most, limit)
+        assert result.verdict == ("fail" if failing else "pass")
+        assert set(result.planes) == (failing or {most})
+        assert (result.planes_met, result.planes_judged) == (len(rms) - len(failing), len(rms))
+        assert {name for name in rms if failed_texts(values, name)} == failing
+        for name in failing if limit < rms[least] else ():
             (text,) = failed_texts(values, name)
             assert f"{1e3 * rms[name]:.1f}\u00a0mm" in text
             assert f"{1e3 * limit:.1f}\u00a0mm" in text
+
+
+def test_the_table_of_criteria_has_one_row_each(project: Project) -> None:
+    criteria = {"rms": 1e-3, "p95": 1e-3, "offset": 1e-3, "yaw_sigma_deg": 1.0}
+    for options in (FULL_REPORT, ReportOptions()):
+        summary = undrawn_document(content_with(project, **criteria), {}, options).summary
+        table = _table(summary, "Acceptance criteria")
+        assert [row[-1] for row in table.rows] == ["pass", "fail", "fail", "fail"]
+        assert [row[-2] for row in table.rows] == ["", *[f"0 of {len(project.validation)}"] * 3]
+
+
+def test_each_value_beyond_its_limit_is_marked_in_the_table_of_the_planes(project: Project) -> None:
+    rms = [plane.after.rms for plane in project.validation]
+    limit = 0.5 * (min(rms) + max(rms))
+    for criteria, expected in (
+        ({}, set()),
+        ({"rms": 1.0}, set()),
+        ({"rms": limit}, {(k, "RMS\nafter") for k, value in enumerate(rms) if value > limit}),
+        ({"p95": 1e-4}, {(k, "95 %\nafter") for k in range(len(rms))}),
+    ):
+        summary = undrawn_document(content_with(project, **criteria), {}, ReportOptions()).summary
+        table = _table(summary, "Validation:")
+        marked = {(row, table.columns[column].title) for row, column in table.marked}
+        assert marked == expected
+        legends = [b for b in summary if isinstance(b, Paragraph) and b.text.startswith("* ")]
+        assert len(legends) == bool(expected)
+        assert not any("*" in cell for row in table.plain_rows for cell in row)
+
+
+def test_the_cause_is_below_the_criteria_that_are_not_met(project: Project) -> None:
+    for options in (FULL_REPORT, ReportOptions()):
+        content = content_with(project, rms=1e-4)
+        codes = [each.code for each in content.warnings]
+        causes = [each for each in content.warnings if each.code.startswith("acceptance.cause_")]
+        assert causes, "the sample has no shifts, so the cause is not known"
+        assert "acceptance.not_met" in codes
+        document = undrawn_document(content, {}, options)
+        failure = next(each for each in content.warnings if each.code == "acceptance.not_met")
+        place = document.warnings.index(message_text(failure))
+        assert document.warnings[place + 1 : place + 1 + len(causes)] == tuple(
+            map(message_text, causes)
+        )
+        assert not set(document.notes) & set(map(message_text, causes))
+
+
+def _table(blocks: Iterable[Block], title: str) -> Table:
+    (table,) = (each for each in blocks if isinstance(each, Table) and each.title.startswith(title))
+    return table
 
 
 def test_only_a_pass_without_messages_is_good(project: Project) -> None:

@@ -12,7 +12,7 @@ from lispac.acceptance import (
     Quantity,
     Verdict,
 )
-from lispac.language import N_, Plural, gettext, gettext_lazy
+from lispac.language import N_, LazyText, Plural, gettext, gettext_lazy
 from lispac.present.tables import Column, Format, Table, cell_text
 
 ANGLE_FORMAT, LENGTH_FORMAT = Format("deg", 4), Format("mm", 1, 1e3)
@@ -123,13 +123,16 @@ class AcceptanceValues:
 
 @dataclass(frozen=True)
 class CriterionResult:
-    """Largest value judged by one criterion, in ``unit``.
+    """Judgement of one criterion, with the largest value, in ``unit``.
 
     Attributes
     ----------
+    value : None if no value is known
+    place : validation plane and lines of the value; empty for an angle
     planes : tuple of str
         Validation planes on which the criterion is not met; if it is met, that with the largest
         value; empty for an angle.
+    planes_met, planes_judged : numbers of validation planes; None for an angle
     """
 
     quantity: Quantity
@@ -138,55 +141,50 @@ class CriterionResult:
     limit: float
     verdict: Verdict
     planes: tuple[str, ...]
+    place: str = ""
+    planes_met: int | None = None
+    planes_judged: int | None = None
+
+    @property
+    def title(self) -> str:
+        """Name of the value, in the language in use."""
+        return gettext(QUANTITY_TITLES[self.quantity])
+
+    @property
+    def share_text(self) -> str:
+        """Number of the planes that meet the criterion, in the language in use."""
+        if self.planes_judged is None:
+            return ""
+        return gettext("{count:n} of {total:n}", count=self.planes_met, total=self.planes_judged)
 
 
 def criterion_results(
     values: AcceptanceValues, verdict: Verdict | None = None
 ) -> list[CriterionResult]:
-    """Largest value of each criterion that is given.
+    """Judgement of each criterion that is given.
 
     Parameters
     ----------
     verdict : verdict of the wanted criteria; None for all
     """
     found: dict[Quantity, list[AcceptanceCheckValues]] = {}
-    for check in decisive_checks(values):
+    for check in values.checks:
         found.setdefault(check.quantity, []).append(check)
-    names = dict.fromkeys(each.plane for each in values.checks if each.plane)
-    return [
-        CriterionResult(
-            worst.quantity, worst.unit, worst.value, worst.limit, worst.verdict,
-            tuple(name for name in names if name in {each.plane for each in checks}),
-        )
-        for checks in found.values()
-        for worst in checks[:1]
-        if verdict in (None, worst.verdict)
-    ]  # fmt: skip
+    results = map(_criterion_result, found.values())
+    return [each for each in results if verdict in (None, each.verdict)]
 
 
-def decisive_checks(
-    values: AcceptanceValues, max_failed: int | None = None
-) -> list[AcceptanceCheckValues]:
-    """The failed checks of each criterion; without one, that of the plane with the worst value.
-
-    Parameters
-    ----------
-    max_failed : largest number of failed checks of each criterion, those with the largest values;
-        None for all. A single one more is not omitted, since it needs no more space than the
-        sentence that it is omitted.
-    """
+def _criterion_result(checks: list[AcceptanceCheckValues]) -> CriterionResult:
     order: list[Verdict] = ["fail", "not judged", "pass"]
-    decisive: dict[Quantity, list[AcceptanceCheckValues]] = {
-        check.quantity: [] for check in values.checks
-    }
-    for check in sorted(
-        values.checks, key=lambda each: (order.index(each.verdict), -(each.value or 0.0))
-    ):
-        if not decisive[check.quantity] or check.verdict == "fail":
-            decisive[check.quantity].append(check)
-    shown = [check for checks in decisive.values() for check in checks[:max_failed]]
-    every = [check for checks in decisive.values() for check in checks]
-    return every if len(every) == len(shown) + 1 else shown
+    worst = min(checks, key=lambda each: (order.index(each.verdict), -(each.value or 0.0)))
+    decisive = [each for each in checks if each.verdict == "fail"] or [worst]
+    planes = dict.fromkeys(each.plane for each in checks if each.plane)
+    met = planes.keys() - {each.plane for each in checks if each.verdict != "pass"}
+    return CriterionResult(
+        worst.quantity, worst.unit, worst.value, worst.limit, worst.verdict,
+        tuple(name for name in planes if name in {each.plane for each in decisive}), worst.place,
+        len(met) if planes else None, len(planes) if planes else None,
+    )  # fmt: skip
 
 
 def check_format(check: AcceptanceCheckValues | CriterionResult) -> Format:
@@ -209,9 +207,7 @@ def acceptance_table(source: str) -> Table[AcceptanceCheckValues]:
     source : document that gives the criteria; empty if unknown
     """
     return Table(
-        gettext_lazy("Acceptance criteria ({source})", source=source)
-        if source
-        else N_("Acceptance criteria"),
+        _table_title(source),
         (
             Column("title", N_("Criterion")),
             Column("place", N_("Plane, lines")),
@@ -219,6 +215,40 @@ def acceptance_table(source: str) -> Table[AcceptanceCheckValues]:
             LIMIT_COLUMN,
             Column("verdict", N_("Verdict"), texts=VERDICT_TEXTS),
         ),
+    )
+
+
+def criteria_table(source: str) -> Table[CriterionResult]:
+    """Table of the criteria, one row each.
+
+    Parameters
+    ----------
+    source : document that gives the criteria; empty if unknown
+    """
+    return Table(
+        _table_title(source),
+        (
+            Column("title", N_("Criterion")),
+            Column("limit", N_("Limit"), check_format, has_unit_in_cells=True),
+            Column("value", N_("Largest\nvalue"), check_format, has_unit_in_cells=True),
+            Column("place", N_("Plane, lines")),
+            Column("share_text", N_("Planes that\nmeet it")),
+            Column("verdict", N_("Verdict"), texts=VERDICT_TEXTS),
+        ),
+    )
+
+
+def _table_title(source: str) -> str | LazyText:
+    if not source:
+        return N_("Acceptance criteria")
+    return gettext_lazy("Acceptance criteria ({source})", source=source)
+
+
+def is_beyond_limit(values: AcceptanceValues, quantity: Quantity, plane: str) -> bool:
+    """Whether a value of a validation plane does not meet its criterion."""
+    return any(
+        (check.quantity, check.plane, check.verdict) == (quantity, plane, "fail")
+        for check in values.checks
     )
 
 

@@ -6,10 +6,14 @@ from math import degrees, sqrt
 from operator import attrgetter
 from typing import Any
 
-from lispac.acceptance import Verdict
+from lispac.acceptance import Quantity
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
-from lispac.present.checking.acceptance import VERDICT_TEXTS
+from lispac.present.checking.acceptance import (
+    VERDICT_TEXTS,
+    AcceptanceValues,
+    is_beyond_limit,
+)
 from lispac.present.checking.distance_bins import DistancesBySteps
 from lispac.present.checking.distance_maps import DistanceMapValues
 from lispac.present.tables import (
@@ -521,19 +525,34 @@ RECIPROCAL_PAIRS_TEXT = N_(
 """Note below tables of planes whose comparison does not use all pairs of lines."""
 
 
-def judged_distances_table(verdicts: Mapping[str, Verdict]) -> Table[ValidationPlane]:
-    """`PLANE_DISTANCES_TABLE` with the verdict on each plane; without it if nothing is judged.
+JUDGED_COLUMNS: Mapping[str, Quantity] = {
+    "after.rms_m": "rms", "after.p95_m": "p95", "largest_offset_m": "offset",
+}  # fmt: skip
+"""Columns with the values that are compared with the acceptance criteria."""
 
-    Parameters
-    ----------
-    verdicts : verdict by the name of the plane
+
+def judged_distances_table(acceptance: AcceptanceValues) -> Table[ValidationPlane]:
+    """`PLANE_DISTANCES_TABLE` with marks of values beyond a limit and the verdict on each plane.
+
+    It has no verdicts if nothing is judged.
     """
-    if not verdicts:
+    if not any(check.plane for check in acceptance.checks):
         return PLANE_DISTANCES_TABLE
-    column = Column[ValidationPlane](
+    verdicts = {each.plane: each.verdict for each in acceptance.planes}
+
+    def judged(column: Column[ValidationPlane], quantity: Quantity) -> Column[ValidationPlane]:
+        return replace(
+            column, is_marked=lambda plane: is_beyond_limit(acceptance, quantity, plane.name)
+        )
+
+    columns = [
+        judged(each, JUDGED_COLUMNS[each.value]) if each.value in JUDGED_COLUMNS else each
+        for each in PLANE_DISTANCES_TABLE.columns
+    ]
+    verdict = Column[ValidationPlane](
         lambda plane: verdicts.get(plane.name), N_("Verdict"), texts=VERDICT_TEXTS
     )
-    return replace(PLANE_DISTANCES_TABLE, columns=(*PLANE_DISTANCES_TABLE.columns, column))
+    return replace(PLANE_DISTANCES_TABLE, columns=(*columns, verdict))
 
 
 PAIR_DISTANCES_TABLE = Table[PairOnPlane](
