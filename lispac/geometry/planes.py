@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 # below it, they lie on one straight line. For spheres, the same limit holds for the smallest one.
 MIN_SPREAD_RATIO = 1e-6
 
+LEVEL_LIMIT_RAD = np.radians(10.0)
+"""Inclination below which a plane is horizontal and its axes are west and north."""
 ROBUST_ITERATIONS = 12  # of `fit_plane_robustly`
 
 

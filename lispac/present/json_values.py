@@ -11,6 +11,9 @@ from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, plain_params
 
+NOT_IN_JSON: Mapping[str, Any] = {"in_json": False}
+"""Metadata of a field that JSON does not contain."""
+
 
 @dataclass(frozen=True)
 class JsonAction:
@@ -72,7 +75,9 @@ def json_values(value: Any) -> Any:
         return str(value)
     if is_dataclass(value) and not isinstance(value, type):
         return {
-            json_key(each.name): json_values(getattr(value, each.name)) for each in fields(value)
+            json_key(each.name): json_values(getattr(value, each.name))
+            for each in fields(value)
+            if each.metadata != NOT_IN_JSON
         }
     if isinstance(value, tuple | list):
         return [json_values(each) for each in value]

@@ -35,6 +35,7 @@ from lispac.present.survey.survey_data import (
     PickedPlane,
 )
 from lispac.present.targets.sighting_quality import quality_list
+from lispac.present.targets.surface_geometry import PlaneSection, SurfaceGeometryValues
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
 from lispac.report.report_values import (
@@ -43,6 +44,7 @@ from lispac.report.report_values import (
 from lispac.report.report_warnings import report_warnings
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
+from lispac.targets.surface_geometry import SurfaceGeometry
 from lispac.version import __version__
 
 __all__ = ["CONVENTION_TEXT", "ReportContent", "report_content"]
@@ -66,6 +68,8 @@ def report_content(
     origin_deg_m: tuple[float, ...] | None = None,
     digests: bool = True,
     also: Sequence[Message] = (),
+    geometries: Mapping[str, SurfaceGeometry] | None = None,
+    plane_sections: Sequence[PlaneSection] = (),
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Content of the report of a project, calibrated or not.
@@ -89,6 +93,8 @@ def report_content(
     digests : whether to read all input files once and compute their digests; if not, no files are
         listed
     also : further warnings and notes about the project
+    geometries : geometry by the name of the target or validation plane
+    plane_sections : points of validation planes for pictures
 
     Raises
     ------
@@ -133,7 +139,10 @@ def report_content(
         swath_overlap=swath_overlap(project.validation),
         not_compared=tuple(project.not_compared.values()),
         acceptance=AcceptanceValues.of(project.judgement),
-        planes=tuple(_picked_plane_values(target) for target in project.targets),
+        planes=tuple(
+            _picked_plane_values(target, (geometries or {}).get(target.name))
+            for target in project.targets
+        ),
         lines=lines,
         settings=settings_used(project, origin_deg_m),
         files=_input_files(project, progress) if digests else (),
@@ -148,6 +157,7 @@ def report_content(
         method_messages=comparison_messages(methods),
         control=ControlValues.of(project),
         trajectory_corrections=_trajectory_corrections(project),
+        plane_sections=tuple(plane_sections),
     )
     also = (*also, outdated_result_warning(refused)) if refused else also
     return replace(content, warnings=report_warnings(content, all_warnings(project, also)))
@@ -194,7 +204,7 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
     return InputFile(role, printable(path.name), size, digest.hexdigest())
 
 
-def _picked_plane_values(target: Target) -> PickedPlane:
+def _picked_plane_values(target: Target, geometry: SurfaceGeometry | None) -> PickedPlane:
     return PickedPlane(
         name=target.name,
         role=target.role,
@@ -207,4 +217,5 @@ def _picked_plane_values(target: Target) -> PickedPlane:
         lines=tuple(s.line for s in target.sightings if s.used),
         excluded_lines=tuple(s.line for s in target.sightings if not s.used),
         missing=dict(target.missing),
+        geometry=None if geometry is None else SurfaceGeometryValues.of(geometry),
     )

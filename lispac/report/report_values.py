@@ -5,7 +5,7 @@ formats contain the same numbers. Texts are messages and labels, which `lispac.r
 translates into the language of the report.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from lispac.identity import Identity
 from lispac.messages import Message
@@ -19,6 +19,7 @@ from lispac.present.calibration.settings import SettingsUsed
 from lispac.present.checking.absolute import AbsoluteCheckValues
 from lispac.present.checking.acceptance import AcceptanceValues
 from lispac.present.checking.validation import SwathDifference, ValidationPlane
+from lispac.present.json_values import NOT_IN_JSON
 from lispac.present.output.conventions import ConventionValues, ScannerToBodyMatrix
 from lispac.present.output.pos_corrections import PosCorrectionValues
 from lispac.present.survey.survey_data import (
@@ -28,6 +29,7 @@ from lispac.present.survey.survey_data import (
     PickedPlane,
 )
 from lispac.present.targets.sighting_quality import SightingQualityValues
+from lispac.present.targets.surface_geometry import PlaneSection
 
 
 @dataclass(frozen=True)
@@ -36,7 +38,7 @@ class ReportContent:
 
     The true boresight is known for a simulated survey only; ``error_deg`` is the estimated
     boresight minus the true one. ``trajectory_corrections`` is null if the adjustment determines
-    none.
+    none. ``plane_sections`` are points for pictures, which the report in JSON does not contain.
     """
 
     program: str
@@ -70,6 +72,7 @@ class ReportContent:
     method_messages: tuple[Message, ...] = ()
     control: ControlValues = NO_CONTROL
     trajectory_corrections: PosCorrectionValues | None = None
+    plane_sections: tuple[PlaneSection, ...] = field(default=(), metadata=NOT_IN_JSON)
 
     @property
     def angles(self) -> tuple[AngleValues, ...]:

@@ -4,7 +4,9 @@ Boresight angles have four decimals in degrees, residuals one decimal in millime
 """
 
 from collections.abc import Sequence
+from math import degrees
 
+from lispac.geometry.planes import LEVEL_LIMIT_RAD
 from lispac.identity import FIELD_LABELS, FIELD_NAMES, SIGNATURE_FIELDS, TITLE_FIELDS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -26,9 +28,11 @@ from lispac.present.survey.survey_data import (
     FILES_TABLE,
     LINES_TABLE,
     TRAJECTORY_TABLE,
+    PickedPlane,
     planes_table,
 )
 from lispac.present.tables import Fact
+from lispac.present.tables import Table as ResultTable
 from lispac.present.targets.sighting_quality import QUALITY_TABLE
 from lispac.present.targets.sightings import SIGHTING_FIT_TABLE
 from lispac.present.targets.targets import TARGETS_TABLE, target_finding
@@ -99,6 +103,12 @@ BEFORE_CALIBRATION_TEXT = N_(
 SITE_PLAN_CAPTION = N_(
     "Site plan in the local frame. Arrows show the direction of the lines; the name of a line is "
     "at its start."
+)
+GEOMETRY_TEXT = N_(
+    "Position: middle of the points of all lines, or centre of a sphere. Width and height: extent "
+    "of the points horizontally and up the slope; of a horizontal surface, to the east and north. "
+    "Inclination: 0° horizontal, 90° vertical; below {limit}°, the azimuth of the normal towards "
+    "the vessel is not given."
 )
 SURFACE_SIGMA_TEXT = N_(
     "Form error of the targets: standard deviation of the offset of a whole sighting from the "
@@ -207,14 +217,23 @@ def residual_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = []
     if content.adjustment is not None:
         blocks += residuals_summary(content.adjustment)
-    if content.planes:
-        table = planes_table(len(content.lines))
-        if all(plane.shape == "plane" for plane in content.planes):
-            table = table.without("Shape")
-        blocks.append(report_table(table, content.planes))
+    blocks += surface_blocks(content, planes_table(len(content.lines)))
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
+
+
+def surface_blocks(content: ReportContent, table: ResultTable[PickedPlane]) -> list[Block]:
+    """Table of the targets and validation planes, and its explanation; none without any."""
+    if not content.planes:
+        return []
+    if all(plane.shape == "plane" for plane in content.planes):
+        table = table.without("Shape")
+    return [Paragraph(_geometry_text()), report_table(table, content.planes)]
+
+
+def _geometry_text() -> str:
+    return gettext(GEOMETRY_TEXT, limit=fixed_number(degrees(LEVEL_LIMIT_RAD), 0))
 
 
 def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:

@@ -9,13 +9,14 @@ from collections.abc import Sequence
 from functools import partial
 
 from lispac.acceptance import planes_to_show
-from lispac.language import gettext
+from lispac.language import N_, gettext
 from lispac.present.calibration.adjustment import AdjustmentValues
 from lispac.present.calibration.adjustment_fit import chi_square_facts
 from lispac.present.calibration.cross_checks import agreement_text
 from lispac.present.calibration.methods import method_facts
 from lispac.present.calibration.sigmas import sigma_facts
 from lispac.present.checking.validation import ValidationPlane
+from lispac.present.survey.survey_data import planes_table
 from lispac.present.tables import Fact
 from lispac.present.targets.targets import TARGETS_TABLE
 from lispac.present.text_format import fixed_number
@@ -35,18 +36,24 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 from lispac.report.validation_section import MAP_LEGEND_TEXT
+from lispac.targets.surface_geometry import SECTION_THICKNESS_M
 
 MAX_PLANES = 12
 """Largest number of validation planes in the table."""
 MAX_PICTURED_PLANES = 3
-"""Largest number of validation planes with pictures and maps."""
+"""Largest number of validation planes with pictures, sections and maps."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
 """Largest number of notes."""
-MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM = 62.0, 60.0
+MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SECTION_HEIGHT_MM = 62.0, 60.0, 42.0
 PLAN_SIZE_INCHES = 3.2, 2.35
 """Width and height of the site plan, half as wide as the page."""
+SECTION_TEXT = N_(
+    "Sections: points of all lines in a strip {thickness:m.1} m wide across the middle of a "
+    "validation plane. Distances are from the middle of all lines along the normal, positive "
+    "towards the vessel. The scales before and after the calibration differ."
+)
 MAX_HISTOGRAM_HEIGHT_MM = 42.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
@@ -118,8 +125,10 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     table = TARGETS_TABLE
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
         table = table.without(title)
+    surfaces = planes_table(len(content.lines)).without("Threshold")
     return [
         *control_comparison(content),
+        *sections.surface_blocks(content, surfaces),
         report_table(table, adjustment.targets),
         facts_table(gettext("Fit and standard deviations used"), facts),
     ]
@@ -173,6 +182,8 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks += [legend, _overview(whole, is_alone=not small)]
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
+    if sectioned := _sections(content, 1 if small else MAX_PICTURED_PLANES):
+        blocks += [Paragraph(gettext(SECTION_TEXT, thickness=SECTION_THICKNESS_M)), *sectioned]
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in planes if plane.maps]
     are_same = len(small) == 2 * len(shown) and len(mapped) == len(content.validation)
@@ -266,6 +277,21 @@ def _histogram(plane: ValidationPlane) -> UndrawnPictures:
     )
     draw = partial(small_histograms_figure_of, is_narrow=True)
     return UndrawnPictures(caption, draw, ((plane,),))
+
+
+def _sections(content: ReportContent, count: int) -> list[PictureRow]:
+    """Sections across up to ``count`` planes that fail or have the largest RMS."""
+    from lispac.report.plane_sections import section_caption, section_figure_of
+
+    shown = {plane.name for plane in _planes_to_show(content, count)}
+    return [
+        PictureRow(
+            (UndrawnPictures(section_caption(each), section_figure_of, (each,)),),
+            tallest=MAX_SECTION_HEIGHT_MM,
+        )
+        for each in content.plane_sections
+        if each.plane in shown
+    ]
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:

@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.planes import fit_plane, plane_axes
+from lispac.geometry.planes import LEVEL_LIMIT_RAD, fit_plane, plane_axes
 from lispac.targets.thinning import thin_points
 from lispac.untrusted_values import ArrayShape
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
-from lispac.validation.plane_offset import LEVEL_LIMIT_RAD
 
 Array = NDArray[np.float64]
 

@@ -11,13 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.planes import fit_plane_robustly, plane_axes
+from lispac.geometry.planes import LEVEL_LIMIT_RAD, fit_plane_robustly, plane_axes
 from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-LEVEL_LIMIT_RAD = np.radians(10.0)
-"""Inclination below which a plane is horizontal and its axes are west and north."""
 UNKNOWN_COUNT, MAX_FIT_ITERATIONS = 3, 4
 """Number of parameters of a plane, and largest number of fits without outliers."""
 SIGMA_PER_MAD = 1.4826

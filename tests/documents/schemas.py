@@ -4,6 +4,7 @@
 """
 
 import json
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from pydantic import TypeAdapter
 from lispac.cli.console import SCHEMA_FILE as COMMANDS_FILE
 from lispac.cli.console import SCHEMA_VERSION as COMMANDS_VERSION
 from lispac.cli.json_outputs import OUTPUTS
-from lispac.present.json_values import JsonMessage, json_key
+from lispac.present.json_values import NOT_IN_JSON, JsonMessage, json_key
 from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION
 from lispac.report.report_values import ReportContent
 
@@ -111,6 +112,11 @@ FIELD_TEXTS: dict[str, dict[str, str]] = {
         "attitude_sigma_deg": "Standard deviations of roll, pitch, heading, degrees.",
         "lidar_sigma_xyz_m": "Standard deviations along the LiDAR axes x, y, z, metres.",
     },
+    "SurfaceGeometryValues": {
+        "centre_local_m": f"Position. {_POSITION}",
+        "extent_m": "Width (level) and height (up the slope) of the points, metres; west and north "
+        "on a horizontal plane.",
+    },
     "SightingQualityValues": {
         "extent_m": "Width (level) and height (up the slope) of the sighting, metres.",
     },
@@ -123,6 +129,9 @@ FIELD_TEXTS: dict[str, dict[str, str]] = {
     },
 }  # fmt: skip
 """Axes, units and signs of the lists of numbers, by class and field."""
+
+NOT_IN_JSON_CLASSES = ("PlaneSection", "LineSection")
+"""Classes of the fields of the content that JSON does not contain."""
 
 VERSION_SCHEMA = {
     "type": "object",
@@ -140,13 +149,14 @@ def schema_text() -> str:
     }
     _, definitions = _schemas({"report": ReportContent})
     made = definitions.pop("ReportContent")
+    kept = [each.name for each in fields(ReportContent) if each.metadata != NOT_IN_JSON]
     return _as_text({
         "$schema": DRAFT,
         "title": "LISPAC boresight report",
         "description": ABOUT,
         "type": "object",
-        "properties": head | made["properties"],
-        "required": [*head, *made["required"]],
+        "properties": head | {name: made["properties"][name] for name in kept},
+        "required": [*head, *kept],
         "$defs": definitions,
     })  # fmt: skip
 
@@ -195,7 +205,16 @@ def _in_json(value: Any) -> Any:
         return {"$ref": "#/$defs/JsonMessage"}
     if value.get("$ref") == "#/$defs/LazyText":
         return {"type": "string"}
-    unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural", "Advised")
+    unused = (
+        "Message",
+        "Cause",
+        "Action",
+        "Value",
+        "LazyText",
+        "Plural",
+        "Advised",
+        *NOT_IN_JSON_CLASSES,
+    )
     return {
         json_key(key): _in_json(
             {name: each for name, each in item.items() if name not in unused}

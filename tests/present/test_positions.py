@@ -10,6 +10,7 @@ from lispac.present.targets.sighting_quality import (
     PickedSightingValues,
     SightingQualityValues,
 )
+from lispac.present.targets.surface_geometry import SurfaceGeometryValues
 from tests.support.topocentric import east_north_up_by_proj
 
 FRAME = LocalFrame(0.81, -1.24, 12.0)
@@ -23,7 +24,8 @@ def cells(columns: tuple[Column, ...], row: object) -> dict[str, str]:
 def test_tables_give_positions_as_proj_does() -> None:
     east, north, up = east_north_up_by_proj(PLACE, FRAME)[0]
     plane = PickedPlane(
-        "T1", "target", "plane", None, True, PLACE, 0.01, 2.0, ("L1",), (), {}
+        "T1", "target", "plane", None, True, (0.0, 0.0, 0.0), 0.01, 2.0, ("L1",), (), {},
+        SurfaceGeometryValues(PLACE, (1.2, 0.8), 45.0, 90.0),
     )  # fmt: skip
     found = cells(planes_table(1).columns, plane)
     assert [found[name] for name in ("East", "North", "Up")] == [

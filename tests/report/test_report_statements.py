@@ -121,9 +121,34 @@ def test_positions_are_east_north_up(content: ReportContent) -> None:
     titles = [column.title.split()[0] for column in table.columns]
     place = titles.index("East")
     assert titles[place : place + 3] == ["East", "North", "Up"]
-    north, west, up = content.planes[0].seed_local_m
+    geometry = content.planes[0].geometry
+    assert geometry is not None
+    north, west, up = geometry.centre_local_m
     expected = [localised_number(f"{value:.2f}") for value in (-west, north, up)]
     assert list(table.plain_rows[0][place : place + 3]) == expected
+
+
+@pytest.mark.parametrize("extent", ["short", "full"])
+def test_both_reports_give_the_geometry_of_targets_and_validation_planes(
+    content: ReportContent, extent: str
+) -> None:
+    first, *others = content.planes
+    assert first.geometry is not None
+    level = replace(first.geometry, inclination_deg=2.0, azimuth_deg=None)
+    planes = (replace(first, geometry=level), *(replace(each, geometry=None) for each in others))
+    for shown, expected in (
+        (content.planes, [["2.40 × 1.20", "90", "90"]] * len(planes)),
+        (planes, [["2.40 × 1.20", "2", "–"], *[["–", "–", "–"]] * len(others)]),
+    ):
+        (table,) = (
+            each
+            for each in _blocks(replace(content, planes=shown), extent)
+            if isinstance(each, Table) and "validation planes (position" in each.title
+        )
+        titles = [column.title.split()[0] for column in table.columns]
+        place = titles.index("Width")
+        assert [list(row[place : place + 3]) for row in table.rows] == expected
+        assert ("Threshold" in titles) == (extent == "full")
 
 
 # -- validation ------------------------------------------------------------------------------

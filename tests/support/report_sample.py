@@ -21,11 +21,13 @@ from lispac.adjustment.result import (
 )
 from lispac.messages import error, note
 from lispac.present.survey.survey_data import LineTrajectorySummary
+from lispac.present.targets.surface_geometry import PlaneSection, plane_section
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document_blocks import Block, Group, PictureRow, UndrawnPictures
 from lispac.report.options import ReportOptions
 from lispac.survey.georeferencing import Mounting
+from lispac.targets.surface_geometry import SurfaceGeometry
 from lispac.validation.comparison_results import (
     DistanceStatistics,
     PairComparison,
@@ -273,7 +275,25 @@ def sample_content(
             )
             for line in HEADINGS
         ],
+        geometries={
+            target.name: SurfaceGeometry(np.array(target.seed), TOWARDS_EAST, np.array([2.4, 1.2]))
+            for target in project.targets
+        },
+        plane_sections=[_section(plane.name) for plane in project.validation],
     )
+
+
+TOWARDS_EAST = np.array([0.0, -1.0, 0.0])
+
+
+def _section(plane: str) -> PlaneSection:
+    """Section with 20 points of each line, the lines 10 mm apart before and 1 mm after."""
+    along = np.linspace(-1.2, 1.2, 20)
+    before, after = (
+        {line: np.column_stack([along, np.full(20, k * step)]) for k, line in enumerate(HEADINGS)}
+        for step in (0.01, 0.001)
+    )
+    return plane_section(plane, "Up (m)", {x: k for k, x in enumerate(HEADINGS)}, before, after)
 
 
 def with_lines_of_its_own(project: Project) -> Project:

@@ -525,7 +525,7 @@ RECIPROCAL_PAIRS_TEXT = N_(
 """Note below tables of planes whose comparison does not use all pairs of lines."""
 
 
-JUDGED_COLUMNS: Mapping[str, Quantity] = {
+JUDGED_COLUMNS: Mapping[Any, Quantity] = {
     "after.rms_m": "rms", "after.p95_m": "p95", "largest_offset_m": "offset",
 }  # fmt: skip
 """Columns with the values that are compared with the acceptance criteria."""

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from operator import attrgetter
 from typing import Any
 
 from lispac.geometry.frames import east_north_up
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.tables import COUNT, DEGREES, MILLIMETRES, SECONDS, Column, Format, Table
+from lispac.present.targets.surface_geometry import SurfaceGeometryValues
 from lispac.present.targets.targets import shape_text
 
 IMPORT_SECONDS = Format("s", 1)
@@ -53,7 +53,8 @@ class PickedPlane:
     """Picked target or validation plane.
 
     ``seed_local_m`` is north, west, up from the origin of the local frame. ``sphere_radius_m`` is
-    None for a plane or an unknown radius; ``radius_m`` is the search radius.
+    None for a plane or an unknown radius; ``radius_m`` is the search radius. ``geometry`` is None
+    if the surface was found on no line.
     """
 
     name: str
@@ -67,6 +68,7 @@ class PickedPlane:
     lines: tuple[str, ...]
     excluded_lines: tuple[str, ...]
     missing: Mapping[str, Message]
+    geometry: SurfaceGeometryValues | None = None
 
 
 def _plane_role_text(plane: PickedPlane) -> str:
@@ -75,19 +77,24 @@ def _plane_role_text(plane: PickedPlane) -> str:
     return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
 
 
+WHOLE_DEGREES = Format("deg", 0)
 POSITION_METRES = Format("m", 2, is_grouped=False)
 
 
-def position_columns(point: Callable[[Any], Sequence[float]]) -> tuple[Column[Any], ...]:
+def position_columns(point: Callable[[Any], Sequence[float] | None]) -> tuple[Column[Any], ...]:
     """Columns of a position as read by surveyors: east, north, up.
 
     Parameters
     ----------
-    point : function of a row that returns north, west, up, metres
+    point : function of a row that returns north, west, up, metres, or None if it is unknown
     """
 
-    def coordinate(axis: int) -> Callable[[Any], float]:
-        return lambda row: float(east_north_up(point(row))[axis])
+    def coordinate(axis: int) -> Callable[[Any], float | None]:
+        def value(row: Any) -> float | None:
+            place = point(row)
+            return None if place is None else float(east_north_up(place)[axis])
+
+        return value
 
     return tuple(
         Column(coordinate(axis), title, POSITION_METRES)
@@ -104,12 +111,17 @@ def planes_table(lines: int) -> Table[PickedPlane]:
         Number of lines of the survey.
     """
     return Table(
-        N_("Targets and validation planes (seed, from the origin of the local frame)"),
+        N_("Targets and validation planes (position from the origin of the local frame)"),
         (
             Column("name", N_("Name")),
             Column(_plane_role_text, N_("Role")),
             Column(lambda plane: shape_text(plane.shape, plane.sphere_radius_m), N_("Shape")),
-            *position_columns(attrgetter("seed_local_m")),
+            *position_columns(
+                lambda plane: None if plane.geometry is None else plane.geometry.centre_local_m
+            ),
+            Column("geometry.size_text", N_("Width × height\n(m)")),
+            Column("geometry.inclination_deg", N_("Inclination"), WHOLE_DEGREES),
+            Column("geometry.azimuth_deg", N_("Azimuth of\nthe normal"), WHOLE_DEGREES),
             Column("threshold_m", N_("Threshold"), MILLIMETRES),
             Column(
                 lambda plane: gettext(

@@ -23,6 +23,7 @@ from lispac.workflow.calibration.sighting_assessment import (
     sighting_qualities,
 )
 from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.output.surfaces import plane_sections, surface_geometries
 from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ def report_content_of(
     for name, scan in survey.scans.items():
         times = np.linspace(scan.first_time, scan.last_time, 50)
         tracks[name] = survey.trajectory.at(times).position[:, :2]
+    geometries = surface_geometries(project, survey)
     return report_content(
         project,
         headings_deg=survey.headings_deg,
@@ -62,6 +64,8 @@ def report_content_of(
         refused=refused,
         origin_deg_m=survey.trajectory.frame.origin_deg_m,
         also=tuple(validation_planes_on_targets(project, survey)),
+        geometries=geometries,
+        plane_sections=plane_sections(project, survey, geometries),
     )
 
 

@@ -1,0 +1,68 @@
+"""Sections across validation planes: the points of all lines, before and after the calibration."""
+
+import numpy as np
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from lispac.language import gettext
+from lispac.present.targets.surface_geometry import PlaneSection
+from lispac.report.figures import (
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    blank_figure,
+    line_colour,
+    short_name,
+    style_axes,
+)
+
+SIZE_INCHES = 6.3, 1.5
+POINT_SIZE = 2.0
+SHOWN_PERCENTILES = 0.5, 99.5
+"""Percentiles of the distances between which a panel extends, besides its margins."""
+
+
+def section_figure_of(section: PlaneSection) -> Figure:
+    """Draw the points of a section before and after, each with its own scale."""
+    figure = blank_figure(None, SIZE_INCHES)
+    panels = figure.subplots(1, 2)
+    for axes, state in zip(panels, ("before", "after"), strict=True):
+        title = gettext("before") if state == "before" else gettext("after")
+        style_axes(
+            axes,
+            gettext(section.axis_title),
+            gettext("Distance (mm)") if axes is panels[0] else "",
+        )
+        axes.set_title(title, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
+        distances = []
+        for line in section.lines:
+            points = np.array(getattr(line, f"{state}_m"), dtype=float).reshape(-1, 2)
+            axes.plot(
+                points[:, 0], 1000.0 * points[:, 1], ".", color=to_hex(line_colour(line.place)),
+                markersize=POINT_SIZE, markeredgewidth=0.0,
+            )  # fmt: skip
+            distances.append(1000.0 * points[:, 1])
+        shown = np.concatenate(distances)
+        if len(shown):
+            low, high = np.percentile(shown, SHOWN_PERCENTILES)
+            margin = 0.1 * (high - low) + 1.0
+            axes.set_ylim(low - margin, high + margin)
+    handles = [
+        Line2D(
+            [], [], color=to_hex(line_colour(line.place)), marker="s", linestyle="", markersize=4
+        )
+        for line in section.lines
+    ]
+    figure.legend(
+        handles, [short_name(line.line) for line in section.lines],
+        loc="outside right center", fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR,
+    )  # fmt: skip
+    return figure
+
+
+def section_caption(section: PlaneSection) -> str:
+    """Caption of the picture of a section, in the language in use."""
+    return gettext(
+        "{plane}: section across the middle of the plane, before and after the calibration.",
+        plane=section.plane,
+    )
