@@ -325,6 +325,15 @@ class Viewport(Protocol):
     def set_parallel(self, parallel: bool) -> None:
         """Draw in parallel (orthographic) projection, or in perspective."""
 
+    def set_fit_margins(self, strip_px: float, factor: float) -> None:
+        """Set the space that fitted points leave free, for the next fit.
+
+        Parameters
+        ----------
+        strip_px : height of the strip at the bottom, pixels
+        factor : factor of the distance of the camera
+        """
+
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Set the mode of the left mouse button and the hint above the picture."""
 

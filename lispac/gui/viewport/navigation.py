@@ -36,9 +36,11 @@ KEPT_TIME_S = 0.5
 REVEALED_MARGIN_PX = 36.0
 """Distance from the edges of a selected surface that a panel would have covered, pixels."""
 
-FREE_STRIP_PX, MAX_FREE_SHARE = 42.0, 0.2
+FREE_STRIP_PX, MAX_FREE_SHARE = 42.0, 0.35
 """Height of the strip at the bottom with the help on the mouse, pixels, which fitted points leave
 free, and its largest share of the height of the picture."""
+FIT_MARGIN = 1.06
+"""Factor of the distance at which the camera shows fitted points."""
 
 VIEWS_DEG = {
     "front": (0.0, 0.0),
@@ -60,6 +62,7 @@ class Navigator(QObject):
     history : views to which the user can go back
     station : ndarray of shape (3,), metres, local frame
         Position from which the view "front" looks.
+    free_strip_px, fit_margin : as in `FREE_STRIP_PX` and `FIT_MARGIN`
     """
 
     moved = Signal()  # the user moves the camera
@@ -75,6 +78,7 @@ class Navigator(QObject):
         self.camera = Camera(np.zeros(3), 0.0, float(np.radians(VIEWS_DEG["isometric"][1])), 50.0)
         self.pictures = [Picture()]
         self.station: Array = np.zeros(3)
+        self.free_strip_px, self.fit_margin = FREE_STRIP_PX, FIT_MARGIN
         self._widget = widget
         self._dragged = self.pictures[0]
         self._pivot: Array = np.zeros(3)
@@ -174,8 +178,10 @@ class Navigator(QObject):
     def refit(self) -> None:
         """Bring the fitted points into view again after a change of size."""
         if self._fitted_points is not None:
-            bottom = min(FREE_STRIP_PX, MAX_FREE_SHARE * self.size.height)
-            self.camera = self.camera.fitted(self._fitted_points, self.size, bottom=bottom)
+            bottom = min(self.free_strip_px, MAX_FREE_SHARE * self.size.height)
+            self.camera = self.camera.fitted(
+                self._fitted_points, self.size, self.fit_margin, bottom
+            )
 
     def keep_picture(self) -> None:
         """Keep the scene in place while a panel that opens takes a part of the widget.

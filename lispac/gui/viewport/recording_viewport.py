@@ -174,6 +174,10 @@ class RecordingViewport:
         self._record("set_parallel", parallel)
         self.parallel = parallel
 
+    def set_fit_margins(self, strip_px: float, factor: float) -> None:
+        """Remember the call."""
+        self._record("set_fit_margins", strip_px, factor)
+
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Remember the mode of the left button and the hint."""
         self._record("set_mouse", mode, hint)

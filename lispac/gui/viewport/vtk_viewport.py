@@ -371,6 +371,10 @@ class VtkViewport:
         self._navigator.project_parallel(parallel)
         self._refine_later()
 
+    def set_fit_margins(self, strip_px: float, factor: float) -> None:
+        """Set the space that fitted points leave free, for the next fit."""
+        self._navigator.free_strip_px, self._navigator.fit_margin = strip_px, factor
+
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
         """Set the mode of the left mouse button and the hint above the picture."""
         self._navigator.mouse.set_mode(mode)

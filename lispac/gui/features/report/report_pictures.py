@@ -15,6 +15,7 @@ from lispac.gui.project.document import Document
 from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Array, Marker, Viewport
 from lispac.gui.viewport.clipping import Box
+from lispac.gui.viewport.overlay import AXES_PX, MARGIN_PX
 from lispac.language import N_, LazyText, gettext, gettext_lazy, in_language
 from lispac.project import Project, Target
 from lispac.report.options import Extent, ReportOptions
@@ -23,9 +24,11 @@ from lispac.survey.cloud import Cloud
 from lispac.targets.cross_section import common_normal
 
 PICTURE_SIZE_PX = (1000, 700)
-LABEL_SCALE = 2.2
-"""Size of the labels relative to that on the screen; the smallest pictures of a report are 54 mm
-wide, and their labels are then 6.5 points high."""
+LABEL_SCALE, SMALL_LABEL_SCALE = 1.5, 2.2
+"""Size of the labels relative to that on the screen, in pictures of half and of a third of the
+width of the page; they are 6.5 points high in print."""
+FIT_FACTOR = 1.12
+"""Factor of the distance at which a picture shows its points: some single points are outside."""
 BOX_MARGIN_M = 0.3
 """Distance of the clip box from the points of a target, metres."""
 OBLIQUE_ANGLE_DEG = 60.0
@@ -47,23 +50,27 @@ class _View:
     targets : targets with a label
     points : points (n, 3) of a target before and after the calibration; None for all lines
     normal : normal of the target (3,); None for all lines
+    label_scale : size of the labels relative to that on the screen
     """
 
     captions: Mapping[PriorOrEstimated, LazyText]
     targets: tuple[Target, ...]
     points: Array | None = None
     normal: Array | None = None
+    label_scale: float = LABEL_SCALE
 
     def show(self, viewport: Viewport) -> None:
-        """Move the camera; a surface is seen obliquely."""
+        """Move the camera; a surface is seen obliquely. Axes and scale bar cover no points."""
+        viewport.set_fit_margins(self.label_scale * (AXES_PX + MARGIN_PX), FIT_FACTOR)
         if self.points is None or self.normal is None:
             viewport.clip(None)
             viewport.set_parallel(False)
             viewport.view("isometric")
             return
-        viewport.clip(Box.around(self.points, self.normal, BOX_MARGIN_M))
+        box = Box.around(self.points, self.normal, BOX_MARGIN_M)
+        viewport.clip(box)
         viewport.set_parallel(True)
-        viewport.view_along(oblique_direction(self.normal), self.points)
+        viewport.view_along(oblique_direction(self.normal), box.corners)
 
 
 class ReportPictures(QObject):
@@ -143,7 +150,7 @@ class ReportPictures(QObject):
 
         def take(which: PriorOrEstimated, k: int) -> None:
             with units.standard_units(), in_language(language):
-                taken[which, k] = viewport.picture(LABEL_SCALE)
+                taken[which, k] = viewport.picture(views[k].label_scale)
 
         order: tuple[PriorOrEstimated, ...] = ("prior", "estimated")
         for which in order:
@@ -204,6 +211,7 @@ def _views(
             (target,),
             np.concatenate([points for groups in placed for points in groups]),
             common_normal(placed[1]),
+            SMALL_LABEL_SCALE if extent == "short" else LABEL_SCALE,
         )
 
 
