@@ -58,11 +58,3 @@ def section_figure_of(section: PlaneSection) -> Figure:
         loc="outside right center", fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR,
     )  # fmt: skip
     return figure
-
-
-def section_caption(section: PlaneSection) -> str:
-    """Caption of the picture of a section, in the language in use."""
-    return gettext(
-        "{plane}: section across the middle of the plane, before and after the calibration.",
-        plane=section.plane,
-    )

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from lispac.acceptance import planes_to_show
-from lispac.language import N_, gettext
+from lispac.language import gettext
 from lispac.present.calibration.adjustment import AdjustmentValues
 from lispac.present.calibration.adjustment_fit import chi_square_facts
 from lispac.present.calibration.cross_checks import agreement_text
@@ -35,8 +35,11 @@ from lispac.report.document_blocks import (
     report_table,
 )
 from lispac.report.report_values import ReportContent
-from lispac.report.validation_section import MAP_LEGEND_TEXT
-from lispac.targets.surface_geometry import SECTION_THICKNESS_M
+from lispac.report.validation_section import (
+    MAP_LEGEND_TEXT,
+    section_explanation,
+    section_picture,
+)
 
 MAX_PLANES = 12
 """Largest number of validation planes in the table."""
@@ -49,11 +52,6 @@ MAX_NOTES = 8
 MAX_MAP_HEIGHT_MM, MAX_PLAN_HEIGHT_MM, MAX_SECTION_HEIGHT_MM = 62.0, 60.0, 42.0
 PLAN_SIZE_INCHES = 3.2, 2.35
 """Width and height of the site plan, half as wide as the page."""
-SECTION_TEXT = N_(
-    "Sections: points of all lines in a strip {thickness:m.1} m wide across the middle of a "
-    "validation plane. Distances are from the middle of all lines along the normal, positive "
-    "towards the vessel. The scales before and after the calibration differ."
-)
 MAX_HISTOGRAM_HEIGHT_MM = 42.0
 MAX_OVERVIEW_HEIGHT_MM, MAX_SMALL_PICTURE_HEIGHT_MM = 52.0, 38.0
 """Largest heights on the page, millimetres; an overview and three planes fit on a letter page."""
@@ -183,7 +181,7 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
     if sectioned := _sections(content, 1 if small else MAX_PICTURED_PLANES):
-        blocks += [Paragraph(gettext(SECTION_TEXT, thickness=SECTION_THICKNESS_M)), *sectioned]
+        blocks += [section_explanation(), *sectioned]
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in planes if plane.maps]
     are_same = len(small) == 2 * len(shown) and len(mapped) == len(content.validation)
@@ -281,14 +279,9 @@ def _histogram(plane: ValidationPlane) -> UndrawnPictures:
 
 def _sections(content: ReportContent, count: int) -> list[PictureRow]:
     """Sections across up to ``count`` planes that fail or have the largest RMS."""
-    from lispac.report.plane_sections import section_caption, section_figure_of
-
     shown = {plane.name for plane in _planes_to_show(content, count)}
     return [
-        PictureRow(
-            (UndrawnPictures(section_caption(each), section_figure_of, (each,)),),
-            tallest=MAX_SECTION_HEIGHT_MM,
-        )
+        PictureRow((section_picture(each),), tallest=MAX_SECTION_HEIGHT_MM)
         for each in content.plane_sections
         if each.plane in shown
     ]

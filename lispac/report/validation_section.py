@@ -27,6 +27,7 @@ from lispac.present.checking.validation import (
     shift_rows,
     swath_overlap_table,
 )
+from lispac.present.targets.surface_geometry import PlaneSection
 from lispac.present.text_format import (
     sentence_text,
     shortest_number,
@@ -43,6 +44,7 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent
 from lispac.report.section_summaries import validation_summary
 from lispac.report.validation_warnings import shift_limit
+from lispac.targets.surface_geometry import SECTION_THICKNESS_M
 
 DISTANCES_TEXT = N_(
     "Distances from each point of one line to the surface of the other, in both directions and for "
@@ -88,6 +90,11 @@ MAP_LEGEND_TEXT = N_(
     "vessel, or from above if the plane is horizontal; red: the first line is nearer to the "
     "vessel, blue: it is farther away, grey: too few points. A colour scale that ends beyond 40 mm "
     "is logarithmic beyond 20 mm. The number above a map is the offset of the two lines."
+)
+SECTION_TEXT = N_(
+    "Sections: points of all lines in a strip {thickness:m.1} m wide across the middle of a "
+    "validation plane. Distances are from the middle of all lines along the normal, positive "
+    "towards the vessel. The scales before and after the calibration differ."
 )
 S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
@@ -149,7 +156,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
             ),
             Bullets(omitted),
         ]
-    return [*blocks, *_figures(content.validation)]
+    return [*blocks, *_figures(content)]
 
 
 def reciprocal_pairs_note(planes: Sequence[ValidationPlane]) -> list[Block]:
@@ -178,18 +185,21 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
     return [Paragraph(text), report_table(SHIFTS_TABLE, rows)]
 
 
-def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Histogram, profiles and maps of each plane, those of one plane on one page.
+def _figures(content: ReportContent) -> list[Block]:
+    """Histogram, profiles, section and maps of each plane, those of one plane on one page.
 
-    The explanation of the maps is above the first ones.
+    The explanations of sections and maps are above the first ones.
     """
     from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
+    planes, sections = content.validation, {each.plane: each for each in content.plane_sections}
     groups: list[Block] = []
     for plane in planes:
         blocks: list[Block] = []
+        if not groups and sections:
+            blocks.append(section_explanation())
         if not groups and any(each.maps for each in planes):
             blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
         caption = gettext(
@@ -200,6 +210,8 @@ def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
         if by_height or by_range:
             caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
             blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
+        if plane.name in sections:
+            blocks.append(section_picture(sections[plane.name]))
         if plane.maps:
             caption = gettext(
                 "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",
@@ -209,6 +221,22 @@ def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
             blocks.append(PictureRow((drawn,), tallest=MAX_MAP_HEIGHT_MM))
         groups.append(Group(tuple(blocks)))
     return groups
+
+
+def section_explanation() -> Paragraph:
+    """Explanation of the sections."""
+    return Paragraph(gettext(SECTION_TEXT, thickness=SECTION_THICKNESS_M))
+
+
+def section_picture(section: PlaneSection) -> UndrawnPictures:
+    """Section across a validation plane."""
+    from lispac.report.plane_sections import section_figure_of
+
+    caption = gettext(
+        "{plane}: section across the middle of the plane, before and after the calibration.",
+        plane=section.plane,
+    )
+    return UndrawnPictures(caption, section_figure_of, (section,))
 
 
 def _profile_caption(by_height: bool, by_range: bool) -> str:
