@@ -6,6 +6,7 @@ font.
 """
 
 import json
+import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -26,6 +27,8 @@ from lispac.report.report_values import ReportContent
 SECTION_GAPS, MIN_FILLED_SHARE = (1.0, 0.85, 0.7, 0.55), 0.5
 """Factors of the gaps in the sections, the first of which gives a last page that is filled to this
 share of its height."""
+MAX_SHORT_PAGES = 4
+"""Largest number of pages of a short report, for which the gaps are reduced."""
 MAX_UNBROKEN_LETTERS = 24
 """Largest number of letters of a word without break points. Longer words, such as file names, get
 break points."""
@@ -117,7 +120,9 @@ def _typesetter(
 
         made = datetime.fromisoformat(content.generated)
         try:
-            compiler = _compiler_filling_last_page(compiler_with)
+            compiler = _compiler_filling_last_page(
+                compiler_with, MAX_SHORT_PAGES if options.extent == "short" else sys.maxsize
+            )
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as failure:
             given = [options.logo, *pictures.values()]
@@ -125,17 +130,24 @@ def _typesetter(
             raise LispacError(error("report.not_typeset", reason=str(failure.message))) from failure
 
 
-def _compiler_filling_last_page(compiler_with: Callable[[float], Any]) -> Any:
-    """Compiler with the largest gaps with which the last page is at least half full, if any."""
+def _compiler_filling_last_page(compiler_with: Callable[[float], Any], max_pages: int) -> Any:
+    """Compiler with the largest gaps with which the last page is at least half full, if any.
+
+    Gaps with which the report has at most ``max_pages`` come before all others.
+    """
+    best, rank = None, (2, 2)
     for gap in SECTION_GAPS:
         compiler = compiler_with(gap)
         try:
-            share = float(compiler.query("<filled-share>", field="value", one=True))
+            pages, share = json.loads(compiler.query("<extent>", field="value", one=True))
         except RuntimeError:
             return compiler  # compiling gives the reason
-        if share >= MIN_FILLED_SHARE:
-            return compiler
-    return compiler_with(SECTION_GAPS[0])
+        found = (int(pages > max_pages), int(share < MIN_FILLED_SHARE))
+        if found < rank:
+            best, rank = compiler, found
+        if rank == (0, 0):
+            break
+    return best
 
 
 def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:

@@ -1,9 +1,7 @@
 """Sections across validation planes: the points of all lines, before and after the calibration."""
 
 import numpy as np
-from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from lispac.language import gettext
 from lispac.present.targets.surface_geometry import PlaneSection
@@ -17,7 +15,8 @@ from lispac.report.figures import (
 )
 
 SIZE_INCHES = 6.3, 1.5
-POINT_SIZE = 2.0
+POINT_SIZE, LEGEND_SCALE = 2.0, 5.0
+"""Size of a point, and that of the points in the legend relative to it."""
 SHOWN_PERCENTILES = 0.5, 99.5
 """Percentiles of the distances between which a panel extends, besides its margins."""
 
@@ -38,7 +37,7 @@ def section_figure_of(section: PlaneSection) -> Figure:
         for line in section.lines:
             points = np.array(getattr(line, f"{state}_m"), dtype=float).reshape(-1, 2)
             axes.plot(
-                points[:, 0], 1000.0 * points[:, 1], ".", color=to_hex(line_colour(line.place)),
+                points[:, 0], 1000.0 * points[:, 1], ".", color=line_colour(line.place),
                 markersize=POINT_SIZE, markeredgewidth=0.0,
             )  # fmt: skip
             distances.append(1000.0 * points[:, 1])
@@ -47,14 +46,9 @@ def section_figure_of(section: PlaneSection) -> Figure:
             low, high = np.percentile(shown, SHOWN_PERCENTILES)
             margin = 0.1 * (high - low) + 1.0
             axes.set_ylim(low - margin, high + margin)
-    handles = [
-        Line2D(
-            [], [], color=to_hex(line_colour(line.place)), marker="s", linestyle="", markersize=4
-        )
-        for line in section.lines
-    ]
     figure.legend(
-        handles, [short_name(line.line) for line in section.lines],
+        list(panels[0].lines), [short_name(line.line) for line in section.lines],
         loc="outside right center", fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR,
+        markerscale=LEGEND_SCALE,
     )  # fmt: skip
     return figure

@@ -45,6 +45,9 @@ MAX_PLANES = 12
 """Largest number of validation planes in the table."""
 MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures, sections and maps."""
+MAX_PLANES_BESIDE_VIEWS = 8
+"""Largest number of validation planes in the table with which there is space for a section beside
+views of the window."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
@@ -180,8 +183,6 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks += [legend, _overview(whole, is_alone=not small)]
     if not whole and (row := (*_site_plan(content), *histograms)):
         blocks.append(PictureRow(row, columns=2, tallest=MAX_PLAN_HEIGHT_MM))
-    if sectioned := _sections(content, 1 if small else MAX_PICTURED_PLANES):
-        blocks += [section_explanation(), *sectioned]
     mapped = [plane for plane in content.validation if plane.maps]
     shown = [plane for plane in planes if plane.maps]
     are_same = len(small) == 2 * len(shown) and len(mapped) == len(content.validation)
@@ -213,6 +214,9 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
         blocks += rows
     if whole and histograms and not beside:
         blocks.append(PictureRow(tuple(histograms), tallest=MAX_HISTOGRAM_HEIGHT_MM))
+    sections_across = _sections(content, _section_count(content, has_views=bool(small)))
+    if sections_across:
+        blocks.append(section_explanation())
     if shown:
         explained = gettext(MAP_LEGEND_TEXT)
         if len(shown) < len(mapped) and not are_same:
@@ -224,14 +228,15 @@ def _figures(content: ReportContent, pictures: Sequence[Picture]) -> list[Block]
             )  # fmt: skip
             explained = f"{explained} {omitted}"
         blocks.append(Paragraph(explained))
-    maps = {
-        plane.name: PictureRow((_map(plane),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown
-    }  # fmt: skip
-    if not beside:
-        return [*blocks, *maps.values()]
-    for views, plane in zip(rows, planes, strict=True):
-        own = (views, maps[plane.name]) if plane.name in maps else (views,)
-        blocks.append(Group(own))
+    figures = [
+        {plane.name: row for plane, row in zip(planes, rows, strict=True)} if beside else {},
+        sections_across,
+        {plane.name: PictureRow((_map(plane),), tallest=MAX_MAP_HEIGHT_MM) for plane in shown},
+    ]
+    for plane in planes:
+        own = tuple(each[plane.name] for each in figures if plane.name in each)
+        if own:
+            blocks.append(Group(own))
     return blocks
 
 
@@ -277,14 +282,21 @@ def _histogram(plane: ValidationPlane) -> UndrawnPictures:
     return UndrawnPictures(caption, draw, ((plane,),))
 
 
-def _sections(content: ReportContent, count: int) -> list[PictureRow]:
-    """Sections across up to ``count`` planes that fail or have the largest RMS."""
+def _section_count(content: ReportContent, *, has_views: bool) -> int:
+    """Number of sections for which there is space; beside views, that of one plane or of none."""
+    if not has_views:
+        return MAX_PICTURED_PLANES
+    return int(len(content.validation) <= MAX_PLANES_BESIDE_VIEWS)
+
+
+def _sections(content: ReportContent, count: int) -> dict[str, PictureRow]:
+    """Sections across up to ``count`` planes that fail or have the largest RMS, by their names."""
     shown = {plane.name for plane in _planes_to_show(content, count)}
-    return [
-        PictureRow((section_picture(each),), tallest=MAX_SECTION_HEIGHT_MM)
+    return {
+        each.plane: PictureRow((section_picture(each),), tallest=MAX_SECTION_HEIGHT_MM)
         for each in content.plane_sections
         if each.plane in shown
-    ]
+    }
 
 
 def _map(plane: ValidationPlane) -> UndrawnPictures:

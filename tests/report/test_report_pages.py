@@ -214,8 +214,13 @@ def _survey_content(project: Project, planes: int = 5) -> ReportContent:
         replace(project, identity=FULL, acceptance=criteria), convention="qinsy"
     )
     plane = content.validation[0]
-    named = tuple(replace(plane, name=f"V{k}") for k in range(1, planes + 1))
-    return replace(content, validation=named)
+    names = [f"V{k}" for k in range(1, planes + 1)]
+    section = content.plane_sections[0]
+    return replace(
+        content,
+        validation=tuple(replace(plane, name=name) for name in names),
+        plane_sections=tuple(replace(section, plane=name) for name in names),
+    )
 
 
 @pytest.fixture(scope="module")

@@ -324,7 +324,7 @@ def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Chan
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
     shown = _tables(report_document(picked, {}, FULL_REPORT))[
-        "Targets and validation planes (seed, from the origin of the local frame)"
+        "Targets and validation planes (position from the origin of the local frame)"
     ]
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
 
