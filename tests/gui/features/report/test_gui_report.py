@@ -27,9 +27,10 @@ from lispac.gui.features.report import report_export
 from lispac.gui.features.report.identity_dialog import SURVEY_FIELDS, missing_details_text
 from lispac.gui.features.report.report_export import report_file_name
 from lispac.gui.features.report.report_panel import ReportPanel
-from lispac.gui.features.report.report_pictures import PICTURE_SIZE_PX
+from lispac.gui.features.report.report_pictures import LABEL_SCALE, PICTURE_SIZE_PX
 from lispac.gui.project.status import VALIDATE
 from lispac.gui.viewport.frame_times import FrameTimes
+from lispac.gui.viewport.overlay import AXES_PX
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.widgets import ChoiceBox
 from lispac.identity import COMPANY_FIELDS, FIELD_NAMES, REQUIRED_FIELDS, Identity
@@ -562,6 +563,10 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
             shown.append(clouds)
             cameras.append([])
     assert len(shown) == 2 * len(views)
+    # Axes and scale bar, which have the size of the labels, are below the points.
+    strips = [given[0] for name, given in viewport.calls if name == "set_fit_margins"]
+    assert len(strips) == len(shown)
+    assert min(strips) >= LABEL_SCALE * AXES_PX
     first = next(iter(prior))
     np.testing.assert_array_equal(shown[0][first], prior[first])
     moved = np.linalg.norm(shown[-1][first] - prior[first], axis=1)
@@ -575,7 +580,8 @@ def test_pictures_are_taken_from_defined_views_before_and_after(
         assert (box is None) == (k == 0)
         if box is not None:
             np.testing.assert_array_equal(box.corners, after[0][1][0].corners)
-            direction = next(given[0] for name, given in before if name == "view_along")
+            direction, fitted = next(given for name, given in before if name == "view_along")
+            np.testing.assert_array_equal(fitted, box.corners)  # all visible points
             normal = common_normal([np.asarray(before[1][1][1])])
             assert np.linalg.norm(direction) == pytest.approx(1.0)
             assert abs(direction @ normal) == pytest.approx(0.5, abs=0.05)
