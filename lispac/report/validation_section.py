@@ -156,7 +156,7 @@ def validation_blocks(content: ReportContent) -> list[Block]:
             ),
             Bullets(omitted),
         ]
-    return [*blocks, *_figures(content)]
+    return [*blocks, *_figures(content.validation)]
 
 
 def reciprocal_pairs_note(planes: Sequence[ValidationPlane]) -> list[Block]:
@@ -185,21 +185,18 @@ def _shift_blocks(planes: Sequence[ValidationPlane]) -> list[Block]:
     return [Paragraph(text), report_table(SHIFTS_TABLE, rows)]
 
 
-def _figures(content: ReportContent) -> list[Block]:
-    """Histogram, profiles, section and maps of each plane, those of one plane on one page.
+def _figures(planes: Sequence[ValidationPlane]) -> list[Block]:
+    """Histogram, profiles and maps of each plane, those of one plane on one page.
 
-    The explanations of sections and maps are above the first ones.
+    The explanation of the maps is above the first ones.
     """
     from lispac.report.distance_maps import map_caption, map_figure_of
     from lispac.report.distance_profiles import is_drawn, profile_figure_of
     from lispac.report.histograms import validation_figure
 
-    planes, sections = content.validation, {each.plane: each for each in content.plane_sections}
     groups: list[Block] = []
     for plane in planes:
         blocks: list[Block] = []
-        if not groups and sections:
-            blocks.append(section_explanation())
         if not groups and any(each.maps for each in planes):
             blocks.append(Paragraph(gettext(MAP_LEGEND_TEXT)))
         caption = gettext(
@@ -210,8 +207,6 @@ def _figures(content: ReportContent) -> list[Block]:
         if by_height or by_range:
             caption = gettext(_profile_caption(by_height, by_range), plane=plane.name)
             blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
-        if plane.name in sections:
-            blocks.append(section_picture(sections[plane.name]))
         if plane.maps:
             caption = gettext(
                 "{caption} Red: the first line is nearer to the vessel; blue: it is farther away.",

@@ -536,7 +536,7 @@ def test_a_short_report_of_a_large_survey_is_short_and_has_all_warnings(project:
     (distances,) = (table for table in tables if len(table.rows) > 10)
     assert len(distances.rows) == MAX_PLANES
     assert len(list(undrawn_pictures(b for s in document.sections for b in s.blocks))) == (
-        MAX_PICTURED_PLANES + 2
+        2 * MAX_PICTURED_PLANES + 2
     )
     made = preview_of(content, {}, ReportOptions("letter"), ppi=PPI)
     assert len(made.pages) <= 4
