@@ -241,9 +241,11 @@ def palette(scheme: ColourScheme) -> QPalette:
     return result
 
 
-FRAMED_CLASSES = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
-          "QAbstractItemView")  # fmt: skip
-"""Classes of check boxes and input widgets."""
+FRAMED_CLASSES = (
+    "QCheckBox", "QRadioButton", "QMenu", "QLineEdit", "QAbstractSpinBox", "QComboBox",
+    "QAbstractItemView",
+)  # fmt: skip
+"""Classes of check boxes, menus with check boxes, and input widgets."""
 
 
 def framed_palette(scheme: ColourScheme) -> QPalette:

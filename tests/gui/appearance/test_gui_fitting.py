@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QDialogButtonBox,
+    QMenu,
     QMessageBox,
     QPushButton,
     QScrollArea,
@@ -112,6 +113,17 @@ def test_the_corner_between_scroll_bars_has_the_colour_of_the_window(
     picture = table.grab().toImage()
     corner = QPoint(table.width() - 4, table.height() - 4)
     assert picture.pixelColor(corner * picture.devicePixelRatio()) == QColor(theme.WINDOW)
+
+
+def test_the_frame_of_a_check_box_in_a_menu_is_visible(qtbot: QtBot, dark: None) -> None:
+    menu = QMenu()
+    qtbot.addWidget(menu)
+    menu.addAction("Orthographic").setCheckable(True)
+    menu.resize(menu.sizeHint())
+    picture = menu.grab().toImage()
+    middle, width = picture.height() // 2, menu.fontMetrics().height() + 8  # left of the text
+    lightness = [picture.pixelColor(x, middle).lightness() for x in range(2, width)]
+    assert max(lightness) > min(lightness) + 60
 
 
 class _LowScreenDialog(VisibilityDialog):
