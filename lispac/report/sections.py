@@ -105,10 +105,9 @@ SITE_PLAN_CAPTION = N_(
     "at its start."
 )
 GEOMETRY_TEXT = N_(
-    "Position: middle of the points of all lines, or centre of a sphere. Width and height: extent "
-    "of the points horizontally and up the slope; of a horizontal surface, to the east and north. "
-    "Inclination: 0° horizontal, 90° vertical; below {limit}°, the azimuth of the normal towards "
-    "the vessel is not given."
+    "Position: middle of the points. Width is horizontal and height up the slope; of a horizontal "
+    "surface, they are east and north. The normal points towards the vessel; its azimuth is given "
+    "for inclinations above {limit}° (90° is vertical)."
 )
 SURFACE_SIGMA_TEXT = N_(
     "Form error of the targets: standard deviation of the offset of a whole sighting from the "
@@ -217,19 +216,19 @@ def residual_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = []
     if content.adjustment is not None:
         blocks += residuals_summary(content.adjustment)
-    blocks += surface_blocks(content, planes_table(len(content.lines)))
+    blocks += surface_blocks(planes_table(len(content.lines)), content.planes)
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
 
 
-def surface_blocks(content: ReportContent, table: ResultTable[PickedPlane]) -> list[Block]:
+def surface_blocks(table: ResultTable[PickedPlane], planes: Sequence[PickedPlane]) -> list[Block]:
     """Table of the targets and validation planes, and its explanation; none without any."""
-    if not content.planes:
+    if not planes:
         return []
-    if all(plane.shape == "plane" for plane in content.planes):
+    if all(plane.shape == "plane" for plane in planes):
         table = table.without("Shape")
-    return [Paragraph(_geometry_text()), report_table(table, content.planes)]
+    return [Paragraph(_geometry_text()), report_table(table, planes)]
 
 
 def _geometry_text() -> str:

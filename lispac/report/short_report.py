@@ -45,9 +45,8 @@ MAX_PLANES = 12
 """Largest number of validation planes in the table."""
 MAX_PICTURED_PLANES = 3
 """Largest number of validation planes with pictures, sections and maps."""
-MAX_PLANES_BESIDE_VIEWS = 8
-"""Largest number of validation planes in the table with which there is space for a section beside
-views of the window."""
+MAX_PLANES_BESIDE_SECTIONS = 8
+"""Largest number of validation planes in the table with which there is space for all sections."""
 MAX_LISTED_LINES = 12
 """Largest number of lines that are listed by name."""
 MAX_NOTES = 8
@@ -127,9 +126,12 @@ def _fit_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Bl
     for title in ("Shape", "Noise\nfactor", "Largest w\nof a sighting", "Finding"):
         table = table.without(title)
     surfaces = planes_table(len(content.lines)).without("Threshold")
+    validated = {plane.name for plane in content.validation}
+    omitted = validated - {plane.name for plane in _planes_to_show(content, MAX_PLANES)}
+    planes = [plane for plane in content.planes if plane.name not in omitted]
     return [
         *control_comparison(content),
-        *sections.surface_blocks(content, surfaces),
+        *sections.surface_blocks(surfaces, planes),
         report_table(table, adjustment.targets),
         facts_table(gettext("Fit and standard deviations used"), facts),
     ]
@@ -283,10 +285,11 @@ def _histogram(plane: ValidationPlane) -> UndrawnPictures:
 
 
 def _section_count(content: ReportContent, *, has_views: bool) -> int:
-    """Number of sections for which there is space; beside views, that of one plane or of none."""
-    if not has_views:
-        return MAX_PICTURED_PLANES
-    return int(len(content.validation) <= MAX_PLANES_BESIDE_VIEWS)
+    """Number of sections for which there is space, beside views and a table of many planes."""
+    has_space = len(content.validation) <= MAX_PLANES_BESIDE_SECTIONS
+    if has_views:
+        return 1 if has_space else 0
+    return MAX_PICTURED_PLANES if has_space else 1
 
 
 def _sections(content: ReportContent, count: int) -> dict[str, PictureRow]:
