@@ -33,6 +33,7 @@ from lispac.gui.widgets.number_field import BASE_OF_SUFFIX, NumberField
 from lispac.gui.widgets.number_input import types_character
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, gettext
+from lispac.present.calibration.adjustment import SHORT_ANGLE_SIGNS
 
 TIP_LENGTH = 90
 """Length of the lines of a tooltip, characters."""
@@ -522,7 +523,11 @@ def boresight_fields(prefix: str) -> TripleField:
             ("roll", "pitch", "yaw"), _BORESIGHT_TEXTS, strict=True
         )
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, *_ in _BORESIGHT_TEXTS], fields)
+    titles = [
+        f"{gettext(title)}\n{gettext(sign)}"
+        for (title, *_), sign in zip(_BORESIGHT_TEXTS, SHORT_ANGLE_SIGNS, strict=True)
+    ]
+    return TripleField(titles, fields)
 
 
 def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:

@@ -286,8 +286,8 @@ def test_the_gizmo_shows_the_axes_of_the_chosen_program(
     gizmo, converted = panel.gizmo, panel.replacement.in_system
     assert gizmo.factor == 1
     directions = {
-        "forward": [1, 0, 0], "aft": [-1, 0, 0], "port": [0, 1, 0], "starboard": [0, -1, 0], "up": [0, 0, 1],
-        "down": [0, 0, -1],
+        "forward": [1, 0, 0], "aft": [-1, 0, 0], "port": [0, 1, 0], "starboard": [0, -1, 0],
+        "up": [0, 0, 1], "down": [0, 0, -1],
     }  # fmt: skip
     named = [directions[word] for word in converted.setup.axes]
     np.testing.assert_array_equal(gizmo.body_axes, named)
