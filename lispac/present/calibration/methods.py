@@ -25,12 +25,6 @@ METHOD_TITLES: Mapping[str, str] = {
     "correspondences": N_("Point correspondences"),
 }
 
-DIFFERENCE_TEXTS = {
-    True: N_("significant difference"),
-    False: N_("no significant difference"),
-}
-"""Texts of whether the results of two methods differ significantly."""
-
 
 @dataclass(frozen=True)
 class MethodValues:
@@ -136,7 +130,9 @@ def method_facts(methods: Sequence[MethodValues]) -> list[Fact]:
             "({pitch_ratio}\u00a0σ), yaw {yaw}° ({yaw_ratio}\u00a0σ)",
             **values,
         )
-        verdict = gettext(DIFFERENCE_TEXTS[bool(each.differ)])
+        verdict = gettext(
+            N_("significant difference") if each.differ else N_("no significant difference")
+        )
         name = gettext(METHOD_TITLES[each.method])
         found.append(Fact(name, f"{differences}; {verdict}"))
     return found

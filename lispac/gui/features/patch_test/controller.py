@@ -23,17 +23,16 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
-from lispac.gui.widgets.result_tables import local_amount
-from lispac.language import N_, gettext, number
+from lispac.gui.widgets.result_tables import local_amount, local_number
+from lispac.language import N_, gettext
 from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
 from lispac.patchtest.line_pairs import LinePair
 from lispac.patchtest.mismatch_minimisation import MismatchMinimum
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
-from lispac.present.calibration.methods import DIFFERENCE_TEXTS
 from lispac.present.calibration.patch_test import PatchTestValues
-from lispac.present.tables import DEGREES
+from lispac.present.tables import DEGREES, ratio
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, compare_calibrations
@@ -59,6 +58,19 @@ WIDENING_FACTOR = 12
 """Factor by which the curve is widened if it has no clear minimum within its width."""
 DEBOUNCE_MS = 200
 """Pause after the last move of a slider before a curve is computed."""
+SIGMA_RATIO = ratio(1)
+"""Format of a difference in standard deviations."""
+DIFFERENCE_TEXTS = {
+    False: N_(
+        "No significant difference from the adjustment: roll {roll} ({roll_ratio}\u00a0σ), pitch "
+        "{pitch} ({pitch_ratio}\u00a0σ), yaw {yaw} ({yaw_ratio}\u00a0σ)."
+    ),
+    True: N_(
+        "Significant difference from the adjustment: roll {roll} ({roll_ratio}\u00a0σ), pitch "
+        "{pitch} ({pitch_ratio}\u00a0σ), yaw {yaw} ({yaw_ratio}\u00a0σ)."
+    ),
+}
+"""Text on the difference from the adjustment by whether it is significant."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,21 +114,15 @@ def difference_text(project: Project | None, result: PatchTestResult) -> str:
     difference = compare_calibrations(first, Calibration("", result.boresight, result.covariance))
     values = {
         f"{name}{suffix}": text
-        for name, angle, ratio in zip(
+        for name, angle, share in zip(
             ANGLE_NAMES, np.degrees(difference.angles), difference.significance, strict=True
         )
         for suffix, text in (
             ("", local_amount(float(angle), DEGREES.signed)),
-            ("_ratio", number(float(ratio), 1, sign=True)),
+            ("_ratio", local_number(float(share), SIGMA_RATIO.signed)),
         )
     }
-    text = gettext(
-        "Difference from the adjustment: roll {roll} ({roll_ratio}\u00a0σ), pitch {pitch} "
-        "({pitch_ratio}\u00a0σ), yaw {yaw} ({yaw_ratio}\u00a0σ)",
-        **values,
-    )
-    verdict = gettext(DIFFERENCE_TEXTS[difference.differ])
-    return f"{text}; {verdict}."
+    return gettext(DIFFERENCE_TEXTS[difference.differ], **values)
 
 
 class PatchTestController(QObject):
