@@ -120,8 +120,12 @@ def adjust(
     settings = SolverSettings(
         model, parameters, shapes, noise, estimated, assumed, accept_single_orientation
     )
-    if not diagnostics:
+    if not diagnostics and model.lever_arm_sigma is None:
         return estimate(observations, mounting, settings, progress)
+
+    def adjust_only(some: Observations) -> AdjustmentResult:
+        solution = solve(some, mounting, settings, progress)
+        return with_lever_arm_effect(solution.result(), solution.linearised)
 
     def adjust_and_diagnose(some: Observations) -> AdjustmentResult:
         solution = solve(some, mounting, settings, progress)
@@ -141,7 +145,11 @@ def adjust(
             return found
         return _with_shorter_correlation_times(found, some, mounting, settings, progress)
 
-    return with_agreeing_targets(observations, adjust_and_diagnose, may_exclude=shapes is None)
+    return with_agreeing_targets(
+        observations,
+        adjust_and_diagnose if diagnostics else adjust_only,
+        may_exclude=shapes is None,
+    )
 
 
 def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:

@@ -223,15 +223,20 @@ class _SurveyTrial:
     def __call__(self, number: int) -> Array:
         stream = np.random.SeedSequence(self.seed, spawn_key=(number,))
         system = self.plan.system
+        sigma = system.lever_arm_sigma
         model = StochasticModel(
-            system.pos_errors, system.pos.time_position, system.pos.time_attitude, self.surface
-        )
+            system.pos_errors, system.pos.time_position, system.pos.time_attitude, self.surface,
+            lever_arm_sigma=sigma if any(sigma) else None,
+        )  # fmt: skip
         with single_blas_thread():
-            survey = simulate_plan(self.plan, np.random.default_rng(stream))
+            generator = np.random.default_rng(stream)
+            survey = simulate_plan(self.plan, generator)
+            prior = system.mounting.with_boresight(np.zeros(3))
+            if any(sigma):
+                errors = np.array(sigma) * generator.standard_normal(3)
+                prior = replace(prior, lever_arm=prior.lever_arm + errors)
             try:
-                result = adjust(
-                    survey, system.mounting.with_boresight(np.zeros(3)), model, diagnostics=False
-                )
+                result = adjust(survey, prior, model, diagnostics=False)
             except AdjustmentError:
                 return np.full((2, 3), np.nan)
         return np.stack([result.boresight - system.mounting.boresight, result.sigma])

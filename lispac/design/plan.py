@@ -34,6 +34,8 @@ class System:
     pos_errors : {"correlated", "independent"}
         Model of the POS errors in the adjustment: correlated in time, or independent for each
         point as in the thesis.
+    lever_arm_sigma : tuple of three float, metres, body frame
+        Sigmas of the lever arm as it will be measured; zero for an exact one.
     """
 
     mounting: Mounting = field(
@@ -42,6 +44,7 @@ class System:
     scanner: Scanner = field(default_factory=lambda: Scanner(150_000.0))
     pos: PosErrorModel = HYDROGRAPHIC_INS
     pos_errors: PosErrors = "correlated"
+    lever_arm_sigma: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def with_pos_scaled(self, factor: float) -> "System":
         """System with the sigmas of its POS multiplied by a factor."""

@@ -12,12 +12,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.diagnostics.lever_arm_uncertainty import effect_of_omitted
 from lispac.adjustment.model.control import Control
 from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.threads import single_blas_thread
+from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.determinability import MAX_ANGLE_SIGMA
+from lispac.adjustment.solve.normal_equations import scaled_inverse
 from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.messages import error
@@ -28,7 +32,7 @@ from lispac.simulation.closed_form_survey import (
     Course,
     scanner_position_abeam,
 )
-from lispac.survey.georeferencing import to_lidar
+from lispac.survey.georeferencing import LEVER_ARM_NAMES, to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -56,7 +60,8 @@ class Prediction:
     Attributes
     ----------
     information : ndarray of shape (3, 3), per square radian
-        Normal matrix of roll, pitch and yaw, with all other unknowns eliminated.
+        Normal matrix of roll, pitch and yaw, with all other unknowns eliminated and the sigmas of
+        the lever arm included.
     points : dict of (target, line) to float
         Expected number of points of each sighting, without sightings that are too oblique or have
         too few points.
@@ -97,7 +102,7 @@ def predict(plan: Plan) -> Prediction:
         return Prediction(np.zeros((3, 3)), {})
     with single_blas_thread():
         try:
-            information = found.linearised().normal.information(3)
+            information = found.information()
         except (RankDeficient, np.linalg.LinAlgError):
             information = np.zeros((3, 3))
     return Prediction(information, found.points)
@@ -193,7 +198,21 @@ class _PlanSightings:
             control=planned_control([t for t in self.plan.targets if t.name in names]),
         )
 
-    def linearised(self) -> LinearisedProblem:
+    def information(self) -> Array:
+        """Normal matrix of roll, pitch and yaw, shape (3, 3), per square radian.
+
+        The sigmas of the lever arm decrease it.
+        """
+        exact = self.linearised()
+        information = exact.normal.information(3)
+        sigma = self.plan.system.lever_arm_sigma
+        if not any(sigma) or np.linalg.eigvalsh(information)[0] < MAX_ANGLE_SIGMA**-2:
+            return information
+        every = self.linearised(tuple(Parameter(name) for name in LEVER_ARM_NAMES))
+        moves = effect_of_omitted(every, exact.problem.active, ANGLES) * sigma
+        return scaled_inverse(scaled_inverse(information) + moves @ moves.T)
+
+    def linearised(self, parameters: tuple[Parameter, ...] = ()) -> LinearisedProblem:
         """Equations at the truth, each point weighted by the number of points it represents."""
         plan, observations = self.plan, self.observations()
         pos = plan.system.pos
@@ -204,7 +223,7 @@ class _PlanSightings:
         )
         targets = {target.name: target for target in plan.targets}
         shapes = np.stack([_target_shape_vector(targets[name]) for name in observations.targets])
-        problem = AdjustmentProblem.of(observations, plan.system.mounting, model)
+        problem = AdjustmentProblem.of(observations, plan.system.mounting, model, parameters)
         for name, target in targets.items():
             own = [k for k, s in enumerate(self.sightings) if s.target == name]
             if own and target.flatness is not None:

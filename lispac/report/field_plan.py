@@ -128,8 +128,8 @@ def _predicted_sigma_text(plan: Plan) -> str:
 
 
 def _assumptions_text(plan: Plan) -> str:
-    pos = plan.system.pos
-    return gettext(
+    pos, lever_arm = plan.system.pos, plan.system.lever_arm_sigma
+    sentence = gettext(
         "Prediction for POS sigmas of {position} mm (north, east, up) and {attitude}° (roll, "
         "pitch, heading), and for targets with a form error of {flatness} mm.",
         position=_triple_text([shortest_number(1000 * value) for value in pos.sigma_position]),
@@ -138,6 +138,13 @@ def _assumptions_text(plan: Plan) -> str:
         ),
         flatness=shortest_number(1000 * plan.flatness),
     )
+    if not any(lever_arm):
+        return sentence
+    sigmas = _triple_text([shortest_number(1000 * value) for value in lever_arm])
+    also = gettext(
+        "It contains the lever arm with a sigma of {sigma} mm (forward, left, up).", sigma=sigmas
+    )
+    return f"{sentence} {also}"
 
 
 def _control_texts(plan: Plan) -> list[str]:

@@ -64,6 +64,43 @@ def test_the_adjustment_with_control_has_the_predicted_sigmas() -> None:
     assert predict(plan.without_control()).sigma == pytest.approx(predict(without).sigma)
 
 
+def lines_with_uncertain_lever_arm() -> Plan:
+    """Plan with four lines and a lever arm that is measured within 2 and 3 cm."""
+    system = replace(PLAN.system, lever_arm_sigma=(0.02, 0.02, 0.03))
+    return replace(PLAN.with_lines(PLAN.lines[:4]), system=system)
+
+
+def test_the_adjustment_has_the_sigmas_predicted_with_those_of_the_lever_arm() -> None:
+    plan = lines_with_uncertain_lever_arm()
+    exact = replace(plan, system=replace(plan.system, lever_arm_sigma=(0.0, 0.0, 0.0)))
+    pos = plan.system.pos
+    observations = simulate_plan(plan, np.random.default_rng(5), calm=True)
+    for each, sigma in ((plan, plan.system.lever_arm_sigma), (exact, None)):
+        model = StochasticModel(
+            "correlated", pos.time_position, pos.time_attitude, plan.flatness,
+            lever_arm_sigma=sigma,
+        )  # fmt: skip
+        result = adjust(observations, plan.system.mounting, model, diagnostics=False)
+        assert predict(each).sigma == pytest.approx(result.sigma, rel=0.02)
+    assert (predict(plan).sigma > 1.2 * predict(exact).sigma).any()
+
+
+@pytest.mark.parametrize(
+    ("count", "workers"), [(40, 1), pytest.param(300, 2, marks=pytest.mark.long)]
+)
+def test_surveys_scatter_as_predicted_with_a_wrong_lever_arm(count: int, workers: int) -> None:
+    """The limits are those of the chi-square and binomial distributions at 0.1 %."""
+    plan = lines_with_uncertain_lever_arm()
+    found = compared(plan, count, flatness_known=True, workers=workers)
+    print(SimulationValues.of(found))
+    assert found.failed == 0
+    lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
+    ratio = found.empirical_sigma / found.predicted
+    assert ((ratio > lower) & (ratio < upper)).all(), SimulationValues.of(found)
+    fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
+    assert (found.interval_coverage >= fewest).all(), SimulationValues.of(found)
+
+
 def test_planned_control_without_errors_lies_on_the_targets() -> None:
     plan = crossing_lines_with_control(0.002)
     observations = simulate_plan(plan, np.random.default_rng(5), perfect=True)

@@ -48,20 +48,36 @@ def lever_arm_effect(linearised: LinearisedProblem, estimated: tuple[str, ...]) 
         metre; zero for a component that is estimated.
     """
     problem = linearised.problem
-    effect = np.zeros((len(estimated), len(LEVER_ARM_NAMES)))
     solved = {MOUNTING_VALUE_NAMES[index] for index in problem.active}
-    omitted = [name for name in LEVER_ARM_NAMES if name not in solved]
-    if not omitted:
-        return effect
-    every = problem.with_parameters(
-        (*problem.parameters, *(Parameter(name) for name in omitted))
-    ).linearised(linearised.state, linearised.loss)
+    omitted = tuple(Parameter(name) for name in LEVER_ARM_NAMES if name not in solved)
+    every = problem.with_parameters((*problem.parameters, *omitted))
+    return effect_of_omitted(
+        every.linearised(linearised.state, linearised.loss), problem.active, estimated
+    )
+
+
+def effect_of_omitted(
+    every: LinearisedProblem, solved: NDArray[np.int64], estimated: tuple[str, ...]
+) -> Array:
+    """Change of the estimated values with the given lever arm, as `lever_arm_effect`.
+
+    Parameters
+    ----------
+    every : LinearisedProblem
+        Equations of the solved values and of the lever arm, at the solution.
+    solved : ndarray of shape (n,), int
+        Indices of the solved values in `MOUNTING_VALUE_NAMES`, increasing.
+    """
+    effect = np.zeros((len(estimated), len(LEVER_ARM_NAMES)))
     active = every.problem.active
+    is_solved = np.isin(active, solved)
+    if is_solved.all():
+        return effect
     information = every.normal.information(len(active))
-    is_solved = np.isin(active, problem.active)
     change = -np.linalg.solve(
         information[np.ix_(is_solved, is_solved)], information[np.ix_(is_solved, ~is_solved)]
     )
-    rows = np.searchsorted(problem.active, [MOUNTING_VALUE_NAMES.index(n) for n in estimated])
-    effect[:, [LEVER_ARM_NAMES.index(name) for name in omitted]] = change[rows]
+    rows = np.searchsorted(solved, [MOUNTING_VALUE_NAMES.index(name) for name in estimated])
+    names = [MOUNTING_VALUE_NAMES[index] for index in active[~is_solved]]
+    effect[:, [LEVER_ARM_NAMES.index(name) for name in names]] = change[rows]
     return effect

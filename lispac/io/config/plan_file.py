@@ -124,6 +124,7 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
     usual, scanner = HYDROGRAPHIC_INS, Scanner(150_000.0)
     with table.table("system") as own:
         lever = own.three_numbers("lever_arm_m", (0.0, 0.0, 2.0))
+        lever_sigma = own.three_numbers("lever_arm_sigma_m", (0.0, 0.0, 0.0), low=0.0)
         pos = PosErrorModel(
             own.three_numbers("position_sigma_m", usual.sigma_position, low=1e-6),
             _to_radians(
@@ -145,7 +146,7 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
         flatness = own.number("flatness_m", Site.flatness, low=0.0)
     mounting = Mounting(np.array(lever), np.zeros(3))
     chosen = next(each for each in POS_ERROR_MODELS if each == errors)
-    return System(mounting, profiler, pos, chosen), flatness
+    return System(mounting, profiler, pos, chosen, lever_sigma), flatness
 
 
 def _read_targets(
@@ -212,6 +213,7 @@ def _plan_text(titled: TitledPlan) -> str:
         "",
         "[system]",
         f"lever_arm_m = {_numbers_text(system.mounting.lever_arm)}",
+        f"lever_arm_sigma_m = {_numbers_text(system.lever_arm_sigma)}",
         f"position_sigma_m = {_numbers_text(pos.sigma_position)}",
         f"attitude_sigma_deg = {_numbers_text(np.degrees(pos.sigma_attitude))}",
         f"position_time_s = {_number_text(pos.time_position)}",

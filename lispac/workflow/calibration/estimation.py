@@ -306,7 +306,9 @@ def reselect_points(
         parameters=(),
     )
     # Everything else of the stochastic model is that of the project.
-    coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="none")
+    coarse_model = replace(
+        settings.stochastic_model, pos_errors="independent", loss="none", lever_arm_sigma=None
+    )
     angles = prior.boresight
     for k in range(rounds):
         step = sub_progress(progress, k / rounds, (k + 1) / rounds)

@@ -192,7 +192,9 @@ def _match_lines(project: Project, survey: Survey, count: int, progress: Progres
     # The initial boresight does not depend on the error of the prior boresight.
     mounting = survey.alignment.mounting
     coarse = replace(settings, subsample=max(settings.subsample, COARSE_SPACING), parameters=())
-    coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
+    coarse_model = replace(
+        settings.stochastic_model, pos_errors="independent", loss="huber", lever_arm_sigma=None
+    )
     picked, found, iterations, converged = project, 0, 0, False
     for iterations, threshold in enumerate(ITERATION_THRESHOLDS, 1):
         step = sub_progress(progress, 0.1 * iterations, 0.1 * iterations + 0.1)

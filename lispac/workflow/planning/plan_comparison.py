@@ -82,13 +82,15 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
     if missing_control:
         missing = note("plan_survey.control_not_used", targets=tuple(missing_control))
         costs.append(_precision_cost(missing, with_planned_control, sailed))
+    # The lever arm has sigmas in both, or in neither.
+    obtained = result if any(plan.system.lever_arm_sigma) else result.with_exact_lever_arm
     return PlanComparison(
         planned_sigma_deg=known_degrees(predict(plan).sigma),
         surveyed_sigma_deg=known_degrees(sailed),
         surveyed_with_form_error_sigma_deg=known_degrees(
             predict(_with_flatness(kept, found_flatness)).sigma
         ),
-        obtained_sigma_deg=degrees(result.with_exact_lever_arm.sigma),  # as predicted
+        obtained_sigma_deg=degrees(obtained.sigma),
         flatness_m=(plan.flatness, found_flatness),
         missing_targets=missing_targets,
         missing_lines=tuple(plan.lines[k].name for k in unsailed),

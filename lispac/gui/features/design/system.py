@@ -71,6 +71,11 @@ class SystemPanel(QScrollArea):
                             angle=gettext(title)))
             for axis, title in ATTITUDE_ANGLE_NAMES.items()
         ]  # fmt: skip
+        self.lever_arm = [
+            _number_field(f"design_sigma_lever_{axis}", "mm", 1, 0.0, 10_000.0, 1.0,
+                    gettext("Lever arm {axis} (1 σ)", axis=axis.upper()))
+            for axis in "xyz"
+        ]  # fmt: skip
         self.times = [
             _number_field("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,
                     gettext("Correlation time of the position errors")),
@@ -105,8 +110,8 @@ class SystemPanel(QScrollArea):
         self.library.clicked.connect(lambda _=False: self.library_requested.emit())
         self._arrange()
         self._numbers = [
-            *self.position, *self.attitude, *self.times, self.flatness, self.pulses, self.profiles,
-            self.range_sigma, self.max_range, self.minutes,
+            *self.position, *self.attitude, *self.lever_arm, *self.times, self.flatness,
+            self.pulses, self.profiles, self.range_sigma, self.max_range, self.minutes,
         ]  # fmt: skip
         for field in self._numbers:
             field.valueChanged.connect(lambda _v, field=field: self._edit(field.objectName()))
@@ -127,6 +132,7 @@ class SystemPanel(QScrollArea):
             (gettext("POS class"), [self.grade]), (gettext("Stochastic model"), [self.model]),
             (gettext("Position σ (north, east, up)"), self.position),
             (gettext("Attitude σ (roll, pitch, heading)"), self.attitude),
+            (gettext("Lever-arm sigma (forward, left, up)"), self.lever_arm),
             (gettext("Correlation time (position, attitude)"), self.times),
             (gettext("Form error of targets"), [self.flatness]),
             (gettext("Pulse rate, profile rate"), [self.pulses, self.profiles]),
@@ -148,6 +154,7 @@ class SystemPanel(QScrollArea):
         plan, system, pos = titled.plan, titled.plan.system, titled.plan.system.pos
         values = [
             *(1000 * v for v in pos.sigma_position), *np.degrees(pos.sigma_attitude),
+            *(1000 * v for v in system.lever_arm_sigma),
             pos.time_position, pos.time_attitude, 1000 * plan.flatness,
             system.scanner.pulses_per_second / 1000, system.scanner.turns_per_second,
             1000 * system.scanner.range_sigma, system.scanner.max_range, plan.interval / 60,
@@ -189,6 +196,9 @@ class SystemPanel(QScrollArea):
             sigma = list(pos.sigma_attitude)
             sigma[kept[name]] = float(np.radians(self.attitude[kept[name]].value()))
             pos = replace(pos, sigma_attitude=tuple(sigma))
+        elif any(field.objectName() == name for field in self.lever_arm):
+            x, y, z = (field.value() / 1000 for field in self.lever_arm)
+            system = replace(system, lever_arm_sigma=(x, y, z))
         elif name == "design_time_position":
             pos = replace(pos, time_position=self.times[0].value())
         elif name == "design_time_attitude":
