@@ -20,6 +20,8 @@ _HULL_OUTLINE = np.array(
     [[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]]
 )
 """Corners of the vessel in the body frame; the drawn body axes have a length of 1.2."""
+ORIGIN_SHARE, ORIGIN_SHARE_DOWN = 0.58, 0.34
+"""Height of the origin below the upper edge, as a share, with an axis up and with one down."""
 _INITIAL_VIEW_DEG = (-142.0, 26.0)
 """Azimuth of the eye, counter-clockwise from ahead, and elevation."""
 _DEGREES_PER_PIXEL = 0.5
@@ -192,8 +194,9 @@ class ScannerAxesView(QWidget):
 
     def _pixel(self, point_body: np.ndarray) -> QPointF:
         x, y, _ = self.project(point_body)[0]
-        scale = 0.44 * min(self.height(), self.width())
-        return QPointF(self.width() / 2 + scale * x, self.height() * 0.62 - scale * y)
+        scale = 0.42 * min(self.height(), self.width())
+        origin = ORIGIN_SHARE if self.body_axes[:, 2].sum() > 0 else ORIGIN_SHARE_DOWN
+        return QPointF(self.width() / 2 + scale * x, self.height() * origin - scale * y)
 
     def _axis_depth(self, axis: np.ndarray) -> float:
         return float(self.project(axis)[0, 2])
