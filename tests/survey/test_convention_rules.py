@@ -57,6 +57,29 @@ def test_angles_of_a_product_give_the_product(convention, a, b, c) -> None:
     assert abs(angles[convention.order[1]]) <= np.pi / 2
 
 
+@pytest.mark.parametrize("convention", WITH_ANGLES, ids=lambda convention: convention.key)
+def test_the_text_of_a_sign_agrees_with_the_matrix(convention) -> None:
+    """A small positive angle turns the scanner as the text of the angle says."""
+    angle = 0.01
+    setup = ConventionSetup(convention, scanner="turned")
+    for k, turn_of_angle in enumerate(convention.turns):
+        mounting = mounting_of_angles(setup, angle * np.eye(3)[k], np.zeros(3))
+        bow, port, _ = mounting.rotation_body_lidar.T  # forward, port and up parts
+        effects = {
+            "bow up": bow[2], "bow down": -bow[2], "port side up": port[2],
+            "starboard side down": port[2], "counter-clockwise seen from above": bow[1],
+            "positive clockwise seen from above": -bow[1],
+        }  # fmt: skip
+        named = [effect for words, effect in effects.items() if words in turn_of_angle.meaning]
+        if turn_of_angle.meaning == "right-handed":
+            axis = setup.permutation[turn_of_angle.axis]
+            expected = np.eye(3) + np.sin(angle) * np.cross(axis, np.eye(3)).T
+            expected += (1 - np.cos(angle)) * (np.outer(axis, axis) - np.eye(3))
+            np.testing.assert_allclose(mounting.rotation_body_lidar, expected, atol=1e-12)
+        else:
+            assert named == pytest.approx([np.sin(angle)]), turn_of_angle.name
+
+
 @example(convention_of_key("phoenix-1-5"), "lidar_to_body", 0.0, 0.0, 1e-10, False)
 @given(every_system, every_direction, small, small, small, st.booleans())
 @settings(max_examples=300, deadline=None)

@@ -358,6 +358,8 @@ class ConventionPanel(QWidget):
     def _show_refusal(self, text: str) -> None:
         self.assumption.setText(escape(text))
         self.assumption.show()
+        for widget in (self.status, self.mounting_text, self.gizmo):  # of the former program
+            widget.hide()
         self._show_no_angles()
 
     def _show_no_angles(self) -> None:

@@ -258,11 +258,16 @@ def test_the_axes_of_an_imu_are_chosen(qtbot: QtBot, panel: ConventionPanel) -> 
 
 def test_invalid_scanner_axes_are_refused_with_a_message(qtbot, panel) -> None:
     choose(qtbot, panel, "hypack")
+    type_boresight(qtbot, panel, "20", "-8", "30")
+    assert panel.gizmo.isVisible()
     panel.scanner.setFocus()
     qtbot.keyClick(panel.scanner, Key.Key_Down)
     assert panel.scanner.currentData() == "kept"
     assert "left-handed" in panel.assumption.text()
-    assert not panel.table.isVisible()
+    for widget in (panel.table, panel.gizmo, panel.status, panel.mounting_text):
+        assert not widget.isVisible()
+    choose(qtbot, panel, "applanix")
+    assert panel.gizmo.isVisible()
 
 
 def test_the_gizmo_exaggerates_small_rotations_and_shows_the_factor(qtbot, panel) -> None:
@@ -291,9 +296,16 @@ def test_the_gizmo_shows_the_axes_of_the_chosen_program(
     }  # fmt: skip
     named = [directions[word] for word in converted.setup.axes]
     np.testing.assert_array_equal(gizmo.body_axes, named)
-    # Parts of the scanner axes along the body axes: the matrix from scanner to body
-    rotation = gizmo.body_axes @ gizmo.scanner_axes.T
-    np.testing.assert_allclose(rotation, converted.transform[:3, :3], atol=1e-9)
+    assert np.linalg.det(gizmo.project(np.eye(3))) == pytest.approx(1.0), "the picture is mirrored"
+    for index in range(panel.scanner.count()):
+        panel.scanner.setCurrentIndex(index)
+        if panel.replacement is None:  # left-handed axes
+            assert not gizmo.isVisible()
+            continue
+        # Parts of the scanner axes along the body axes: the matrix from scanner to body
+        rotation = gizmo.body_axes @ gizmo.scanner_axes.T
+        expected = panel.replacement.in_system.transform[:3, :3]
+        np.testing.assert_allclose(rotation, expected, atol=1e-9)
 
 
 def test_the_gizmo_is_rotated_by_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
