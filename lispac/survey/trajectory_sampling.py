@@ -3,7 +3,7 @@
 They have to be dense enough for linear interpolation, and none may repeat an earlier position.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +66,7 @@ def interpolation_messages(
     trajectory: LocalTrajectory,
     accuracy: TrajectoryAccuracy,
     times: Mapping[str, Array],
+    dense_times: Mapping[str, Callable[[], Array]] | None = None,
 ) -> tuple[Message, ...]:
     """Messages about lines during which the states are too far apart for the motion.
 
@@ -76,6 +77,9 @@ def interpolation_messages(
     times : mapping of str to ndarray of shape (n,), seconds
         Times of a sample of the points of each line, by its name; intervals without points are
         ignored.
+    dense_times : mapping of str to function that returns an ndarray of shape (m,), seconds
+        Times of a denser sample, without which short gaps may be missed. The function is called
+        only for lines during which the trajectory has gaps.
     """
     if len(trajectory.time) < 3:
         return ()
@@ -119,25 +123,53 @@ def interpolation_messages(
                 )
             )
             continue
-        in_gap = steps[intervals] > MIN_GAP_RATIO * float(np.median(steps[intervals]))
-        gaps, of_gaps = intervals[in_gap], of_points[in_gap]
-        exceeds = (of_gaps > np.hstack(accuracy.at(middle[gaps]))).any(axis=1)
-        if exceeds.any():
-            found.append(
-                Message(
-                    "trajectory.gap_interpolated",
-                    Level.WARNING,
-                    {
-                        "line": name,
-                        "count": len(np.unique(gaps[exceeds])),
-                        "longest": float(steps[gaps[exceeds]].max()),
-                        "shift": float(of_gaps[:, :3].max()),
-                        "turn": float(of_gaps[:, 3:].max()),
-                    },
-                    Cause.of_line(name),
-                )
-            )
+        usual_step = float(np.median(steps[intervals]))
+        inside = (middle > own.min()) & (middle < own.max())
+        if dense_times is not None and _is_gap(trajectory, usual_step)[inside].any():
+            own = dense_times[name]()
+        message = _gap_message(name, trajectory, accuracy, errors, own, usual_step)
+        if message is not None:
+            found.append(message)
     return tuple(found)
+
+
+def _is_gap(trajectory: LocalTrajectory, usual_step: float) -> NDArray[np.bool_]:
+    """Whether each interval between two states is a gap that is interpolated, shape (n - 1,)."""
+    steps = np.diff(trajectory.time)
+    return np.asarray((steps > MIN_GAP_RATIO * usual_step) & (steps <= trajectory.longest_gap))
+
+
+def _gap_message(
+    name: str,
+    trajectory: LocalTrajectory,
+    accuracy: TrajectoryAccuracy,
+    errors: Array,
+    own: Array,
+    usual_step: float,
+) -> Message | None:
+    """Warning about the gaps with points of a line and an error beyond the given accuracy."""
+    time, steps = trajectory.time, np.diff(trajectory.time)
+    own = own[(own >= time[0]) & (own < time[-1])]
+    gaps = np.searchsorted(time, own, side="right") - 1
+    in_gap = _is_gap(trajectory, usual_step)[gaps]
+    own, gaps = own[in_gap], gaps[in_gap]
+    u = (own - time[gaps]) / steps[gaps]
+    of_gaps = errors[gaps] * (4 * u * (1 - u))[:, None]
+    exceeds = (of_gaps > np.hstack(accuracy.at(time[gaps] + 0.5 * steps[gaps]))).any(axis=1)
+    if not exceeds.any():
+        return None
+    return Message(
+        "trajectory.gap_interpolated",
+        Level.WARNING,
+        {
+            "line": name,
+            "count": len(np.unique(gaps[exceeds])),
+            "longest": float(steps[gaps[exceeds]].max()),
+            "shift": float(of_gaps[:, :3].max()),
+            "turn": float(of_gaps[:, 3:].max()),
+        },
+        Cause.of_line(name),
+    )
 
 
 def held_position_messages(

@@ -1,5 +1,6 @@
 """Tests of the bound of the error of linear interpolation, of held positions, and the warnings."""
 
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +89,31 @@ def test_an_interpolated_gap_gives_a_warning_if_its_error_exceeds_the_accuracy(
         assert message.params["turn"] == pytest.approx(turn, rel=0.3)
     exceeds = shift > 0.02 or turn > np.radians(0.01)
     assert warned == (exceeds and length <= track.longest_gap)
+
+
+def test_a_short_gap_between_the_sampled_times_gives_a_warning() -> None:
+    time = np.arange(0, 60, 1 / 200)
+    track = LocalTrajectory(FRAME, *(each[(time <= 20.0) | (time >= 20.4)] for each in
+                                     (time, *states(time))))  # fmt: skip
+    points, pause = np.linspace(5.0, 55.0, 100_000), np.linspace(20.5, 55.0, 50_000)
+    runs = np.concatenate([np.linspace(k, k + 1e-4, 16) for k in np.linspace(5.7, 54.7, 50)])
+    assert not ((runs > 20.0) & (runs < 20.4)).any(), "the runs miss the gap"
+    calls = []
+
+    def dense(times: np.ndarray) -> np.ndarray:
+        calls.append(times)
+        return times
+
+    for own, warned in ((points, True), (np.concatenate([[6.0], pause]), False)):
+        messages = interpolation_messages(
+            track, ACCURACY, {"L1": runs}, {"L1": partial(dense, own)}
+        )
+        assert [each.code for each in messages] == ["trajectory.gap_interpolated"] * warned
+    calls.clear()
+    assert not interpolation_messages(
+        trajectory(200.0), ACCURACY, {"L1": runs}, {"L1": partial(dense, points)}
+    )
+    assert not calls, "read only if the trajectory has gaps"
 
 
 def test_the_reported_rate_is_that_of_the_file() -> None:

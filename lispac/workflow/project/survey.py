@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Literal
 
@@ -278,7 +278,8 @@ def load_survey(
     first_times = {name: scan.first_time for name, scan in scans.items()}
     messages += simultaneous_messages(audits, first_times)
     sampled = {name: _sample_times(scan) for name, scan in scans.items()}
-    messages += interpolation_messages(trajectory, accuracy, sampled)
+    dense = {name: partial(getattr, cloud, "sample_time") for name, cloud in clouds.items()}
+    messages += interpolation_messages(trajectory, accuracy, sampled, dense)
     messages += held_position_messages(trajectory, accuracy, sampled)
     progress(1.0)
     unused = {
